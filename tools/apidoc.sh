@@ -10,9 +10,9 @@ curtain=${1:-build/curtain-null}
 cat <<'END'
 # The Lua API, entry by entry
 
-Made by `tools/apidoc.sh` from the table that checks the arguments (`curtain help lua`). `name{...}` takes a table of
-named arguments, `thing:name()` is a method, and return values follow `->`. The brackets after an argument hold its
-type, its range and its default.
+`tools/apidoc.sh` generates this page from the table that Curtain uses to check arguments; `curtain help lua` prints the
+same text. `name{...}` takes a table of named arguments, `thing:name()` is a method, and the return values follow `->`.
+The brackets after an argument show its type, range and default.
 END
 properties() { "$curtain" help lua "$1" | sed -n '/^properties of/,$p'; } # THING
 heading() {

@@ -544,8 +544,9 @@ rules:
 A looping piece lasts at least {long:g} seconds before it loops, and the loop starts at the beginning of a section. A
 piece that does not loop lasts {short[0]:g} to {short[1]:g} seconds. No two pieces have the same key, tempo and chords.
 
-The table shows the results. *Leap* is the melody's widest interval and *range* is the melody's range, both in
-semitones. *Rests* is the melody's longest rest in bars, and *sections* is the number of different sections.
+The table shows the results. *Leap* is the melody's widest interval, and *range* is the distance from its
+lowest to its highest note, both in semitones. *Rests* is the melody's longest rest in bars, and *sections* is the
+number of different sections.
 
 {notes}
 
@@ -553,7 +554,7 @@ semitones. *Rests* is the melody's longest rest in bars, and *sections* is the n
 
 `curtain sound` prints the loudness of a piece, measured as in ITU-R BS.1770. These limits apply:
 
-* The loudness of any two pieces differs by at most {spread:g} LU.
+* Any two pieces differ in loudness by at most {spread:g} LU.
 * The peak of a piece is at most {peak:g} dB.
 * At most {round:g} % of the samples of a piece are in the curved part of the limiter.
 * The mean of the samples is at most {dc:g} of full scale.

@@ -188,8 +188,8 @@ def best_games():
 
 
 def pictures(stage, kind, name, shown):
-    return " ".join("![%s, %s](../images/patterns/%s.png)" % ((name or stage).replace("/", ", "), d,
-                                                         file_name(stage, kind, name, d)) for d in shown)
+    return " ".join("![%s, %s](../images/patterns/%s.png)" % (name or stage, d, file_name(stage, kind, name, d))
+                    for d in shown)
 
 
 def page(files, games):

@@ -281,7 +281,7 @@ print(math.random(6), math.randomseed, math.exp(1), math.log(2), math.pow, table
 print(string.dump, string.pack, string.packsize, string.unpack)
 ----
 main.lua:2: os is not available (use board.frame() for time and save.set for saved data)
-main.lua:2: io is not available (use rom.text to read a text file of the game and print to write to the log)
+main.lua:2: io is not available (use rom.text to read the game's text files, and print to write to the log)
 main.lua:2: debug is not available (use print and board.note)
 main.lua:2: coroutine is not available (use task.go to start a task and wait(n) to let frames pass)
 main.lua:2: next is not available (use pairs, whose order is always the same)

@@ -600,7 +600,7 @@ static void test_errors(void **state)
     refused("{ path = point }", "step 1: path: the route has no length");
     refused("{ path = route, over = 4 }", "`over` cannot be combined with `path`");
     refused("{ turn = 3, mirror = true }", "`mirror` requires `path`");
-    refused("fine = true, { path = route }", "`path` cannot be used in a fine motion (it is already exact)");
+    refused("fine = true, { path = route }", "`path` cannot be used in a fine motion (this step is always exact)");
 }
 
 int main(void)

@@ -501,7 +501,7 @@ static void test_errors(void **state)
     fault(true, "bullet.meet('a', 'b', { clear = 'frist' })",
           "main.lua:1: bullet.meet: clear: expected none, first, second or both, got \"frist\"");
     fault(true, "bullet.meet('a', 'b', { })",
-          "main.lua:1: bullet.meet: expected `clear` or `on_meet` (without them, a meeting has no effect)");
+          "main.lua:1: bullet.meet: expected `clear` or `on_meet` (without either, a meeting has no effect)");
     fault(true, "bullet.meet('a', 'b', { clear = 'none', all = true, on_meet = print })",
           "main.lua:1: bullet.meet: all: requires `clear`");
     fault(true,

@@ -113,8 +113,8 @@ static void parts(void)
         for (int i = -1; i < LEFT_OUTS; i++)
             for (int k = 0; k < FRAMES; k++)
                 frame(i < 0 ? &whole : &without[i], k > 0);
-    report_text("The next table shows what each other part of the fight costs in microseconds. This is the time of the "
-                "fight with %s bullets, minus the time of the same fight without that part.",
+    report_text("The next table shows the cost of each of the other parts of the fight in microseconds. This cost is "
+                "the time of the fight with %s bullets, minus the time of the same fight without that part.",
                 report_count(whole.live / whole.frame.n));
     report_table(NULL, "part | tick> | draw>");
     for (int i = 0; i < LEFT_OUTS; i++)

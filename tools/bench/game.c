@@ -168,8 +168,9 @@ void section_game(void)
     report_text("The demo of a complete run (`%s`) has %s frames (%s minutes). The time of each frame is the median of "
                 "%d runs. At the end of each run, the hashes match those in the demo.",
                 BENCH_DEMO, report_count(demo.frames), report_figure(demo.frames / 3600.0), RUNS);
-    report_table(NULL,
-                 "| frames a second> | frames a second in the slowest 600 frames> | second in which these start>");
+    report_table(
+        NULL,
+        "| frames a second> | frames a second in the slowest 600 frames> | second in which these 600 frames start>");
     report_row(0, "tick alone", report_count((int64_t)tick.all), report_count((int64_t)tick.slowest),
                report_count(tick.at / SECOND), NULL);
     report_row(0, "tick and draw", report_count((int64_t)both.all), report_count((int64_t)both.slowest),

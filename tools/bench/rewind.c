@@ -211,7 +211,7 @@ static void report_snapshots(struct past_run *r)
                 samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
                  us < SNAPSHOT_US);
-    bench_target("... saved as a key frame of the rewind history", "20 µs",
+    bench_target("a snapshot of the built-in game, saved as a key frame of the rewind history", "20 µs",
                  report_string("%s µs", report_figure(key_us)), key_us < SNAPSHOT_US);
 }
 

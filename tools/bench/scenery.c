@@ -12,7 +12,7 @@ static const struct landscape {
     const char *what, *map[VIEW_LAYERS], *plane;
     bool lines, blend;
 } VIEWS[] = {
-    { "nothing; the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
+    { "no background; the field is cleared", { NULL, NULL, NULL }, NULL, false, false },
     { "a layer without holes", { "sea", NULL, NULL }, NULL, false, false },
     { "the same, each line shifted by a wave", { "sea", NULL, NULL }, NULL, true, false },
     { "a layer with holes", { "clouds", NULL, NULL }, NULL, false, false },
@@ -166,7 +166,7 @@ static void look_prices(struct stand *s)
             if (round >= 0)
                 samples_add(&draw[i], bench_since(from));
         }
-    report_text("The next table shows the same for a picture with other things instead of a background.");
+    report_text("The next table shows the same for a picture with text, a flash or a shake instead of a background.");
     report_table(NULL, "part | total> | difference>");
     for (int i = 0; i < LOOK_COUNT; i++)
         report_row(i == 0, LOOKS[i].what, samples_figure(&draw[i], 1e3),

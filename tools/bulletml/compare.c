@@ -32,7 +32,7 @@ static bool add_leaving(struct leaving *l, int32_t id)
 static void only_on(struct compared *out, const struct side_bullet *b, const char *side, int32_t f)
 {
     out->alone = true;
-    snprintf(out->what, sizeof out->what, "frame %d: bullet %d is only on the %s side, at %.3f, %.3f", f, b->id, side,
+    snprintf(out->what, sizeof out->what, "frame %d: only the %s run has bullet %d, at %.3f, %.3f", f, side, b->id,
              b->x, b->y);
 }
 

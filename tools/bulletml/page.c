@@ -142,15 +142,16 @@ static void section_documents(void)
     conclude("frames compared per document", report_string("%d, at each of %d ranks", ALL_FRAMES, ALL_RANKS));
     report_section("Every document");
     report_text(
-        "*Bullets* and *positions* are totals over all four ranks. *Greatest distance* is in px, and occurred at the "
-        "*rank* next to it. A document's name is its path without `/usr/share/games` or `/usr/share/doc`.");
+        "*Bullets* and *positions* are totals over all four ranks. *Greatest distance* is in px; *rank* is the rank at "
+        "which it occurred. A document's name is its path without `/usr/share/games` or `/usr/share/doc`.");
     report_table(NULL, "document|bullets>|positions>|most at once>|greatest distance>|rank>|");
     for (int i = 0; i < documents.n; i++)
         document_row(documents.path[i], &r[i]);
     report_table_end();
-    report_text("%s bullets left the area. By Curtain's positions, %s of them would have left it in a different frame, "
-                "because they were so close to the border that a rounding error made the difference.",
-                report_count(s.left), report_count(s.otherwise));
+    report_text(
+        "%s bullets left the area around the field. Judged by Curtain's positions, %s of them would have left it in a "
+        "different frame, because they were so close to the border that a rounding error made the difference.",
+        report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
 
@@ -215,9 +216,11 @@ static void section_rounding(void)
         "BulletML does not say how numbers are rounded. Doubles normally round to nearest, but rounding down, up or "
         "towards zero is equally valid. The documents below behave differently in libbulletml itself when the rounding "
         "mode changes, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
-        "such documents may differ from libbulletml, and only if they are listed in `%s`.",
+        "documents like these may differ from libbulletml, and only if they are listed in `%s`.",
         TOOL_EXCEPTIONS);
-    report_table(NULL, "document|rank>|rounding|difference (first side: to nearest; second side: this rounding)");
+    report_table(
+        NULL,
+        "document|rank>|rounding|first difference; the first run rounds to nearest, the second run as in this row");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
         for (int k = 0; k < ALL_RANKS; k++)
@@ -257,8 +260,8 @@ static void section_sheet(void)
     report_text("These are the 64 documents with the most bullets in the field at once, each in the frame with the "
                 "most bullets. They run at rank 1 and restart when they end. A bullet's colour depends on its number. "
                 "Only bullets are shown; the documents belong to their games.");
-    report_text("![Eight rows of eight small black fields with patterns of coloured dots, each with the name of its "
-                "document under it](../images/bulletml.png)");
+    report_text("![Eight rows of eight small black fields with patterns of coloured dots; below each field is the name "
+                "of its document](../images/bulletml.png)");
 }
 
 /* ---- the command line ---- */

@@ -226,7 +226,7 @@ bool tool_speed(struct tool_times *out)
         "computes a bullet's velocity in every frame; the *fast host* computes it only when the direction or speed "
         "changes. Both free a bullet's actions when they have ended, and test whether bullets have left a box.\n"
         "\n"
-        "Curtain and both hosts run the same documents from the same positions, in one process, in turns of ten "
+        "Curtain and both hosts run the same documents from the same positions, in one process, taking turns of ten "
         "frames. A document runs in as many copies as needed for 1,000 to 64,000 active bullets. *Runners* is the "
         "number of bullets and documents whose actions are running. The times are medians of 100 frames, in ns per "
         "bullet. The ratios say how many times as fast Curtain is. Curtain's frame is a whole tick, including hit "

@@ -69,15 +69,15 @@ page() {
 
 This is a collection of small patterns and effects to look at and copy, one per file in
 [roms/cookbook/recipes](../roms/cookbook/recipes). \`curtain play roms/cookbook\` shows them. The arrow keys turn the
-pages, and fire restarts a recipe. START closes the list of recipes, so that the arrow keys move the ship; START again
-opens it.
+pages, and fire restarts a recipe. START closes the list of recipes, so that the arrow keys move the ship. Press START
+again to open it.
 
 \`curtain play roms/cookbook --stage flower\` starts at the recipe "flower", and
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
 
 Most files return a task \`f(e, p)\`; \`e\` is an enemy and \`p\` the player. Others return a table that holds this task
 as \`run\`, along with other fields such as \`ship\`. [kinds.lua](../roms/cookbook/kinds.lua) defines kinds for the
-recipes; in your own game, use your own. [The guide](README.md) explains the API.
+recipes; in your own game, define your own. [The guide](README.md) explains the API.
 
 The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at the
 same time, and the average and maximum work per frame. A unit of work is about one Lua instruction; an engine call costs

@@ -228,9 +228,9 @@ contents() {
     echo
     echo "All builds agree in every frame and part. They also agree on the bytes of the packed games and" \
         "on the digest of all"
-    echo "functions in \`src/base\` (\`tools/prove/digest.c\`). A build for x86-64 whose \`pairs\` uses" \
-        "Lua's own order is detected:"
-    echo "\`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
+    echo "functions in \`src/base\` (\`tools/prove/digest.c\`). The comparison also detects a build for x86-64 whose" \
+        "\`pairs\` uses"
+    echo "Lua's own order: \`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
 }
 
 write_page() {

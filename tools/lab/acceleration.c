@@ -199,9 +199,9 @@ static const struct method {
     { "`accel = a`, fine", "half a frame's acceleration", engine_accel_fine, time_engine, true, true, true,
       "slow changes over minutes" },
     { "Euler, speed first", "half a frame's acceleration", euler_speed_first, time_euler, false, false, false,
-      "comparison: the engine's method without its rounding" },
+      "comparison with the engine: the same method without rounding" },
     { "Euler, position first", "half a frame's acceleration, in the other direction", euler_place_first, time_euler,
-      false, false, false, "nothing: no more accurate, and a bullet fired at rest starts to move a frame late" },
+      false, false, false, "avoid: no more accurate, and a bullet fired at rest starts to move a frame late" },
     { "trapezoid", "the time for one more addition", trapezoid, time_trapezoid, false, false, false,
       "physics simulations" },
     { "closed form", "aiming, turning and later changes", closed_form, time_closed, false, false, false,
@@ -260,8 +260,8 @@ static void time_methods(struct lab_rival *rivals)
 
 static void print_methods(const struct lab_rival *rivals)
 {
-    report_table(NULL, "method | gives up | 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | 1 to 3 in "
-                       "600> | 0 to 8 in 60> | rms of all> | use it for");
+    report_table(NULL, "method | gives up | from 1 to 1.05 px/frame in 3,600 frames, max> | 1 to 3 in 3,600> | 1 to 3 "
+                       "in 600> | 0 to 8 in 60> | rms of all> | use");
     for (int k = 0; k < COUNT; k++) {
         const char *cell[SCENES];
         for (int c = 0; c < SCENES; c++)
@@ -270,7 +270,8 @@ static void print_methods(const struct lab_rival *rivals)
                    report_string("%s px", report_figure(sqrt(squares[k] / frames))), METHODS[k].who, NULL);
     }
     report_table_end();
-    report_table(NULL, "method | rounding error only, 1 to 3 in 3,600> | time per bullet> | ratio>");
+    report_table(NULL,
+                 "method | rounding error alone, from 1 to 3 px/frame in 3,600 frames> | time per bullet> | ratio>");
     for (int k = 0; k < COUNT; k++)
         report_row(k == OVER, METHODS[k].name,
                    METHODS[k].engine ? report_string("%s px", report_figure(rounding[k][PLOTTED])) : "-",
@@ -320,16 +321,17 @@ void section_acceleration(void)
                 "rest of the error is rounding. There is no default method; ▶ marks the recommended one.");
     print_methods(rivals);
     plot_flights();
-    report_text("`accel = a` rounds the acceleration to 2⁻¹⁶ px/frame² and adds it in every frame. Within a minute, "
-                "the error can reach\n"
-                "dozens of pixels. `speed = v, over = n` computes each speed from the first and the last speed, so its "
-                "rounding errors\n"
-                "cancel out. The bullet stays within %s px of the exact sum, or within %s px with `fine`.",
-                report_figure(worst), report_figure(fine));
+    report_text(
+        "`accel = a` rounds the acceleration to 2⁻¹⁶ px/frame² and adds it in every frame. Within a minute, the error "
+        "can reach\n"
+        "dozens of pixels. `speed = v, over = n` computes each speed from the first and the last speed, so its "
+        "rounding errors\n"
+        "cancel out. The bullet stays within %s px of the exact sum of its speeds, or within %s px with `fine`.",
+        report_figure(worst), report_figure(fine));
     lab_claim(fabs(most[OVER][PLOTTED] - 1) < 0.01, "the engine is half a change of speed ahead");
     lab_conclude("acceleration", "none; recommended: `speed = v, over = n`",
-                 report_string("at most %s px from the exact sum; `accel = a` is up to %s px off", report_figure(worst),
-                               report_figure(rounding[ACCEL][PLOTTED])),
-                 "use `accel = a` for short or endless changes",
+                 report_string("at most %s px of rounding error, instead of up to %s px with `accel = a`",
+                               report_figure(worst), report_figure(rounding[ACCEL][PLOTTED])),
+                 "use `accel = a` for changes of speed that are short or never end",
                  worst < 0.1 && rounding[ACCEL][PLOTTED] > 10 && fine < 1e-4);
 }

@@ -197,7 +197,7 @@ static const struct format {
       "headings that are set but never turned" },
     { "32 bits", "8.4e-8°", "nothing", 32, after_engine, ring_engine, turn_u32, "everything" },
     { "float32 degrees", "up to 3.1e-5°", "8 bits; automatic wrap-around; time", 0, after_float, NULL, turn_f32,
-      "nothing: less accurate, and must be wrapped explicitly at 360" },
+      "avoid: less accurate, and must be wrapped at 360 explicitly" },
     { "double degrees", "up to 5.7e-14°", "4 bytes; automatic wrap-around; time", 0, after_double, NULL, turn_f64,
       "calculations in scripts" },
 };
@@ -230,7 +230,7 @@ static const char *error_cell(int k, int s)
 static void print_formats(const struct lab_rival *rivals)
 {
     report_table(NULL, "heading | resolution> | gives up | error after 100 steps, max (rms)> | 1,000> | 10,000> | "
-                       "100,000> | time per step> | ratio> | use it for");
+                       "100,000> | time per step> | ratio> | use");
     for (int k = 0; k < COUNT; k++)
         report_row(is_standard(&FORMATS[k]), FORMATS[k].name, FORMATS[k].unit, FORMATS[k].trade, error_cell(k, 0),
                    error_cell(k, 1), error_cell(k, 2), error_cell(k, 3), lab_ns(&rivals[k]), lab_ratio(&rivals[k]),
@@ -240,8 +240,8 @@ static void print_formats(const struct lab_rival *rivals)
 
 static void print_rings(void)
 {
-    report_table("Rings of n shots: widest minus narrowest gap if shot i is placed at i/n of a turn / if a rounded "
-                 "step is added repeatedly",
+    report_table("Rings of n shots: widest minus narrowest gap, first if shot i is placed at i/n of a turn, then if a "
+                 "rounded step is added repeatedly",
                  "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
     for (int r = 0; r < RINGS; r++) {
         const char *cells[3];
@@ -302,8 +302,8 @@ void section_angles(void)
                 "are enough for\n"
                 "aiming but not for repeated steps. A 32-bit heading needs only 2 bytes more.");
     lab_conclude("directions", "32-bit binary angles",
-                 report_string("an error of %s° after 10,000 steps; with 16 bits, %s°", report_figure(most[me][2]),
-                               report_figure(most[BITS16][2])),
+                 report_string("an error of %s° after 10,000 steps, instead of %s° with 16 bits",
+                               report_figure(most[me][2]), report_figure(most[BITS16][2])),
                  "none: 16 bits save only 2 bytes per bullet",
                  most[me][2] < 0.001 && most[BITS16][2] > 1 && unevenness(ring_engine, 1000, false) < 2e-7 &&
                      (lab_exact() || rivals[me].ns < 1));

@@ -205,7 +205,7 @@ static void measure(const struct way *ways, int n, bool circular, struct lab_riv
     report_table(
         circular ? "Angles" : "Positions",
         report_string(
-            "%s|gives up|values tried|changed by a round trip>|largest change, %s>|round-trip time>|ratio>|use it for",
+            "%s|gives up|values tried|changed by a round trip>|largest change, %s>|round-trip time>|ratio>|use",
             circular ? "angle passed as" : "position passed as", circular ? "2⁻³² of a turn" : "ulp"));
     for (int i = 0; i < n; i++) {
         int count = ways[i].slow ? TEXTS : VALUES;
@@ -276,9 +276,9 @@ void section_border(void)
                 "%s° off (half of\n"
                 "2⁻³² of a turn). Multiples of 360°/2ⁿ are read back unchanged.",
                 report_figure(degrees_back()));
-    lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip",
+    lab_conclude("positions in scripts", "pixels as a double", "all 2³² values survive a round trip through a script",
                  "use text with 14 digits in files", positions);
     lab_conclude("angles in scripts", "degrees as a double",
-                 "all 2³² values survive a round trip; a quarter turn is exactly 90",
+                 "all 2³² values survive a round trip through a script; a quarter turn is exactly 90",
                  "use whole degrees in hand-written files", most[0] == 0 && (lab_exact() || all_come_back(ang_double)));
 }

@@ -570,16 +570,15 @@ static void print_ways(void)
         const char *name, *trade, *who;
     } NAMES[WAYS] = {
         { "scan with rejection in blocks of 64", "nothing", "everything" },
-        { "scan that tests each bullet exactly", "the quick rejection", "nothing" },
-        { "grid of 16 px", "a sort in every frame", "four or more players against the same bullets" },
-        { "tree of boxes", "a longer sort in every frame",
+        { "scan that tests each bullet exactly", "the quick rejection", "avoid" },
+        { "grid of 16 px", "the time for a sort in every frame", "four or more players against the same bullets" },
+        { "tree of boxes", "the time for a longer sort in every frame",
           "stationary bullets, or a world many times larger than the field" },
     };
     const struct result *r = &results[2];
 
-    report_table(
-        report_string("One player against %s bullets: one frame", report_count(SIZE[2])),
-        "method | gives up | pairs found> | bullets looked at> | tested exactly> | time> | ratio> | use it for");
+    report_table(report_string("One frame with one player and %s bullets", report_count(SIZE[2])),
+                 "method | gives up | pairs found> | bullets looked at> | tested exactly> | time> | ratio> | use");
     for (int w = 0; w < WAYS; w++)
         report_row(w == ENGINE, NAMES[w].name, NAMES[w].trade, report_count(r->hits),
                    report_count((int64_t)r->looked[w]), report_count((int64_t)r->tested[w]), lab_us(&r->times[w]),
@@ -631,11 +630,11 @@ static void print_crowds(void)
 static void print_shots(void)
 {
     print_crowds();
-    report_text("The engine sorts the enemies into a grid with about one enemy per cell, at the position of the enemy "
-                "before it moved.\n"
-                "Each shot searches four cells first, then rings of cells around them, and stops at the nearest enemy "
-                "it hits. In the\n"
-                "last row, a tenth of all pairs touch, but the engine still tests only a few of them.\n"
+    report_text("The engine sorts the enemies into a grid with about one enemy per cell, by their positions before "
+                "they moved. Each shot\n"
+                "searches four cells first, then rings of cells around them, and stops at the nearest enemy it hits. "
+                "In the last row, a\n"
+                "tenth of all pairs touch, but the engine still tests only a few of them.\n"
                 "\n"
                 "The grid of 32 px puts each enemy into every cell in which a shot can hit it, so it suits only small "
                 "enemies. The\n"

@@ -182,19 +182,20 @@ static const struct rival {
     void (*loop)(void *data);
     const char *who;
 } RIVALS[] = {
-    { "circle, swept", "nothing: exact along the whole path", swept_circle, swept_circle_loop, "everything" },
-    { "circle", "the path between two frames", circle, circle_loop, "bullets that move less than r/2 per frame" },
-    { "circle, 2 substeps", "the path between two substeps", two_parts, two_parts_loop,
-      "nothing: misses hits, and is slower than swept for distant bullets" },
-    { "circle, 4 substeps", "the path between two substeps", four_parts, four_parts_loop,
-      "nothing: misses hits, and is slower than swept for distant bullets" },
+    { "circle, swept", "nothing, because it is exact along the whole path", swept_circle, swept_circle_loop,
+      "everything" },
+    { "circle", "hits between two frames", circle, circle_loop, "bullets that move less than r/2 per frame" },
+    { "circle, 2 substeps", "hits between two substeps", two_parts, two_parts_loop,
+      "avoid: misses hits, and is slower than the swept test for distant bullets" },
+    { "circle, 4 substeps", "hits between two substeps", four_parts, four_parts_loop,
+      "avoid: misses hits, and is slower than the swept test for distant bullets" },
     { "box around the circle", "false hits in the corners", box_around, box_around_loop, "objects drawn as boxes" },
     { "box inside the circle", "hits at the rim", box_inside, box_inside_loop, "a lenient game" },
-    { "box of equal area", "hits at the rim; false hits in the corners", box_equal, box_equal_loop, "nothing" },
-    { "circle, Q15.16 squares", "distances beyond 181 px", fx_squares, fx_squares_loop, "nothing" },
-    { "circle, float32", "the last bits of the rim", float_circle, float_circle_loop, "a game without replays" },
-    { "circle, float32 and a root", "the last bits of the rim; the time for a root", root_circle, root_circle_loop,
-      "nothing" },
+    { "box of equal area", "hits at the rim; false hits in the corners", box_equal, box_equal_loop, "avoid" },
+    { "circle, Q15.16 squares", "distances beyond 181 px", fx_squares, fx_squares_loop, "avoid" },
+    { "circle, float32", "accuracy at the rim", float_circle, float_circle_loop, "a game without replays" },
+    { "circle, float32 and a root", "accuracy at the rim; the time for a root", root_circle, root_circle_loop,
+      "avoid" },
     { "circle, whole pixels", "subpixels", pixel_circle, pixel_circle_loop, "8-bit processors" },
 };
 enum {
@@ -452,8 +453,8 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
 {
     const int r4 = radius_index(4), r160 = radius_index(160), s16 = speed_index(16);
 
-    report_table(
-        NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong within 2 ulp of the rim> | use it for");
+    report_table(NULL, "test | gives up | false area, r = 160 px> | missed area> | wrong results within 2 ulp of the "
+                       "rim> | use");
     for (int i = 0; i < COUNT; i++) {
         const struct area *a = &areas[i][r160];
         report_row(is_standard(i), RIVALS[i].name, RIVALS[i].trade,
@@ -519,9 +520,8 @@ static void plot_misses(void)
         .y_name = "crossings missed",
         .y_linear = true,
         .y_percent = true,
-        .described =
-            "Missed crossings by speed for radii from 2 to 160 px: a swept circle misses none; a circle tested "
-            "once per frame misses more the faster and smaller the bullets are",
+        .described = "Missed crossings by speed for radii from 2 to 160 px: a swept circle misses none; a circle "
+                     "tested once per frame misses more crossings when bullets are faster or smaller",
     });
     for (int s = 0; s < SPEEDS; s++)
         x[s] = SPEED[s];
@@ -551,7 +551,7 @@ static void plot_areas(void)
         .y_name = "area of false hits and misses, px²",
         .described =
             "Wrongly judged area by radius: the area grows with the square of the radius for boxes and with the radius "
-            "for whole pixels; squares in Q15.16 are wrong far from every bullet; the engine is wrong nowhere",
+            "for whole pixels; squares in Q15.16 are wrong far from every bullet; the engine is never wrong",
     });
     for (int r = 0; r < RADII; r++)
         x[r] = RADIUS[r];
@@ -590,22 +590,24 @@ void section_collision(void)
                 "\n"
                 "* *False area* is the area in which a stationary bullet is wrongly reported as a hit; *missed area* "
                 "is the area in which\n"
-                "  a hit is not reported. Both are measured within 384 px to either side of the player and 448 px "
+                "  a hit is not reported. Both are measured up to 384 px left and right of the player and up to 448 px "
                 "above and below. A\n"
                 "  circle of r = 160 px has an area of %s px².\n"
-                "* A *crossing* is the path of a bullet past the player, at most 1.5 r + 1 px away, in any direction. "
-                "There are %s\n"
-                "  crossings for each radius and speed. A crossing is *missed* if the bullet touches the player but no "
-                "frame detects the\n"
-                "  touch. It is a *false hit* if a frame detects a touch that never happened. Missed crossings and "
-                "false hits are given\n"
-                "  as percentages of the crossings that touch the player.\n"
-                "* Times are for pairs within 12 px (near) and all over the field (far), with r = 8 px and 4 px/frame.",
+                "* A *crossing* is the path of a bullet that passes the player in any direction, at most 1.5 r + 1 px "
+                "away. There are\n"
+                "  %s crossings for each radius and speed. A crossing is *missed* if the bullet touches the player but "
+                "no frame\n"
+                "  detects the touch. It is a *false hit* if a frame detects a touch that never happened. Missed "
+                "crossings and false hits\n"
+                "  are given as percentages of the crossings that touch the player.\n"
+                "* Times are for pairs at most 12 px apart (near) and for pairs anywhere in the field (far), with r = "
+                "8 px and 4\n"
+                "  px/frame.",
                 report_figure(areas[SWEPT][r160].of), report_count(TRIALS));
     print_rivals(far, near);
     print_shapes();
     plot_misses();
-    print_grid("Crossings missed by a circle tested at the end of each frame / with 2 substeps / with 4 substeps",
+    print_grid("Crossings missed by a circle tested at the end of each frame, with 2 substeps, and with 4 substeps",
                triple);
     report_text(
         "The miss rate depends on how far the bullet moves per frame, compared with r. A circle tested at the end of "
@@ -617,7 +619,7 @@ void section_collision(void)
     lab_claim(missed_at(1) < 0.02 && missed_at(2) < 0.06 && missed_at(4) > 0.2, "misses follow the speed in contacts");
     leaving_report();
     plot_areas();
-    print_grid("Missed crossings / false hits of the box around the circle", twin);
+    print_grid("Missed crossings and false hits of the box around the circle", twin);
     report_text("At every size, the corners of the box add %s to the area of the circle. These corners cover %s px² at "
                 "r = 8 px and\n"
                 "%s px² at r = 160 px. The exact circle test needs no square root, because it compares dx² + dy² with "
@@ -634,8 +636,8 @@ void section_collision(void)
                                "end of each frame misses %s of the hits at r = 4 px and 16 px/frame",
                                report_count((int64_t)RADII * SPEEDS * TRIALS),
                                report_percent(wrong[CIRCLE][r4][s16].missed)),
-                 "use `hit = { box = ... }` for objects drawn as boxes, and `swept = false` for bullets that move less "
-                 "than half the sum of both radii per frame or may pass through the player",
+                 "use `hit = { box = ... }` for objects drawn as boxes; use `swept = false` for bullets whose missed "
+                 "hits do not matter, or that move less than half the sum of both radii per frame",
                  is_standard(SWEPT) && exact(SWEPT) &&
                      (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

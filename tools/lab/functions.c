@@ -327,46 +327,44 @@ static void to_degrees_is(const struct sample *s, struct truth out[])
     out[0] = (struct truth){ .near = 45 * (int64_t)s->dir };
 }
 
-#define VECTORS "vector components within ±512 px, a quarter of them within ±8 px"
-#define ANG     "unit: 2⁻³² of a turn (1° is 11,930,465 units)"
+#define VECTORS "x and y within ±512 px, a quarter of them within ±8 px"
+#define ANG     "in units of 2⁻³² turn (1° = 11,930,465)"
 
 static const struct quantity QUANTITIES[] = {
     { "Multiplication", "mul", "a product", "round half up where nothing can overflow",
-      "a within ±512 px, b within ±1 or ±16", "unit: 1 ulp", &rivals_mul, 1, false, draw_mul, edges_pair, mul_is, false,
+      "a within ±512 px, b within ±1 or ±16", "in ulp", &rivals_mul, 1, false, draw_mul, edges_pair, mul_is, false,
       "ab" },
     { "Division", "div", "a quotient", "multiply by a stored inverse to divide many numbers by the same divisor",
-      "a within ±512 px, b from 1/16 to 64, positive and negative", "unit: 1 ulp", &rivals_div, 1, false, draw_div,
+      "a within ±512 px, b from 1/16 to 64, positive and negative", "in ulp", &rivals_div, 1, false, draw_div,
       edges_div, div_is, false, "ab" },
     { "Square root", "sqrt", "a square root", "compare squares instead of roots: exact and cheaper",
-      "all sizes from 1 ulp to 32767", "unit: 1 ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false,
-      "a" },
+      "all sizes from 1 ulp to 32767", "in ulp", &rivals_sqrt, 1, false, draw_root, edges_root, sqrt_is, false, "a" },
     { "Reciprocal square root", "rsqrt", "1/√x",
       "use trig_normalise for a direction: it rounds each component only once", "all sizes from 1 ulp to 32767",
-      "unit: 1 ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false, "a" },
+      "in ulp", &rivals_rsqrt, 1, false, draw_root, edges_root, rsqrt_is, false, "a" },
     { "Length of a vector", "hypot", "a length",
       "compare squares; to sort roughly by distance, add ⅜ of the smaller component to the larger one", VECTORS,
-      "unit: 1 ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
-    { "Sine", "sin", "a sine", "use a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_sin, 1,
-      false, draw_angle, edges_turn, sin_is, false, "d" },
-    { "Cosine", "cos", "a cosine", "use a small table for visual effects", "all angles", "unit: 1 ulp", &rivals_cos, 1,
+      "in ulp", &rivals_hypot, 1, false, draw_vector, edges_pair, hypot_is, false, "ab" },
+    { "Sine", "sin", "a sine", "use a small table for visual effects", "all angles", "in ulp", &rivals_sin, 1, false,
+      draw_angle, edges_turn, sin_is, false, "d" },
+    { "Cosine", "cos", "a cosine", "use a small table for visual effects", "all angles", "in ulp", &rivals_cos, 1,
       false, draw_angle, edges_turn, cos_is, false, "d" },
     { "Direction of a vector", "atan2", "a direction", "use a table of 1025 entries where a 16-bit angle is enough",
       VECTORS, ANG, &rivals_atan2, 1, true, draw_vector, edges_vector, atan2_is, false, "ab" },
     { "Speed and direction to velocity", "polar", "a velocity", "use fine motion for bullets that live for minutes",
-      "speeds from 1/16 to 64 px, all angles; errors in both components", "unit: 1 ulp", &rivals_polar, 2, false,
-      draw_polar, edges_polar, polar_is, false, "ad" },
-    { "Normalising a vector", "normalise", "a unit vector", "store speed and direction instead of the vector",
-      VECTORS "; errors in both components", "unit: 1 ulp", &rivals_normalise, 2, false, draw_vector, edges_vector,
-      unit_is, false, "ab" },
+      "speeds from 1/16 to 64 px, all angles", "both components, in ulp", &rivals_polar, 2, false, draw_polar,
+      edges_polar, polar_is, false, "ad" },
+    { "Normalising a vector", "normalise", "a unit vector", "store speed and direction instead of the vector", VECTORS,
+      "both components, in ulp", &rivals_normalise, 2, false, draw_vector, edges_vector, unit_is, false, "ab" },
     { "Interpolation between two values", "lerp", "an interpolated value", "round half up in 64 bits where 0 ≤ t ≤ 1",
-      "a and b within ±512 px, 0 ≤ t < 1", "unit: 1 ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp, lerp_is, false,
+      "a and b within ±512 px, 0 ≤ t < 1", "in ulp", &rivals_lerp, 1, false, draw_lerp, edges_lerp, lerp_is, false,
       "abt" },
     { "Degrees to angle", "degrees", "degrees", "multiply by 2³²/360 where ties do not matter",
       "multiples of 0.1° and random numbers within ±360°", ANG, &rivals_degrees, 1, true, draw_degrees, edges_degrees,
       degrees_is, false, "g" },
     { "Difference of two angles", NULL, NULL, NULL, "all pairs of angles", ANG, &rivals_difference, 1, true,
       draw_difference, edges_difference, difference_is, false, "de" },
-    { "Angle to degrees", NULL, NULL, NULL, "all angles", "unit: 2⁻²⁹°", &rivals_to_degrees, 1, false, draw_angle,
+    { "Angle to degrees", NULL, NULL, NULL, "all angles", "in units of 2⁻²⁹°", &rivals_to_degrees, 1, false, draw_angle,
       edges_turn, to_degrees_is, true, "d" },
 };
 
@@ -474,9 +472,10 @@ static void conclude(const struct quantity *q, int engine, const struct found fo
     for (int i = 0; i < q->rivals->n; i++)
         if (q->rivals->row[i].at && found[i].misrounded == 0 && found[i].wrong == 0 && time[i].ratio < 0.33)
             cheapest = false;
-    lab_conclude(q->question, q->rivals->row[engine].name,
-                 report_string("every result correctly rounded, here and in `make prove`; %s", lab_ns(&time[engine])),
-                 q->instead, lab_exact() || cheapest);
+    lab_conclude(
+        q->question, q->rivals->row[engine].name,
+        report_string("every result correctly rounded in these tests and in `make prove`; %s", lab_ns(&time[engine])),
+        q->instead, lab_exact() || cheapest);
 }
 
 /* ---- the edges, said: from the arrays that were tried ---- */
@@ -600,10 +599,10 @@ static void note_edges(const struct quantity *q, int n_edges)
 static void print_edges(void)
 {
     report_text("### The edges");
-    report_text("The letters stand for the sets below, one for each argument of the function. The tests use every "
-                "combination of values\n"
-                "from these sets, except where the last column excludes one. Plain numbers are raw Q15.16 values "
-                "(65536 is 1), and\n"
+    report_text("The letters stand for the sets below. Each argument of a function has its own set. The tests use "
+                "every combination of\n"
+                "values from these sets, except where the last column excludes one. Plain numbers are raw Q15.16 "
+                "values (65536 is 1), and\n"
                 "numbers that start with 0x are raw angles. The values for *Degrees to angle* are in degrees.");
     report_table(NULL, "function|sets|inputs>|combinations");
     for (int i = 0; i < n_edge_rows; i++) {
@@ -646,8 +645,8 @@ static void measure(const struct quantity *q, uint64_t seed)
     }
     lab_time(time, n, engine);
     report_text("### %s", q->title);
-    report_text("Arguments: %s; %s.", q->arguments, q->unit);
-    report_table(NULL, "method|gives up|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|use it for");
+    report_text("Arguments: %s. Errors: %s.", q->arguments, q->unit);
+    report_table(NULL, "method|gives up|max>|rms>|misrounded>|wrong at edges>|time>|ratio>|use");
     for (int i = 0; i < n; i++)
         print_row(&q->rivals->row[i], &found[i], &time[i], n_edges);
     report_table_end();
@@ -665,9 +664,11 @@ void section_functions(void)
     report_section("1. Functions");
     report_text("This section compares each arithmetic function in src/base with cheaper and more expensive methods. "
                 "The true results are\n"
-                "computed with 106 bits. Each function gets %s random arguments of realistic size. It is then tested "
-                "at *edges*, the\n"
-                "arguments most likely to cause wrong rounding or overflow. [The edges](#the-edges) are listed below.\n"
+                "computed to 106 bits of precision. Each function gets %s random arguments of realistic size. The "
+                "function is then\n"
+                "tested at *edges*, the arguments most likely to cause wrong rounding or overflow. [The "
+                "edges](#the-edges) are listed\n"
+                "below.\n"
                 "\n"
                 "*Misrounded* is the share of results that are not the representable value nearest to the true result. "
                 "Even the nearest\n"
@@ -681,9 +682,9 @@ void section_functions(void)
                 "in both time and\n"
                 "error. The plots omit the 106-bit reference.\n"
                 "\n"
-                "Division by 0, roots of negative numbers and the direction of (0, 0) are not tested here: "
-                "src/base/fx.h and trig.h\n"
-                "define their results.",
+                "Division by 0, roots of negative numbers and the direction of (0, 0) have no true result, so they are "
+                "not tested here.\n"
+                "src/base/fx.h and trig.h define the engine's results.",
                 report_count(LAB_VALUES));
     for (size_t i = 0; i < sizeof QUANTITIES / sizeof *QUANTITIES; i++)
         measure(&QUANTITIES[i], 1000 + i);

@@ -132,7 +132,7 @@ static const char ABOUT[] =
     "\n"
     "How to read the tables:\n"
     "\n"
-    "* **▶ bold** marks the engine's default. *Gives up* lists the disadvantages of the other methods.\n"
+    "* **▶** and bold type mark the engine's default. *Gives up* lists the disadvantages of the other methods.\n"
     "* An error is the distance from the true result, which is computed with higher precision. *max* is the largest "
     "error\n"
     "  over all cases, and *rms* is the root mean square. 0 means no error at all.\n"

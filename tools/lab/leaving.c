@@ -112,8 +112,8 @@ void leaving_report(void)
     struct tally sum = { 0 };
 
     report_table("Bullets that fly towards a player 8 px above the field's lower edge and then leave the field",
-                 "margin> | speed> | touches> | touches in the frame the bullet leaves> | touches the engine misses or "
-                 "reports in a different frame> | touches reported out of slot order>");
+                 "margin> | speed> | touches> | touches in the frame in which the bullet leaves the field> | touches "
+                 "the engine misses or reports in a different frame> | touches reported out of slot order>");
     for (int m = 0; m < MARGINS; m++)
         for (int s = 0; s < SPEEDS; s++) {
             struct tally *t = &tallies[m][s];
@@ -129,13 +129,15 @@ void leaving_report(void)
                        report_count(t->wrong_frame), report_count(t->out_of_order), NULL);
         }
     report_table_end();
-    report_text("A bullet leaves when it ends a frame outside the field and the *margin* around it. In each frame, the "
-                "engine moves\n"
-                "everything, then finds touches, then despawns the bullets that left. Of %s touches, %s happen in the "
-                "frame in\n"
-                "which the bullet leaves. An engine that despawned bullets first would miss these touches. The "
-                "expected touches come from\n"
-                "a reference model that steps each bullet separately with 128-bit products.",
+    report_text("A bullet has left the field when it is outside the field and the *margin* around it at the end of a "
+                "frame. In each\n"
+                "frame, the engine moves everything, then finds touches, then despawns the bullets that have left the "
+                "field. Of %s\n"
+                "touches, %s happen in the frame in which the bullet leaves the field. An engine that despawned "
+                "bullets first would\n"
+                "miss these touches. The expected touches come from a reference model that steps each bullet "
+                "separately with 128-bit\n"
+                "products.",
                 report_count(sum.touches), report_percent((double)sum.last / sum.touches));
     lab_claim(sum.wrong_frame + sum.out_of_order == 0, "what leaves the field touches what is on its way");
     lab_claim(sum.last > sum.touches / 5, "many touch as they leave");

@@ -19,14 +19,14 @@ struct choice {
 };
 
 static const struct choice CHOICES[] = {
-    { "`hit = { circle = 4 }`", "nothing: exact along the whole path", "everything", SHAPE_CIRCLE,
+    { "`hit = { circle = 4 }`", "nothing, because it is exact along the whole path", "everything", SHAPE_CIRCLE,
       KIND_GRAZE | KIND_SWEPT },
     { "`swept = false`", "hits between two frames (section 2)",
       "dense clouds of bullets that move less than half the sum of both radii per frame", SHAPE_CIRCLE, KIND_GRAZE },
     { "`graze = false`", "grazing", "bullets that must not be grazed", SHAPE_CIRCLE, KIND_SWEPT },
     { "`hit = { box = { 8, 8 } }`", "nothing if the sprite is a box", "long and square objects", SHAPE_BOX,
       KIND_GRAZE | KIND_SWEPT },
-    { "`hit = { box = { 8, 8 } }, swept = false`", "the same, and hits between two frames", "nothing", SHAPE_BOX,
+    { "`hit = { box = { 8, 8 } }, swept = false`", "the same as above, and hits between two frames", "avoid", SHAPE_BOX,
       KIND_GRAZE },
     { "`hit = \"none\"`", "all hits", "decoration", SHAPE_NONE, 0 },
 };
@@ -87,8 +87,8 @@ static void print_choices(void)
     for (int i = 0; i < N_CHOICES; i++)
         rivals[i] = (struct lab_rival){ .run = run_hits, .data = close_crowd(&CHOICES[i], CLOSE), .ops = CLOSE };
     lab_time(rivals, N_CHOICES, 0);
-    report_table("Options in `bullet.def`, `shot.def` and `enemy.def` (which has no `graze`)",
-                 "choice | loss | time per bullet close to a player> | ratio> | use it for");
+    report_table("Options in `bullet.def`, `shot.def` and `enemy.def`, except that `enemy.def` has no `graze`",
+                 "choice | loss | time per bullet close to a player> | ratio> | use");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
                                         : report_string("%s; for a round bullet, %s of the hits are false",
@@ -193,7 +193,7 @@ static void print_flights(void)
             (struct lab_rival){ .run = run_frame, .data = flying_crowd(&FLIGHTS[i], CROWD, 0.001), .ops = CROWD };
     lab_time(rivals, N_FLIGHTS, 0);
     report_table("Ways to move a bullet", "choice | precision | drift at 0.002 px/frame after 600 frames> | after "
-                                          "36,000> | time per bullet and frame> | ratio> | use it for");
+                                          "36,000> | time per bullet and frame> | ratio> | use");
     for (int i = 0; i < N_FLIGHTS; i++) {
         bool turns = FLIGHTS[i].n > 0;
         report_row(i == 0, FLIGHTS[i].name, FLIGHTS[i].keeps,

@@ -252,8 +252,8 @@ static const struct format {
     double (*lane)(int i, int axis);
     const char *who;
 } FORMATS[] = {
-    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fractional bits, for more range", start_q8, frame32, lane_q8,
-      "nothing: slow bullets drift off course or do not move" },
+    { "Q23.8", 8, HEADINGS, 16777216, "±8,388,608 px", "8 fractional bits, in exchange for more range", start_q8,
+      frame32, lane_q8, "avoid: slow bullets drift off course or do not move" },
     { "Q15.16", 16, HEADINGS, 65536, "±32,768 px", "nothing", engine_start, engine_frame, engine_lane,
       "every scene: bullets live for seconds, not hours" },
     { "Q11.20", 20, HEADINGS, 4096, "±2,048 px", "range", start_q20, frame32, lane_q20,
@@ -262,10 +262,10 @@ static const struct format {
       "slow bullets that live for minutes" },
     { "Q31.32", 32, HEADINGS, 4294967296.0, "±2,147,483,648 px", "4 bytes per coordinate", start_q32, frame64, lane_q32,
       "an engine with a world larger than ±16,383 px" },
-    { "float32", 0, HEADINGS, 32768, "±16,384 px in this test", "the same result at every position", f32_start,
-      f32_frame, f32_lane, "nothing: the same pattern differs from place to place" },
+    { "float32", 0, HEADINGS, 32768, "±16,384 px in this test", "consistency: results depend on the position",
+      f32_start, f32_frame, f32_lane, "avoid: the same pattern flies differently in different places" },
     { "double", 0, HEADINGS, 32768, "±16,384 px in this test",
-      "the same result at every position; 4 bytes per coordinate", f64_start, f64_frame, f64_lane,
+      "consistency: results depend on the position; 4 bytes per coordinate", f64_start, f64_frame, f64_lane,
       "an engine without portable replays" },
 };
 enum { COUNT = sizeof FORMATS / sizeof *FORMATS, Q8 = 0, FINE = 3, FLOAT = 5 };
@@ -446,7 +446,7 @@ static const char *drift_cell(const struct drift *d, int speed)
 
 static void print_speeds(void)
 {
-    report_text("The next table shows the largest drift by speed, in px, after 600 / 36,000 / 1,000,000 frames. "
+    report_text("The next table shows the largest drift by speed, in px, after 600, 36,000 and 1,000,000 frames. "
                 "Without `fine`, fixed\n"
                 "point drifts by about the same distance at every speed: less than one unit in the last place per "
                 "frame. The drift of\n"
@@ -480,7 +480,7 @@ static void plot_drift(void)
 static void print_all(const struct lab_rival *rivals, const int *differ, const double *worst)
 {
     report_table(NULL, "format | range | gives up | drift after 600 frames, max> | after 36,000, max (rms)> | after "
-                       "1,000,000, max> | use it for");
+                       "1,000,000, max> | use");
     for (int i = 0; i < COUNT; i++) {
         const struct format *f = &FORMATS[i];
         const struct drift *d = &drifts[i];

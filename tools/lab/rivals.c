@@ -119,17 +119,17 @@ RIVAL(mul_1, mul_bits(s->a, s->b))
 RIVAL(mul_lfm, fix16_smul(s->a, s->b))
 
 static const struct rival MUL[] = {
-    ROW(CHEAPER, false, mul_cut, "truncated, wraps", "half an ulp towards −∞; overflow",
-        "nothing: results are half an ulp too low on average, so mirrored patterns drift apart"),
+    ROW(CHEAPER, false, mul_cut, "truncated, wraps", "accuracy: half an ulp too low on average; overflow",
+        "avoid: results are half an ulp too low on average, so mirrored patterns drift apart"),
     ROW(CHEAPER, false, mul_up, "half up, wraps", "ties; overflow",
         "sums of a few products that cannot overflow; ties round differently for −x and x"),
     ROW(ENGINE, false, mul_engine, "fx_mul", "nothing", "every scene"),
-    ROW(DEARER, false, mul_float, "float32", "8 of 32 bits", "nothing: 24 bits are too few for a position"),
+    ROW(DEARER, false, mul_float, "float32", "8 of 32 bits", "avoid: 24 bits are too few for a position"),
     ROW(DEARER, false, mul_double, "double, saturates", "ties; the lowest 11 bits of long products",
-        "nothing: no more accurate than rounding half up, and conversions cost extra"),
+        "avoid: no more accurate than rounding half up, and conversions cost extra"),
     ROW(DEARER, false, mul_16, "four 16-bit products", "time", "processors that can only multiply 16-bit numbers"),
     ROW(DEARER, false, mul_1, "bit by bit", "time", "processors without a multiplier"),
-    ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "nothing: rounds half away from zero, and is slower"),
+    ROW(LIBRARY, false, mul_lfm, "libfixmath", "ties; time", "avoid: rounds half away from zero, and is slower"),
 };
 ROWS(rivals_mul, MUL);
 
@@ -167,15 +167,15 @@ static const struct rival DIV[] = {
     ROW(CHEAPER, false, div_double, "double, half to even (fx_div)", "nothing: this is fx_div",
         "every scene: the double's error is too small to change the rounded quotient"),
     ROW(ENGINE, false, div_engine, "fx_div", "nothing", "every scene"),
-    ROW(DEARER, false, div_float, "float32", "8 of 32 bits", "nothing: 24 bits are too few for a position"),
-    ROW(DEARER, false, div_cut, "truncated, wraps", "half an ulp towards 0; overflow",
+    ROW(DEARER, false, div_float, "float32", "8 of 32 bits", "avoid: 24 bits are too few for a position"),
+    ROW(DEARER, false, div_cut, "truncated, wraps", "accuracy: half an ulp too close to 0 on average; overflow",
         "integer results such as tiles, cells and frames"),
     ROW(DEARER, false, div_recip, "times a Q16.16 reciprocal", "all but 16 bits of the inverse",
-        "dividing many numbers by the same divisor, if it is larger than a pixel"),
+        "dividing many numbers by the same divisor, if the divisor is larger than 1 px"),
     ROW(DEARER, false, div_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, div_1, "bit by bit", "time", "processors without a divider"),
     ROW(LIBRARY, false, div_lfm, "libfixmath", "the last bit of some results; time",
-        "nothing: not always correct, and slower"),
+        "avoid: sometimes wrong, and slower"),
 };
 ROWS(rivals_div, DIV);
 
@@ -232,15 +232,15 @@ static const struct rival SQRT[] = {
     ROW(CHEAPER, false, sqrt_squares, "no root: compare squares", "the root itself", "comparing lengths"),
     ROW(CHEAPER, false, sqrt_float, "libm sqrtf", "8 of 32 bits", "lengths in visual effects"),
     ROW(CHEAPER, false, sqrt_cut, "double, truncated", "half an ulp",
-        "nothing: correct rounding takes only one more comparison"),
+        "avoid: correct rounding takes only one more comparison"),
     ROW(ENGINE, false, sqrt_engine, "fx_sqrt", "nothing", "every scene; compare squares where possible"),
-    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact check of the rounding",
+    ROW(CHEAPER, false, sqrt_double, "double (libm), rounded", "the exact check that the rounding is correct",
         "programs that need no guarantee of correct rounding"),
     ROW(DEARER, false, sqrt_hack, "float32, 1/√ by its bits", "20 of 32 bits",
-        "nothing: the processor's own square root is as fast"),
+        "avoid: the processor's own square root is as fast"),
     ROW(DEARER, false, sqrt_newton, "Newton's method, integers", "time", "integer processors with a divider"),
     ROW(DEARER, false, sqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "time", "nothing: the slowest method"),
+    ROW(LIBRARY, false, sqrt_lfm, "libfixmath", "time", "avoid: the slowest method"),
 };
 ROWS(rivals_sqrt, SQRT);
 
@@ -254,15 +254,15 @@ RIVAL(rsqrt_lfm, fix16_div(FX_ONE, fix16_sqrt(s->a)))
 
 static const struct rival RSQRT[] = {
     ROW(CHEAPER, false, rsqrt_bits, "float32 by its bits", "20 of 32 bits",
-        "nothing: the processor's own square root is as fast"),
+        "avoid: the processor's own square root is as fast"),
     ROW(CHEAPER, false, rsqrt_float, "float32", "8 of 32 bits", "directions in visual effects"),
     ROW(ENGINE, false, rsqrt_engine, "fx_rsqrt", "nothing", "every scene"),
-    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact check of the rounding",
+    ROW(CHEAPER, false, rsqrt_double, "double (libm), rounded", "the exact check that the rounding is correct",
         "programs that need no guarantee of correct rounding"),
     ROW(DEARER, false, rsqrt_two, "1 / fx_sqrt", "the bits lost by rounding the root",
-        "nothing: dividing by a rounded root is inaccurate"),
+        "avoid: dividing by a rounded root is inaccurate"),
     ROW(DEARER, false, rsqrt_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the bits lost by rounding the root; time", "nothing"),
+    ROW(LIBRARY, false, rsqrt_lfm, "libfixmath: 1 / sqrt", "the bits lost by rounding the root; time", "avoid"),
 };
 ROWS(rivals_rsqrt, RSQRT);
 
@@ -302,18 +302,18 @@ static const struct rival HYPOT[] = {
     ROW(CHEAPER, false, hypot_38, "larger + ⅜ smaller", "up to 7 % of the length",
         "sorting by distance where an error of 7 % does not matter"),
     ROW(CHEAPER, false, hypot_float, "float32", "8 of 32 bits", "distances in visual effects"),
-    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact check of the rounding",
-        "a game without replays: results near ties are uncertain"),
+    ROW(CHEAPER, false, hypot_double, "double, rounded", "the exact check that the rounding is correct",
+        "a game without replays: results near ties may be rounded the wrong way"),
     ROW(ENGINE, false, hypot_engine, "fx_hypot", "nothing", "every scene; compare squares where possible"),
     ROW(DEARER, false, hypot_squares, "squares in Q15.16", "lengths beyond 181 px",
-        "nothing: squares overflow beyond 181 px"),
+        "avoid: squares overflow beyond 181 px"),
     ROW(DEARER, false, hypot_twin, "the engine's twin: bit by bit", "time", "processors without hardware doubles"),
-    ROW(LIBRARY, true, hypot_libm, "libm hypot", "identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 of 32 bits; identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, hypot_libm, "libm hypot", "portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, true, hypot_libmf, "libm hypotf", "8 of 32 bits; portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
     ROW(LIBRARY, false, hypot_lfm, "libfixmath: squares and root", "lengths beyond 181 px; time",
-        "nothing: squares overflow beyond 181 px"),
+        "avoid: squares overflow beyond 181 px"),
 };
 ROWS(rivals_hypot, HYPOT);
 
@@ -406,15 +406,15 @@ static const struct rival SIN[] = {
     ROW(ENGINE, false, sin_engine, "trig_sin", "nothing", "every scene"),
     ROW(DEARER, false, sin_11, "Taylor to x¹¹, double", "up to 0.003 ulp; time", "short code on a host with doubles"),
     ROW(DEARER, false, sin_q30, "trig_sin30, rounded again", "a second rounding",
-        "factors: multiply by the unrounded 30-bit sine, then round the product once"),
+        "sines in products: multiply by the unrounded 30-bit sine, and round only the product"),
     ROW(DEARER, false, sin_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(ORACLE, false, sin_106, "106 bits", "time", "test oracles"),
-    ROW(LIBRARY, true, sin_libm, "libm sin", "identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 of 32 bits; identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, sin_libm, "libm sin", "portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, true, sin_libmf, "libm sinf", "8 of 32 bits; portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
     ROW(LIBRARY, false, sin_lfm, "libfixmath", "up to 508 ulp; time",
-        "nothing: its series is too short near half a turn"),
+        "avoid: its series is too short near half a turn"),
     ROW(LIBRARY, false, sin_lfmp, "libfixmath, parabola", "up to 73 ulp; time", "swaying in visual effects"),
 };
 ROWS(rivals_sin, SIN);
@@ -435,12 +435,12 @@ static const struct rival COS[] = {
         "16-bit angles, for which it is exact"),
     ROW(ENGINE, false, cos_engine, "trig_cos", "nothing", "every scene"),
     ROW(DEARER, false, cos_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
-    ROW(LIBRARY, true, cos_libm, "libm cos", "identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 of 32 bits; identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, cos_libm, "libm cos", "portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, true, cos_libmf, "libm cosf", "8 of 32 bits; portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
     ROW(LIBRARY, false, cos_lfm, "libfixmath", "up to 506 ulp; time",
-        "nothing: its series is too short near half a turn"),
+        "avoid: its series is too short near half a turn"),
 };
 ROWS(rivals_cos, COS);
 
@@ -525,10 +525,10 @@ static const struct rival ATAN2[] = {
     ROW(DEARER, false, atan2_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, atan2_cordic, "CORDIC, 40 steps", "up to 0.001 units; time", "processors without a divider"),
     ROW(ORACLE, false, atan2_106, "106 bits", "time", "test oracles"),
-    ROW(LIBRARY, true, atan2_libm, "libm atan2", "identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
+    ROW(LIBRARY, true, atan2_libm, "libm atan2", "portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, true, atan2_libmf, "libm atan2f", "9 of 32 bits; portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
     ROW(LIBRARY, false, atan2_lfm, "libfixmath", "up to 0.58°; time", "rotating a sprite"),
 };
 ROWS(rivals_atan2, ATAN2);
@@ -574,16 +574,16 @@ static const struct rival POLAR[] = {
     ROW(DEARER, false, polar_64k, "speed × Q16 table of 65,536", "256 KiB of RAM; up to 0.0027°; time",
         "a 16-bit look: headings are up to 0.0027° off"),
     ROW(DEARER, false, polar_q16, "speed × Q16 sine", "accuracy at high speeds; time",
-        "nothing: the speed multiplies the sine's rounding error"),
-    ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time", "code that already has such a sine"),
+        "avoid: the speed multiplies the sine's rounding error"),
+    ROW(DEARER, false, polar_q30, "speed × Q30 sine", "a second rounding; time", "code that already has a 30-bit sine"),
     ROW(DEARER, false, polar_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(DEARER, false, polar_cordic, "CORDIC, 40 steps", "time", "processors without a multiplier"),
     ROW(ORACLE, false, polar_106, "106 bits", "time", "test oracles"),
-    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 of 32 bits; identical results on all hosts",
-        "a game without replays: libraries differ, even on the same machine"),
-    ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "nothing"),
+    ROW(LIBRARY, true, polar_libm, "libm sin and cos", "portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, true, polar_float, "libm sinf and cosf", "8 of 32 bits; portability: results differ between hosts",
+        "a game without replays: C libraries give different results, even on the same machine"),
+    ROW(LIBRARY, false, polar_lfm, "libfixmath", "7 of 16 bits of the sine; time", "avoid"),
 };
 ROWS(rivals_polar, POLAR);
 
@@ -649,19 +649,18 @@ RIVAL_2(unit_lfm, unit_by_lfm(s->a, s->b, &x, &y))
 
 static const struct rival NORMALISE[] = {
     ROW(CHEAPER, false, unit_max, "over larger + ⅜ smaller", "6 % of the length",
-        "nothing: the results have different lengths"),
+        "avoid: the results differ in length"),
     ROW(CHEAPER, false, unit_float, "float32", "8 of 32 bits", "directions in visual effects"),
-    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact check of the rounding",
-        "a game without replays: results near ties are uncertain"),
+    ROW(CHEAPER, false, unit_double, "double, rounded", "the exact check that the rounding is correct",
+        "a game without replays: results near ties may be rounded the wrong way"),
     ROW(CHEAPER, false, unit_recip, "times 1 / length in Q15.16", "accuracy of long vectors",
-        "nothing: long vectors are inaccurate"),
-    ROW(CHEAPER, false, unit_div, "over fx_hypot", "accuracy of short vectors",
-        "nothing: short vectors are inaccurate"),
+        "avoid: long vectors are inaccurate"),
+    ROW(CHEAPER, false, unit_div, "over fx_hypot", "accuracy of short vectors", "avoid: short vectors are inaccurate"),
     ROW(ENGINE, false, unit_engine, "trig_normalise", "nothing", "every scene"),
     ROW(DEARER, false, unit_twin, "the engine's integer twin", "time", "processors without hardware doubles"),
     ROW(ORACLE, false, unit_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, false, unit_lfm, "libfixmath: over the root", "lengths beyond 181 px; time",
-        "nothing: squares overflow beyond 181 px"),
+        "avoid: squares overflow beyond 181 px"),
 };
 ROWS(rivals_normalise, NORMALISE);
 
@@ -677,19 +676,19 @@ RIVAL(lerp_106, exact(truth_lerp(s->a, s->b, s->t)))
 RIVAL(lerp_lfm, fix16_lerp16(s->a, s->b, (uint16_t)s->t))
 
 static const struct rival LERP[] = {
-    ROW(CHEAPER, false, lerp_32, "truncated, 32-bit difference", "half an ulp towards −∞; range",
+    ROW(CHEAPER, false, lerp_32, "truncated, 32-bit difference", "accuracy: half an ulp too low on average; range",
         "values less than 32768 px apart, where half an ulp does not matter"),
     ROW(CHEAPER, false, lerp_up, "64 bits, half up, wraps", "ties; overflow",
         "0 ≤ t ≤ 1, where ties need not round symmetrically"),
-    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both truncated", "one ulp towards −∞",
-        "nothing: not even monotonic"),
+    ROW(CHEAPER, false, lerp_two, "a (1 − t) + b t, both truncated", "accuracy: one ulp too low on average",
+        "avoid: not even monotonic"),
     ROW(ENGINE, false, lerp_engine, "fx_lerp", "nothing", "every scene"),
     ROW(DEARER, false, lerp_float, "float32", "8 of 32 bits", "colours, volumes"),
     ROW(DEARER, false, lerp_double, "double, saturates", "ties",
-        "nothing: no more accurate than rounding half up, and conversions cost extra"),
+        "avoid: no more accurate than rounding half up, and conversions cost extra"),
     ROW(ORACLE, false, lerp_106, "106 bits", "time", "test oracles"),
-    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "half an ulp towards −∞; t = 1; time",
-        "nothing: truncates, and treats t = 1 as 0"),
+    ROW(LIBRARY, false, lerp_lfm, "libfixmath (t < 1)", "accuracy: half an ulp too low on average; t = 1; time",
+        "avoid: truncates, and treats t = 1 as 0"),
 };
 ROWS(rivals_lerp, LERP);
 
@@ -717,17 +716,17 @@ RIVAL_AS(degrees_lfm, fix16_deg_to_rad(fix16_from_dbl(s->deg)),
 static const struct rival DEGREES[] = {
     ROW(CHEAPER, false, degrees_16, "16-bit angle", "16 of 32 bits", "a 16-bit look"),
     ROW(CHEAPER, false, degrees_float, "float32", "8 of 32 bits", "rotating sprites"),
-    ROW(CHEAPER, false, degrees_cut, "double, truncated", "half a unit towards 0",
-        "nothing: 180° must be exactly half a turn"),
+    ROW(CHEAPER, false, degrees_cut, "double, truncated", "accuracy: half a unit too close to 0 on average",
+        "avoid: 180° must be exactly half a turn"),
     ROW(CHEAPER, false, degrees_double, "double, times 2³²/360", "ties; angles beyond 2³¹°",
         "angles up to 2³¹° where ties do not matter"),
     ROW(ENGINE, false, degrees_engine, "trig_from_degrees", "nothing", "every scene; any finite number of degrees"),
     ROW(ORACLE, false, degrees_106, "106 bits", "time", "test oracles"),
     ROW(LIBRARY, false, degrees_libm, "through radians, double", "two more roundings; time",
-        "nothing: rounds three times"),
-    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 of 32 bits; time", "nothing"),
+        "avoid: rounds three times"),
+    ROW(LIBRARY, false, degrees_libmf, "through radians, float32", "8 of 32 bits; time", "avoid"),
     ROW(LIBRARY, false, degrees_lfm, "libfixmath, to radians", "20 of 32 bits; time",
-        "nothing: its π/180 has only 11 bits"),
+        "avoid: its π/180 has only 11 bits"),
 };
 ROWS(rivals_degrees, DEGREES);
 
@@ -750,7 +749,7 @@ static const struct rival DIFFERENCE[] = {
         "every scene; nothing is cheaper than a subtraction"),
     ROW(DEARER, false, difference_16, "16-bit angles", "16 of 32 bits", "a 16-bit look"),
     ROW(DEARER, false, difference_double, "double degrees, remainder", "time", "scripts"),
-    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 of 32 bits; time", "nothing"),
+    ROW(DEARER, false, difference_float, "float32 degrees, remainderf", "8 of 32 bits; time", "avoid"),
 };
 ROWS(rivals_difference, DIFFERENCE);
 
@@ -771,8 +770,8 @@ IN_DEGREES(to_degrees_lfm, degrees_lfm_of(s->rad))
 static const struct rival TO_DEGREES[] = {
     ROW(CHEAPER, false, to_degrees_float, "float32", "8 of 32 bits", "rotating sprites"),
     ROW(ENGINE, false, to_degrees_engine, "trig_to_degrees", "nothing",
-        "every scene; all 2³² values survive a round trip (section 7)"),
-    ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "nothing"),
+        "every scene; all 2³² values survive a round trip through a script (section 7)"),
+    ROW(LIBRARY, false, to_degrees_lfm, "libfixmath, from radians", "17 of 32 bits; time", "avoid"),
 };
 ROWS(rivals_to_degrees, TO_DEGREES);
 

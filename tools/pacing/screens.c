@@ -37,7 +37,7 @@ void section_screens(void)
                 "\n"
                 "* *none*, *one* and *two*: how many refreshes show no new tick, one new tick, and two new ticks\n"
                 "* *required*: how many refreshes must show none or two because the rates differ\n"
-                "* *extra*: how many more refreshes than that show none or two\n"
+                "* *extra*: how many refreshes show none or two in addition to the required ones\n"
                 "* *off*: the largest deviation of the ticks from the clock\n"
                 "* *to the screen*: the average time that a tick waits for its refresh");
     report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");

@@ -203,7 +203,7 @@ int main(int argc, char **argv)
         open_small[i] = opening(rom, size);
         ratio[i] = open_small[i] / open[i];
     }
-    printf("| opening an uncompressed ROM of %zu KiB, a compressed one of %zu KiB | %.1f ms | %.1f ms | %.2f |\n",
+    printf("| opening an uncompressed ROM of %zu KiB and a compressed one of %zu KiB | %.1f ms | %.1f ms | %.2f |\n",
            plain_size >> 10, size >> 10, middle(open, OPENINGS), middle(open_small, OPENINGS), middle(ratio, OPENINGS));
     return 0;
 }

@@ -125,7 +125,7 @@ void section_clicks(void)
                 "is larger than in the samples around it. The table is for a loud sine at note 57:",
                 (int)VOICE_FADE);
     report_table(NULL, "transition|largest second difference>|prototype>");
-    report_row(1, "vibrato, slides, volume and pan: at frame boundaries", report_string("%d", border), "104", NULL);
+    report_row(1, "vibrato, slides, volume and pan, at frame boundaries", report_string("%d", border), "104", NULL);
     report_row(0, "the same, elsewhere", report_string("%d", elsewhere), "123", NULL);
     report_row(1, "a voice stolen by another note", report_string("%d", kept), "185", NULL);
     report_row(0, "the same, without a tail", report_count(cut), "15,671", NULL);
@@ -134,9 +134,9 @@ void section_clicks(void)
                 "starts aligned, the 800\n"
                 "notes differ by at most %d of 32,767; the note started at sample %d differs most.",
                 moved, at);
-    ear_figure("frame boundaries, largest second difference (elsewhere)", report_string("%d (%d)", border, elsewhere),
-               "104 (123)", border <= elsewhere && border <= 104);
-    ear_figure("a stolen voice, largest second difference", report_string("%d", kept), "185", kept <= 185);
-    ear_figure("notes started at each sample of a frame, largest difference after alignment",
+    ear_figure("largest second difference at frame boundaries (and elsewhere)",
+               report_string("%d (%d)", border, elsewhere), "104 (123)", border <= elsewhere && border <= 104);
+    ear_figure("largest second difference when a voice is stolen", report_string("%d", kept), "185", kept <= 185);
+    ear_figure("largest difference between aligned notes that started at different samples of a frame",
                report_string("%d of 32,767", moved), "7 of 32,767", moved <= 7);
 }

@@ -148,13 +148,14 @@ static void feedback(void)
         report_cells(1, cells, 7);
     }
     report_table_end();
-    report_text("Up to note 84, the table has a row that is close to the chips for every b. Above note 84 it doesn't: "
-                "at note 96 with b\n"
-                "of 1 or more, harmonics are up to %.2f dB off, so a high note with strong feedback does not sound "
-                "like the chips.",
+    report_text("Up to note 84, the table has a row that is close to the chips for every b. Above note 84, no row is "
+                "close enough: at\n"
+                "note 96 with b of 1 or more, harmonics are up to %.2f dB off, so a high note with strong feedback "
+                "does not sound like\n"
+                "the chips.",
                 above);
-    ear_figure("feedback compared with FM chips, up to note 84, b up to 1.5", report_string("%.2f dB off", most),
-               "1 dB off", most <= 1);
+    ear_figure("feedback compared with FM chips, up to note 84 and with b up to 1.5",
+               report_string("%.2f dB off", most), "1 dB off", most <= 1);
 }
 
 void section_fm(void)

@@ -80,7 +80,8 @@ void section_levels(void)
                 "The sine starts at\n"
                 "sample %d of a frame, and the error includes its quantisation:",
                 (int)SND_BLOCK, (int)FRAMES, (int)AT);
-    report_table(NULL, "envelope|level, dB of full scale>|prototype, dB>|heard, dB of its full level>");
+    report_table(
+        NULL, "envelope|level, dB relative to full scale>|prototype, dB>|heard, dB relative to the sine's full level>");
     for (int k = 0; k < 4; k++) {
         const double db = worst(CASES[k].settings);
         const double level = worst_level(CASES[k].settings);
@@ -89,7 +90,8 @@ void section_levels(void)
         report_row(1, CASES[k].what, ear_db(level), CASES[k].prototype, ear_db(db), NULL);
     }
     report_table_end();
-    ear_figure("envelope levels, worst error", report_string("%s dB", ear_db(most_level)), "-84.2 dB",
+    ear_figure("largest error of an envelope's level", report_string("%s dB", ear_db(most_level)), "-84.2 dB",
                most_level <= -84.2);
-    ear_figure("envelopes as heard, worst error", report_string("%s dB", ear_db(most)), "-60.3 dB", most <= -60.3);
+    ear_figure("largest error of a sine with an envelope", report_string("%s dB", ear_db(most)), "-60.3 dB",
+               most <= -60.3);
 }

@@ -34,7 +34,7 @@ static void limiter(void)
     } CASES[] = { { -9, -114.6 }, { -6, -115.6 }, { -3, -36.4 }, { 0, -25.3 }, { 3, -18.7 }, { 6, -14.1 } };
     double at[6];
 
-    report_table(NULL, "peak, dB of full scale|THD, dB>|output, fraction of full scale>|prototype, dB>");
+    report_table(NULL, "peak, dB relative to full scale|THD, dB>|output, fraction of full scale>|prototype, dB>");
     for (int k = 0; k < 6; k++) {
         double peak;
         at[k] = distortion(CASES[k].db, &peak);
@@ -58,12 +58,12 @@ static void plot_limiter(void)
     }
     report_plot(&(struct report_plot){ .file = "limiter",
                                        .title = "The limiter: overtones of a sine",
-                                       .x_name = "peak, dB of full scale",
+                                       .x_name = "peak, dB relative to full scale",
                                        .y_name = "THD, dB",
                                        .x_linear = true,
                                        .y_linear = true,
                                        .described =
-                                           "Up to -6 dB the limiter adds nothing above -115 dB; beyond that, "
+                                           "Up to -6 dB the limiter adds nothing above -115 dB; above -6 dB, "
                                            "overtones rise to -25 dB at full scale and -14 dB at twice full scale." });
     report_plot_line("THD", true, in, thd, POINTS);
     report_plot_end();
@@ -96,7 +96,7 @@ static void noise(void)
                 "True noise has\n"
                 "about 0.0037; the prototype was below that by chance.",
                 mean, sqrt(power), LAGS - 1, most);
-    ear_figure("noise, largest autocorrelation", report_string("%.4f", most), "0.0032; true noise 0.0037",
+    ear_figure("largest autocorrelation of noise", report_string("%.4f", most), "0.0032; true noise 0.0037",
                most < 0.004);
 }
 

@@ -81,11 +81,11 @@ void section_pitch(void)
         "most %.1e cents off. In a pitch slide, the engine computes the phase at the end of a frame directly. In %s\n"
         "frames of random slides, this phase is compared with the sum of the frame's 800 steps: %d frames differ.",
         cents, at, ratio, report_count(FRAMES), apart);
-    report_text("A music tick is 600,000 units long. The tempo is stored in hundredths of a quarter note per minute, "
-                "and each audio\n"
-                "sample advances the music by that number of units. Nothing is rounded, so the music never drifts. A "
-                "note can start at\n"
-                "any of the 800 samples of a frame.");
+    report_text("A music tick is 600,000 units long. The tempo is stored as a number of hundredths of a quarter note "
+                "per minute. Each\n"
+                "audio sample advances the music by this number of units. Nothing is rounded, so the music never "
+                "drifts. A note can start\n"
+                "at any of the 800 samples of a frame.");
     ear_figure("tuning, notes 12 to 120", report_string("%.1e cents", cents), "1.8e-04 cents", cents <= 0.000176);
     ear_figure("tuning of samples", report_string("%.1e cents", ratio), "1.8e-04 cents", ratio <= 0.000176);
     ear_figure("frames of pitch slides that differ from the sum of their steps",

@@ -73,7 +73,7 @@ static void between(void)
                    ear_db(TONES[k].mark), NULL);
     }
     report_table_end();
-    ear_figure("a sample played a semitone higher, SNR at 1 / 3 / 6 / 10 kHz",
+    ear_figure("SNR of a sample played a semitone higher, at 1 / 3 / 6 / 10 kHz",
                report_string("%s / %s / %s / %s dB", here[1], here[2], here[3], here[4]),
                "80.0 / 74.2 / 69.1 / 66.8 dB", reached);
 }

@@ -11,10 +11,11 @@
 /* The only parameter of each entry here. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
-static const struct api_param name_opt[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL,
-                                                   "difficulty from rom.lua to switch to; omit it to only read") };
+static const struct api_param name_opt[] = { PARAM(
+    "name", A_STR, OPT, 0, 0, NULL, NULL,
+    "difficulty from rom.lua to switch to; if omitted, the difficulty doesn't change") };
 static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                                  "switch that rom.lua declares in `dip`") };
+                                                  "name of a switch declared in `dip` in rom.lua") };
 static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
                                                    "name of a sprite, or of a file in the game's folder") };
 static const struct api_param text_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
@@ -25,7 +26,8 @@ static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NU
                                                    "name of a demo in the ROM") };
 static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "screen to open") };
 static const struct api_param frames_req[] = { PARAM(
-    "n", A_INT, REQ, 1, 60, "frames", NULL, "number of frames; if there are several stops, the longest counts") };
+    "n", A_INT, REQ, 1, 60, "frames", NULL,
+    "length of the stop; of several stops in the same frame, the longest counts") };
 static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
                                                     "number, string or boolean to fold in") };
 
@@ -246,7 +248,7 @@ static const struct api_entry entries[] = {
     { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
       HELP("returns the name of the current difficulty; given a name, switches to that difficulty first") },
     { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
-      HELP("returns the setting of a DIP switch as a name or a number") },
+      HELP("returns the setting of a DIP switch, a name or a number") },
     { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
       HELP("restarts the board after this frame, as if power had been cut") },
     { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
@@ -259,10 +261,10 @@ static const struct api_entry entries[] = {
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
-      HELP("freezes the field and all tasks after this frame (hit-stop); buttons pressed during the stop count after "
-           "it") },
+      HELP("freezes the field and all tasks after this frame (hit-stop); button presses during the stop take effect "
+           "after it") },
     { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
-      HELP("folds a value into the state hash, so that a demo in which it differs is reported as diverged") },
+      HELP("folds a value into the state hash; a demo in which the value differs is reported as diverged") },
     { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",
       HELP("returns true if the game has a sprite or a file with that name") },
     { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the contents of a text file in the game") },

@@ -459,8 +459,8 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
-      HELP("checks a boss's cast and phases; returns true if one of them is a last phase") },
+      HELP("checks a boss's cast and phases; returns true if a phase has `last = true`") },
     { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
-      HELP("returns how often a spell was tried and captured; add = 1 counts a try, 2 a capture") },
+      HELP("returns how often a spell was tried and captured; add = 1 adds a try, add = 2 a capture") },
 };
 const struct api_module api_boss = { entries, sizeof entries / sizeof *entries };

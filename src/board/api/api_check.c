@@ -306,7 +306,7 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
     for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
         api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
     if ((sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
-        api_error(L, entry, "unknown %s \"%s\" (it is in `%s` in rom.lua)", noun, name, sound ? "music" : "sounds");
+        api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", noun, name, sound ? "music" : "sounds");
     if (!found)
         api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", noun, name);
     api_error(L, entry, "unknown %s \"%s\" (did you mean \"%s\"?)", noun, name, found);

@@ -8,7 +8,7 @@ static const struct {
     const char *space, *name, *instead;
 } gone[] = {
     { NULL, "os", "use board.frame() for time and save.set for saved data" },
-    { NULL, "io", "use rom.text to read a text file of the game and print to write to the log" },
+    { NULL, "io", "use rom.text to read the game's text files, and print to write to the log" },
     { NULL, "debug", "use print and board.note" },
     { NULL, "package", "use require" },
     { NULL, "coroutine", "use task.go to start a task and wait(n) to let frames pass" },

@@ -204,7 +204,7 @@ void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const ch
     for (int i = first; i < e->count; i++)
         api_help_param(&e->params[i], line);
     if (e->flags & API_FIRE)
-        line("    ...        all arguments of bullet.fire, shot.fire or laser.NAME, whichever it fires");
+        line("    ...        all arguments of bullet.fire, shot.fire or laser.NAME, depending on `fire`");
     help_parts(e, line);
 }
 
@@ -214,29 +214,29 @@ static const struct {
 } values[] = {
     { "forever", HELP("means \"without end\" where a number of frames or times is expected") },
     { "print(...)", HELP("writes its arguments to the log") },
-    { "require(name)",
-      HELP("runs a script of the game once and returns its result: require \"stages/one\"; only while scripts load") },
+    { "require(name)", HELP("runs a script of the game once and returns its result, as in require \"stages/one\"; only "
+                            "while scripts load") },
     { "game.stage", HELP("name of the current stage, or nil") },
-    { "game.mode", HELP("name of the mode of boot.run being played, or nil") },
+    { "game.mode", HELP("name of the current mode of boot.run, or nil") },
     { "game.continues", HELP("number of continues used in this game, by all players") },
     { "game.frames", HELP("frames since the game started") },
     { "hud.banks",
-      HELP("palette banks of text in the HUD, menus and dialogue, for main.lua to set: plain, bright, faint, alarm") },
+      HELP("palette banks of text in the HUD, menus and dialogue: plain, bright, faint, alarm; set them in main.lua") },
     { "hud.low",
-      HELP("rows left free below the registers at the lower edge of the field, for main.lua to set; initially 1") },
-    { "hud.shy", HELP("the registers at the lower edge are hidden while a ship is within this many px of them; for "
-                      "main.lua to set; initially 0") },
-    { "hud.gone", HELP("list by player: true while registers at the lower edge are hidden, so that a game can hide its "
-                       "own display too") },
-    { "hud.graze", HELP("word before the graze count, for main.lua to set; false shows a star") },
+      HELP("rows left free below the registers at the lower edge of the field; set it in main.lua; initially 1") },
+    { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge of the field; set it "
+                      "in main.lua; initially 0") },
+    { "hud.gone", HELP("list with an entry for each player: true while the player's registers at the lower edge of the "
+                       "field are hidden; use it to hide the game's own displays, too") },
+    { "hud.graze", HELP("word before the graze count; set it in main.lua; false shows a star") },
     { "hud.cols", HELP("width of the screen in cells of 8 px") },
     { "hud.rows", HELP("height of the screen in cells of 8 px") },
     { "hud.banner(lines?, frames?)",
-      HELP("shows a list of texts in the middle of the field; without `lines`, removes it") },
+      HELP("shows a banner, a list of texts in the middle of the field; without `lines`, removes the banner") },
     { "hud.centre(row, text, bank?, first?, cols?)",
-      HELP("translates a text and centres it on the screen, or in `cols` cells from `first`; wraps it if it is too "
-           "long, and returns the row below") },
-    { "talk.look", HELP("look of dialogue, for main.lua to set: dim, bank, font") },
+      HELP("translates a text and centres it on the screen, or in `cols` cells from column `first`; wraps a text that "
+           "is too long; returns the row below the text") },
+    { "talk.look", HELP("look of dialogue: dim, bank, font; set them in main.lua") },
     { "rom.title", HELP("title of the game") },
     { "rom.field", HELP("playfield: x, y, w, h in px; x and y are its position on the screen") },
     { "rom.screen", HELP("screen: w, h in px") },

@@ -9,9 +9,9 @@ enum { ARG_FIRST, ARG_SECOND, ARG_CLEAR, ARG_SPARK, ARG_ALL, ARG_ON_MEET };
 const struct api_param api_meet_params[MEET_PARAMS] = {
     PARAM("first", A_STR, REQ, 0, 0, NULL, NULL, "tag of the first bullet of a pair"),
     PARAM("second", A_STR, REQ, 0, 0, NULL, NULL, "tag of the second bullet of a pair"),
-    PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two is removed"),
+    PARAM("clear", A_MEET, OPT, 0, 0, NULL, "none", "which of the two bullets to remove"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark left by a removed bullet; overrides its kind's; needs `clear`"),
+          "kind of spark that a removed bullet leaves; overrides `vanish`; needs `clear`"),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`; needs `clear`"),
     PARAM("on_meet", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_meet(a, b): called with the first and the second bullet, before either is removed"),
@@ -27,7 +27,7 @@ static void check_meet(lua_State *L, const struct bullets *s, const struct api_v
     if (!(s->s.groups & SLOTS_GROUP(GROUP_MEET)))
         api_error(L, entry, "disabled; add `meet = true` to `board` in rom.lua");
     if (!v[ARG_CLEAR].i && !v[ARG_ON_MEET].given)
-        api_error(L, entry, "expected `clear` or `on_meet` (without them, a meeting has no effect)");
+        api_error(L, entry, "expected `clear` or `on_meet` (without either, a meeting has no effect)");
     for (int p = ARG_SPARK; p <= ARG_ALL; p++)
         if (v[p].given && !v[ARG_CLEAR].i)
             api_error(L, entry, "%s: requires `clear`", api_meet_params[p].name);

@@ -324,10 +324,10 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
       1,                                                                                                               \
       API_CHANGES,                                                                                                     \
       "group",                                                                                                         \
-      HELP("returns a handle to every live " noun " with a tag; writes and methods apply to all of them") },           \
+      HELP("returns a group; writes and method calls on it apply to every live " noun " with the given tag") },        \
     {                                                                                                                  \
         noun ".each", each, PARAMS(api_each_params), 2, API_CHANGES, NULL,                                             \
-            HELP("calls f(" noun ") for each live " noun " with a tag, in slot order")                                 \
+            HELP("calls f(" noun ") for each live " noun " with the given tag, in slot order")                         \
     }
 
 /* Pushes the group of things with the tag that is given, or of all. */
@@ -350,12 +350,14 @@ struct api_region {
 /* Arguments of what flies: bullets, shots and lasers, alone and as groups. */
 #define SELF_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
 
-#define AIM_ADD PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "degrees added to the direction of the target, clockwise")
+#define AIM_ADD PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "angle added to the direction towards the target, clockwise")
 
-#define TURN_BY PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "degrees to turn, clockwise; negative turns counterclockwise")
+#define TURN_BY                                                                                                        \
+    PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "degrees to turn clockwise; a negative number turns counterclockwise")
 
-#define SHIFT_DX PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left")
-#define SHIFT_DY PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+#define SHIFT_DX                                                                                                       \
+    PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; a negative distance moves left")
+#define SHIFT_DY PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; a negative distance moves up")
 
 /* Shape words stand behind those of PLACE, in this order. */
 enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
@@ -367,7 +369,7 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
     PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
           "x of the end of a line that starts at the position; needs `to_y` and `width`"),                             \
-        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of that line's end"),                                  \
+        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of the end of the line"),                              \
         PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 
 /* Reads REGION_PARAMS values. False: the thing it is placed by is dead, so it is nowhere. */

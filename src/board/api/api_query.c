@@ -178,7 +178,7 @@ static const struct api_param near[] = {
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give `x` and `y`, or `from`"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),
     SHAPE_CIRCLE_PARAMS(REQ, 32767),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "return only things with this tag"),
     PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`"),
@@ -196,7 +196,7 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
 #define ASKED                                                                                                          \
     PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),       \
-        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "only things with this tag"), PLACE
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "return only things with this tag"), PLACE
 
 static const struct api_param box[] = { ASKED, SHAPE_BOX_PARAMS(REQ) };
 static const struct api_param line[] = { ASKED, SHAPE_LINE_PARAMS(REQ) };

@@ -179,22 +179,23 @@ enum {
 
 /* What all clears take, of bullets and of lasers. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only those with this tag"),                                    \
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
         PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,                                                               \
               "horizontal position of the shape; give `x` and `y`, or `from`"),                                        \
         PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the shape"),                            \
         SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
-        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),                \
+        PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),      \
         PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),     \
         PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),       \
         PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`"),       \
         SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
         PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),                  \
-        PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into")
+        PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed")
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
     CLEAR_PARAMS_OF_ALL,
-    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that touch the shape, except players' lasers"),
+    PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true",
+          "also remove enemy lasers; with a shape, only lasers that touch it"),
 };
 
 /* ---- lasers ---- */
@@ -270,8 +271,8 @@ enum { ARG_SELF, ARG_SPARK, SELF_ITEMS, ARG_PLACE = SELF_ITEMS, ARG_ALL = ARG_PL
 
 const struct api_param api_clear_self_params[CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_BULLET | 1 << H_SHOT, 0, NULL, NULL, "the thing itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
 };
 
 int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
@@ -292,13 +293,13 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_GROUP | 1 << H_SHOTS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed"),
 };
 
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
@@ -339,8 +340,8 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASER, 0, NULL, NULL, "the laser itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item it turns into"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces it"),
     EVERY_PARAM,
 };
 
@@ -353,13 +354,13 @@ int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
 
 const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = {
     PARAM("self", A_THING, REQ, 1 << H_LASERS, 0, NULL, NULL, "the group itself"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left behind; overrides its kind's"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),
     PLACE,
     SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),
     SHAPE_BOX_PARAMS(OPT),
     SHAPE_LINE_PARAMS(OPT),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item that each turns into"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed"),
     EVERY_PARAM,
 };
 

@@ -155,7 +155,7 @@ static const struct api_entry entries[] = {
     { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
     { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
     { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees",
-      HELP("returns the direction from one position to another; 90 if they are equal or either thing is dead") },
+      HELP("returns the direction from one position to another; 90 if the positions are equal or a thing is dead") },
     { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a vector") },
     { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",
       HELP("returns the shortest turn from one direction to another, from -180 to 180") },

@@ -7,12 +7,14 @@
 
 enum { ARG_KEY = 0, ARG_DEFAULT = 1, ARG_VALUE = 1 };
 
-static const struct api_param save_get[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name it was saved under"),
-                                             PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL,
-                                                   "value returned if nothing is saved there; defaults to nil") };
-static const struct api_param save_set[] = { PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name to save it under"),
-                                             PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL,
-                                                   "number, boolean or string of up to 60 bytes; nil deletes it") };
+static const struct api_param save_get[] = {
+    PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name under which the value was saved"),
+    PARAM("default", A_ANY, OPT, 0, 0, NULL, NULL, "value to return if nothing was saved under `key`; defaults to nil")
+};
+static const struct api_param save_set[] = {
+    PARAM("key", A_STR, REQ, 1, NV_KEY, NULL, NULL, "name under which to save the value"),
+    PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "number, boolean or string of up to 60 bytes; nil deletes it")
+};
 
 static int save_get_run(lua_State *L, struct board *b, struct api_value *v)
 {

@@ -3,18 +3,19 @@
  */
 #include "../api.h"
 
-#define N              PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "number to fire")
+#define N              PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "number of bullets to fire")
 #define NF(help)       PARAM("n", A_COUNT, REQ, 0, 65535, "times", NULL, help)
 #define EVERY(help)    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, help)
 #define SPEED_TO(help) PARAM("speed_to", A_NUM, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, help)
-#define TURNS          PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "rotate the figure so its right side leads")
+#define TURNS                                                                                                          \
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",                                                                   \
+          "rotate the figure so that its right side faces the direction of flight")
 /* What every pattern has. */
 #define PATTERN                                                                                                        \
-    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL,                                                              \
-          "bullets to skip: the numbers of the first and the last of them"),                                           \
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip, counted from 1"),                 \
         PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", "what to fire"),                                              \
         PARAM("each", A_FUNC, OPT, 0, 0, NULL, NULL,                                                                   \
-              "each(args, i): called with the arguments of bullet i instead of firing it")
+              "each(args, i): called instead of firing bullet i, with the bullet's arguments")
 #define NAME(help)  PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, help)
 #define NEEDS(help) PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, help)
 #define LIMIT(help) PARAM("limit", A_COUNT, OPT, 0, INT32_MAX, "frames", NULL, help)
@@ -22,7 +23,7 @@
 
 static const struct api_param trail[] = {
     PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the sparks"),
-    PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that leaves them"),
+    PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that leaves the sparks"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one spark to the next"),
     PARAM("over", A_COUNT, OPT, 1, INT32_MAX, "frames", "forever",
           "frames the trail lasts; it ends sooner if the thing despawns"),
@@ -35,19 +36,21 @@ static const struct api_param wait_until[] = {
 };
 static const struct api_param ring[] = { N, PATTERN };
 static const struct api_param fan[] = {
-    N, PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle between the first and the last"), PATTERN
+    N, PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle between the first and the last bullet"),
+    PATTERN
 };
 static const struct api_param arc[] = {
-    N, PARAM("sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle from the first to the last, clockwise"),
+    N, PARAM("sweep", A_NUM, REQ, -32767, 32767, "degrees", NULL, "angle from the first to the last bullet, clockwise"),
     PATTERN
 };
 static const struct api_param stack[] = { N, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
                                           PATTERN };
 static const struct api_param line[] = {
-    N, PARAM("width", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "distance between the first and the last"), PATTERN
+    N, PARAM("width", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "distance between the first and the last bullet"), PATTERN
 };
 static const struct api_param polygon[] = {
-    N, PARAM("sides", A_INT, REQ, 3, 65535, NULL, NULL, "number of sides; `n` must be a multiple of it"), PATTERN
+    N, PARAM("sides", A_INT, REQ, 3, 65535, NULL, NULL, "number of sides; `n` must be a multiple of this number"),
+    PATTERN
 };
 static const struct api_param star[] = {
     N, PARAM("points", A_INT, REQ, 2, 32767, NULL, NULL, "number of tips; `n` must be a multiple of twice this number"),
@@ -62,25 +65,27 @@ static const struct api_param rose[] = {
     N, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals; the first points along `dir`"),
     SPEED_TO("speed between petals; the tips of the petals fly at `speed`"), PATTERN
 };
-static const struct api_param whip[] = { N, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
-                                         PARAM("bend", A_NUM, REQ, -32767, 32767, "degrees", NULL,
-                                               "angle from the direction of the first to that of the last"),
-                                         PATTERN };
+static const struct api_param whip[] = {
+    N, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
+    PARAM("bend", A_NUM, REQ, -32767, 32767, "degrees", NULL,
+          "angle from the direction of the first bullet to the direction of the last"),
+    PATTERN
+};
 static const struct api_param scatter[] = {
     N,
     PARAM("spread", A_NUM, REQ, -32767, 32767, "degrees", NULL,
-          "angle of the cone, centred on `dir`, from which the directions are drawn"),
-    SPEED_TO("end of the range of speeds, which starts at `speed`"), PATTERN
+          "angle of the cone of random directions, centred on `dir`"),
+    SPEED_TO("other end of the range of random speeds, which starts at `speed`"), PATTERN
 };
 static const struct api_param figure[] = {
     PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
-          "list of points { x, y } in px from the position, one for each bullet"),
+          "list of points { x, y }, one for each bullet, in px relative to the position"),
     PARAM("scale", A_NUM, OPT, -WORLD, WORLD, NULL, "1", "factor for all coordinates in the list"), TURNS, PATTERN
 };
 static const struct api_param picture[] = {
     PARAM("dots", A_STR, REQ, 1, 4096, NULL, NULL,
           "rows of characters, one per line; a dot or a space leaves a gap, and any other character is a bullet"),
-    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "8", "distance between neighbours"), TURNS, PATTERN
+    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "8", "distance between neighbouring bullets"), TURNS, PATTERN
 };
 static const struct api_param spiral[] = {
     NF("number of volleys"),
@@ -88,7 +93,7 @@ static const struct api_param spiral[] = {
     EVERY("frames from one volley to the next"),
     PARAM("arms", A_INT, OPT, 1, 65535, "bullets", "1", "bullets in a volley, evenly spaced around the circle"), PATTERN
 };
-static const struct api_param aimed[] = { NF("number to fire"), EVERY("frames from one bullet to the next"),
+static const struct api_param aimed[] = { NF("number of bullets to fire"), EVERY("frames from one bullet to the next"),
                                           PARAM("lock", A_BOOL, OPT, 0, 0, NULL, "false",
                                                 "aim only once, for the first bullet, instead of for each bullet"),
                                           PATTERN };
@@ -102,7 +107,7 @@ static const struct api_param point[] = {
           "frames to get there; required for every point after the first"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", "easing of the movement to the point"),
     PARAM("wait", A_INT, OPT, 0, 65535, "frames", NULL,
-          "frames to stay; must be a separate entry and not the first one")
+          "frames to stay at the previous point; needs its own entry, which cannot be the first")
 };
 static const struct api_param path_run[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, "enemy to move"),
                                              PARAM("route", A_ROUTE, REQ, 0, 0, NULL, NULL, "result of path.def"),
@@ -118,28 +123,32 @@ static const struct api_param stage_def[] = {
     NEEDS("unlock that opens the stage; until then, boot.run skips the stage"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music that starts with the stage")
 };
-static const struct api_param stage_at[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL,
-                                                   "frame of the stage's clock; raises an error if it has passed") };
+static const struct api_param stage_at[] = { PARAM(
+    "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL,
+    "frame of the stage's clock; raises an error if the clock has passed it") };
 static const struct api_param wave[] = {
     PARAM("n", A_INT, REQ, 0, 4096, "enemies", NULL, "number to spawn"),
     EVERY("frames from one enemy to the next; 0 spawns all at once"),
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PARAM("path", A_ROUTE, REQ, 0, 0, NULL, NULL, "route that each enemy follows; the enemy is removed at its end"),
     MIRROR,
-    PARAM("dx", A_NUM, OPT, -WORLD, WORLD, "px", "0", "horizontal distance of each route from the one before"),
-    PARAM("dy", A_NUM, OPT, -WORLD, WORLD, "px", "0", "vertical distance of each route from the one before"),
+    PARAM("dx", A_NUM, OPT, -WORLD, WORLD, "px", "0",
+          "horizontal distance from each enemy's route to the next enemy's"),
+    PARAM("dy", A_NUM, OPT, -WORLD, WORLD, "px", "0", "vertical distance from each enemy's route to the next enemy's"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task of each enemy; overrides the kind's"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep them when the boss phase that spawned them ends"),
-    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points of each; overrides the kind's"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the enemies when the boss phase that spawned them ends"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points of each enemy; overrides the kind's"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of the sprite; overrides the kind's"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the enemies in"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(e, p): called when p kills one; p may be nil; overrides the kind's"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items that each drops, { NAME = count }; overrides the kind's"),
+          "on_death(e, p): called when an enemy dies, with the player who gets its score; p may be nil; overrides the "
+          "kind's"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "items that each enemy drops, { NAME = count }; overrides the kind's"),
     PARAM("formation", A_ANY, OPT, 0, 0, "v, line, column, circle, or a list of { x, y }", NULL,
-          "arrangement of the enemies; a list gives each one's distance from the route"),
-    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "24", "distance between neighbours in a named formation")
+          "arrangement of the enemies; a list gives each enemy's distance from the route"),
+    PARAM("gap", A_NUM, OPT, 0, WORLD, "px", "24", "distance between neighbouring enemies in a named formation")
 };
 static const struct api_param limit_only[] = { LIMIT("maximum number of frames to wait; no limit if omitted") };
 static const struct api_param name_only[] = { NAME("name of the mark") };
@@ -147,29 +156,31 @@ static const struct api_param boss_def[] = {
     NAME("name for boss.fight and --stage"),
     PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown on the screen"),
     PARAM("kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL,
-          "declared kind of its enemy; give either `kind`, `x` and `y`, or `cast`"),
-    PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "horizontal position where it fights and rests; needs `y`"),
-    PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "vertical position where it fights and rests; needs `x`"),
+          "declared kind of the boss's enemy; give either `kind`, `x` and `y`, or `cast`"),
+    PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "horizontal position where the boss fights and rests; needs `y`"),
+    PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "vertical position where the boss fights and rests; needs `x`"),
     PARAM("phases", A_TABLE, REQ, 0, 0, NULL, NULL, "list of phases, in order; an entry { talk = f } is dialogue"),
     PARAM("cast", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of two or more enemies that fight together; use it instead of `kind`, `x` and `y`"),
-    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite that crosses the field when a spell is declared"),
+    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite that crosses the field when a spell starts"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, "false", "bring the portrait in from the left, mirrored"),
     PARAM("warning", A_INT, OPT, 0, 65535, "frames", "0",
-          "length of the WARNING before the boss flies in; 0 shows no warning"),
+          "duration of the warning before the boss flies in; 0 shows no warning"),
     PARAM("epithet", A_STR, OPT, 1, 63, NULL, NULL, "line above the title in the warning"),
-    PARAM("entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark that it leaves behind as it flies in"),
+    PARAM("entrance", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark that the boss leaves behind as it flies in"),
     PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background, declared with bg.def, shown when the fight starts"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music during the fight")
 };
 static const struct api_param boss_cast[] = {
-    NAME("name used in the tables `hp` and `run` of a phase"),
-    PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown with its bar"),
-    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its enemy"),
-    PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "horizontal position where it fights and rests"),
-    PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "vertical position where it fights and rests"),
-    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait in the phases it leads; overrides the boss's"),
-    PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL, "bring its portrait in from the left; overrides the boss's")
+    NAME("name used in the `hp` and `run` tables of a phase"),
+    PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown with the member's bar"),
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the member's enemy"),
+    PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "horizontal position where the member fights and rests"),
+    PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "vertical position where the member fights and rests"),
+    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "portrait in the phases that the member leads; overrides the boss's"),
+    PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL,
+          "bring the member's portrait in from the left; overrides the boss's")
 };
 static const struct api_param boss_talk[] = { PARAM(
     "talk", A_FUNC, REQ, 0, 0, NULL, NULL,
@@ -179,11 +190,12 @@ static const struct api_param boss_fight[] = { NAME("name of the boss"),
                                                      "keep the stage's clock running during the fight") };
 static const struct api_param boss_history[] = {
     NAME("name of the boss"), PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "id of the phase"),
-    PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, "difficulty to count; defaults to the current one"),
-    PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "ship to count; all ships if omitted")
+    PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL,
+          "difficulty whose tries are counted; defaults to the current one"),
+    PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "ship whose tries are counted; all ships if omitted")
 };
 static const struct api_param phase[] = {
-    PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "permanent name for saves, practice and --stage NAME/ID"),
+    PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "permanent name, used by saves, practice and --stage NAME/ID"),
     PARAM("hp", A_ANY, OPT, 0, 0, "whole number, or { NAME = n }", NULL,
           "hit points; a table gives each member of the cast a bar; optional with `survive`"),
     PARAM("time", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
@@ -191,36 +203,38 @@ static const struct api_param phase[] = {
     PARAM("run", A_ANY, OPT, 0, 0, "function, or { NAME = function }", NULL,
           "required; run(e): task of the phase, called with the boss or the cast; a table gives each member a task"),
     PARAM("spell", A_STR, OPT, 0, 127, NULL, NULL,
-          "name of the spell card, declared on the screen; boss.history counts it"),
+          "name of the spell card, shown on the screen; boss.history counts its tries and captures"),
     PARAM("bonus", A_INT, OPT, 0, INT32_MAX, "points", "0",
           "points for each player if the phase is captured: beaten without a death or a bomb"),
     PARAM("bonus_to", A_INT, OPT, 0, INT32_MAX, "points", NULL,
-          "value to which the bonus falls over time; if omitted, the bonus doesn't fall"),
+          "value that the bonus falls to by the end of `time`; if omitted, the bonus doesn't fall"),
     PARAM("survive", A_BOOL, OPT, 0, 0, NULL, "false",
           "make the boss invulnerable; the phase is beaten when time runs out"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false",
-          "play this phase only if all phases before it were beaten; a hit ends it without costing a life"),
+          "play this phase only if all earlier phases were beaten; a hit on a player ends the phase but costs no life"),
     PARAM("safe", A_INT, OPT, 0, 65535, "frames", "0", "frames at the start during which the boss takes no damage"),
     PARAM("armour", A_INT, OPT, 0, 65535, "frames", "0",
           "frames after `safe` in which the boss takes less damage; needs `board = { bodies = true }`"),
     PARAM("rate", A_NUM, OPT, 0, 1, NULL, "0.25", "fraction of the damage that the boss takes during `armour`"),
     PARAM("down", A_DOWN, OPT, 0, 0, NULL, "all",
-          "whether all bars must be empty or just one of them, if each member has a bar"),
-    PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL, "show the portrait with the spell; defaults to true if both exist"),
+          "if each member has a bar, which bars must be empty to beat the phase: all of them, or any one"),
+    PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL,
+          "show the portrait when the spell starts; defaults to true if there is both a portrait and a spell"),
     PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait in this phase; overrides its leader's and the boss's"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL,
           "bring the portrait in from the left; overrides its leader's and the boss's"),
     PARAM("rest", A_INT, OPT, 0, 65535, "frames", "60",
           "frames the boss takes to fly back before the next phase; 0 skips the flight"),
-    PARAM("clear", A_TABLE, OPT, 0, 0, NULL, NULL, "what the bullets turn into when the end of the phase clears them"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it is beaten, { NAME = count }"),
+    PARAM("clear", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "what each bullet leaves behind when the bullets are cleared at the end of the phase"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when the phase is beaten, { NAME = count }"),
     PARAM("bg", A_STR, OPT, 0, 0, NULL, NULL, "background, declared with bg.def, during the phase"),
     PARAM("music", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music during the phase")
 };
-static const struct api_param phase_clear[] = {
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item kind for each bullet, if the phase is beaten"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark for each bullet")
-};
+static const struct api_param phase_clear[] = { PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL,
+                                                      "kind of item that replaces each bullet if the phase was beaten"),
+                                                PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+                                                      "kind of spark that each bullet leaves") };
 static const struct api_param bg_show[] = {
     PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, "background to show; nil shows none"),
     PARAM("over", A_INT, OPT, 0, 65535, "frames", "30",
@@ -229,30 +243,31 @@ static const struct api_param bg_show[] = {
 static const struct api_param rule[] = {
     PARAM("on", A_STR, OPT, 1, 31, NULL, NULL,
           "event that earns the points: kill, graze, take, death or bomb; give `on` or `name`"),
-    PARAM("name", A_STR, OPT, 1, 31, NULL, NULL, "name of a custom event, which score.count reports"),
+    PARAM("name", A_STR, OPT, 1, 31, NULL, NULL, "name of a custom event that score.count reports"),
     PARAM("kind", A_STR, OPT, 1, 31, NULL, NULL,
-          "kind of enemy, bullet or item, if only kills, grazes or takes of that kind count"),
+          "count only events with this kind of enemy (kill), bullet (graze) or item (take)"),
     PARAM("points", A_ANY, OPT, 0, 0, "whole number, or a register", NULL,
-          "points for the player, or f(p, thing) that returns them"),
+          "points for the player; a function f(p, thing) returns them"),
     PARAM("times", A_ANY, OPT, 0, 0, "whole number, or a register", NULL,
-          "factor for `points`, or for the thing's own score; or f(p, thing) that returns the factor"),
+          "factor for `points` or, without `points`, for the score of the enemy or item; a function f(p, thing) "
+          "returns the factor"),
     PARAM("gain", A_TABLE, OPT, 0, 0, NULL, NULL,
           "numbers to add to registers, { NAME = n }, before the points are counted"),
     PARAM("most", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "registers to raise to the value of another register if that is higher, { NAME = OTHER }"),
+          "registers to raise, { NAME = OTHER }: NAME gets the value of OTHER if that is higher"),
     PARAM("set", A_TABLE, OPT, 0, 0, NULL, NULL,
           "values to set registers to, { NAME = n }, after the points are counted")
 };
 static const struct api_param count[] = { NAME("name of the event in score.rule"),
                                           PARAM("n", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
-                                                "how many times it happened"),
-                                          PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who did it") };
+                                                "number of times the event happened"),
+                                          PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who caused the event") };
 static const struct api_param tally[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
                                                 "list of lines, from top to bottom") };
 static const struct api_param tally_line[] = {
     PARAM("label", A_STR, REQ, 1, 31, NULL, NULL, "word at the left of the line"),
     PARAM("value", A_ANY, REQ, 0, 0, "property, register or function", NULL,
-          "what to count; f(p) returns a number, or true for 1, or false for no line"),
+          "what to count; a function f(p) returns a number, true (counts as 1) or false (hides the line)"),
     PARAM("points", A_INT, REQ, 0, 1e12, "points", NULL, "points for each unit counted"),
     PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", "count only what was added in this stage"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line only after the last stage")
@@ -262,8 +277,8 @@ static const struct api_param unlock_def[] = {
     UNLOCK_NAME("name for unlock.has and `needs`; saved as unlock/NAME"),
     PARAM("when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL,
           "what a run must achieve; a function when(run) is called at the end of each run and returns true to unlock"),
-    PARAM("title", A_STR, OPT, 1, 63, NULL, NULL, "text shown once it is unlocked; defaults to the name"),
-    PARAM("hint", A_STR, OPT, 1, 127, NULL, NULL, "text shown until it is unlocked")
+    PARAM("title", A_STR, OPT, 1, 63, NULL, NULL, "text shown once the unlock is earned; defaults to the name"),
+    PARAM("hint", A_STR, OPT, 1, 127, NULL, NULL, "text shown until the unlock is earned")
 };
 static const struct api_param unlock_when[] = {
     PARAM("clear", A_ANY, OPT, 0, 0, "true, or a stage", NULL, "stage to clear; true for all stages"),
@@ -281,10 +296,10 @@ static const struct api_param unlock_has[] = { UNLOCK_NAME("name given to unlock
 static const struct api_param mission_def[] = {
     MISSION_NAME("name for mission.best; saved as mission/NAME"),
     PARAM("title", A_STR, REQ, 1, 63, NULL, NULL, "name shown in the list of missions"),
-    PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that says what to do"),
+    PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that tells the player what to do"),
     PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage to play a part of; give `stage` or `boss`"),
     PARAM("mark", A_STR, OPT, 1, 31, NULL, NULL,
-          "the mark where the part starts; defaults to the start of the stage; needs `stage`"),
+          "mark where the part starts; defaults to the start of the stage; needs `stage`"),
     PARAM("to", A_STR, OPT, 1, 31, NULL, NULL,
           "mark where the part ends; defaults to the end of the stage; needs `stage`"),
     PARAM("boss", A_STR, OPT, 1, 31, NULL, NULL, "boss to fight"),
@@ -294,11 +309,11 @@ static const struct api_param mission_def[] = {
     PARAM("lives", A_INT, OPT, 1, 99, NULL, "1", "lives to start with, including the one in play"),
     PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL, "starting values of registers, { NAME = n }"),
     PARAM("goal", A_ANY, OPT, 0, 0, "{ NAME = n, .. }, or a function", NULL,
-          "counts to reach: score, grazes, kills, frames, lives or a register; or goal(p), which returns true once it "
-          "is reached"),
+          "counts to reach: score, grazes, kills, frames, lives or a register; a function goal(p) returns true once "
+          "the goal is reached"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false",
-          "require playing to the end and beating the boss; `goal` is then optional"),
-    PARAM("limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "frames to finish in; no limit if omitted"),
+          "require playing to the end and, with `boss`, winning the fight; `goal` is then optional"),
+    PARAM("limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "time limit; no limit if omitted"),
     PARAM("bombs", A_INT, OPT, 0, 99, NULL, NULL, "number of bombs allowed; no limit if omitted"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, "time",
           "what the stars measure: time (less is better) or a count in `goal` (more is better)"),
@@ -313,7 +328,7 @@ static const struct api_param boot_run[] = {
           "demo (demos/NAME.demo) that the title screen shows after ten seconds"),
     PARAM("demos", A_TABLE, OPT, 0, 0, NULL, NULL, "list of demos to show in turn, instead of `demo`"),
     PARAM("modes", A_TABLE, OPT, 0, 0, NULL, NULL, "list of modes to choose from, instead of `stages`"),
-    PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for difficulties from rom.lua, { NAME = text }"),
+    PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for the difficulties in rom.lua, { NAME = text }"),
     PARAM("ships", A_TABLE, OPT, 0, 0, NULL, NULL, "what the ship menu shows for each ship, by player kind"),
     PARAM("ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show, music }", NULL,
           "ending(run), called after the last stage; in a list, the first ending whose `when` holds is shown"),
@@ -342,7 +357,7 @@ static const struct api_param boot_mode[] = {
 };
 #define BOOT_SHIP(of)                                                                                                  \
     PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, "name shown; defaults to " of),                                       \
-        PARAM("text", A_STR, OPT, 0, 0, NULL, NULL, "description of it"),                                              \
+        PARAM("text", A_STR, OPT, 0, 0, NULL, NULL, "description shown in the ship menu"),                             \
         PARAM("figures", A_TABLE, OPT, 0, 0, NULL, NULL,                                                               \
               "list of { word, n }, n from 0 to 5 stars; defaults to speed, lives and registers")
 static const struct api_param boot_ship[] = { BOOT_SHIP("the name of its kind"),
@@ -353,7 +368,8 @@ static const struct api_param boot_form[] = { PARAM("kind", A_PLAYER_KIND, REQ, 
                                               BOOT_SHIP("the title of the ship") };
 #define BOOT_WHEN                                                                                                      \
     PARAM("when", A_ANY, OPT, 0, 0, "conditions, or a function", NULL,                                                 \
-          "what the run must match: mode, difficulty, ship, players or continues; or when(run), which returns true")
+          "what the run must match: mode, difficulty, ship, players or continues; a function when(run) returns true "  \
+          "if it matches")
 static const struct api_param boot_ending[] = {
     BOOT_WHEN,
     PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL, "show(run): shows the ending; return false to skip the credits"),
@@ -362,14 +378,13 @@ static const struct api_param boot_ending[] = {
 static const struct api_param boot_staff[] = { BOOT_WHEN };
 static const struct api_param boot_page[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name in the title menu, and the heading of the page"),
-    PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL,
-          "show(row, rows): draws the page into the given number of rows, starting at the given row")
+    PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL, "show(row, rows): draws the page into `rows` rows, starting at `row`")
 };
 #define SCREEN(name, help) PARAM(name, A_FUNC, OPT, 0, 0, NULL, NULL, help)
 static const struct api_param boot_screens[] = {
     SCREEN("title", "title(limit, places, from): returns a place, and for \"start\" the number of players; nil if no "
                     "button was pressed"),
-    SCREEN("mode", "mode(modes): returns the name of one of `modes`, each { name, text, closed }; nil goes back"),
+    SCREEN("mode", "mode(modes): returns the name of one of `modes`, a list of { name, text, closed }; nil goes back"),
     SCREEN("difficulty", "difficulty(names, present, texts): returns one of `names`; nil goes back"),
     SCREEN("ship", "ship(kinds, players, about): returns a list with the kind of each player; nil goes back"),
     SCREEN("pause", "pause(index, items, chosen): returns the number of an item; 1 resumes the game"),
@@ -381,7 +396,7 @@ static const struct api_param boot_screens[] = {
     SCREEN("scores", "scores(difficulty, limit, row, ship): returns true if START was pressed"),
     SCREEN("history", "history(difficulty): shows how often spells were captured"),
     SCREEN("music", "music(list): shows the music room"),
-    SCREEN("unlocks", "unlocks(): shows the titles of what is unlocked, and hints for the rest"),
+    SCREEN("unlocks", "unlocks(): shows the titles of the unlocks earned, and hints for the others"),
     SCREEN("missions", "missions(last): returns the name of a mission; nil goes back"),
     SCREEN("mission", "mission(result): shows the result of a mission; returns \"again\" or \"list\""),
     SCREEN("page", "page(page): shows one of `pages`, given as { name, show }"),
@@ -391,7 +406,7 @@ static const struct api_param game_def[] = { PARAM(
     "registers", A_TABLE, REQ, 0, 0, NULL, NULL,
     "registers of the run, { NAME = start or settings }, as in player.def") };
 static const struct api_param talk_def[] = {
-    PARAM("who", A_STR, REQ, 1, 31, NULL, NULL, "the speaker's name in `say`"),
+    PARAM("who", A_STR, REQ, 1, 31, NULL, NULL, "name of the speaker in `say`"),
     PARAM("name", A_STR, REQ, 0, 63, NULL, NULL, "name shown on the box"),
     PARAM("faces", A_TABLE, OPT, 0, 0, NULL, NULL,
           "sprites of the portrait, { FACE = name }, drawn facing right; no portrait if omitted"),
@@ -404,20 +419,20 @@ static const struct api_param talk_face[] = { PARAM("face", A_SPRITE, REQ, 0, 0,
 static const struct api_param talk_run[] = {
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): calls `say` and `choose`"),
     PARAM("hold", A_STR, OPT, 0, 0, NULL, "fire",
-          "what players can't do: fire (no shots or bombs), all (no movement either) or none (no restriction)"),
+          "what players can't do: fire (shoot or bomb), all (shoot, bomb or move) or none (no restriction)"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "true", "remove all bullets and lasers at the start"),
-    PARAM("skip", A_BOOL, OPT, 0, 0, NULL, "true", "let players skip it by holding the special button"),
-    PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false", "keep the stage's clock running meanwhile")
+    PARAM("skip", A_BOOL, OPT, 0, 0, NULL, "true", "let players skip the dialogue by holding the special button"),
+    PARAM("clock", A_BOOL, OPT, 0, 0, NULL, "false", "keep the stage's clock running during the dialogue")
 };
 static const struct api_param say[] = {
     PARAM("who", A_STR, OPT, 0, 0, NULL, NULL, "speaker from talk.def; nil for no speaker"),
     PARAM("text", A_STR, REQ, 0, 4096, NULL, NULL, "text, shown in pages of three rows; \\n starts a new row"),
     PARAM("face", A_STR, OPT, 0, 0, NULL, NULL,
-          "one of the speaker's faces; defaults to the last one used, or `calm` if there is none"),
+          "one of the speaker's faces; defaults to the face used last or, the first time, `calm`"),
     PARAM("side", A_STR, OPT, 0, 0, NULL, NULL, "side of the portrait, left or right; overrides the speaker's"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "2",
           "frames from one letter to the next; 0 shows all letters immediately"),
-    LIMIT("frames until a complete page turns automatically; if omitted, it waits for the fire button"),
+    LIMIT("frames until a complete page turns automatically; if omitted, the page waits for the fire button"),
     PARAM("voice", A_SOUND, OPT, 0, 0, NULL, NULL, "sound for this line, played once; overrides the speaker's voice"),
 };
 static const struct api_param choose[] = {
@@ -425,9 +440,9 @@ static const struct api_param choose[] = {
     PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, "text above the list"),
     PARAM("chosen", A_INT, OPT, 1, 99, NULL, "1", "item selected at first; also the result if the talk is skipped"),
     PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player whose buttons count; both players if omitted"),
-    LIMIT("frames until the selected item is taken; no limit if omitted"),
+    LIMIT("frames until the selected item is chosen automatically; no limit if omitted"),
     PARAM("back", A_INT, OPT, 1, 99, NULL, NULL,
-          "result when the bomb button is pressed; if omitted, that button does nothing")
+          "result when the bomb button is pressed; if omitted, the bomb button does nothing")
 };
 static const struct api_param values[] = { PARAM(
     "values", A_TABLE, REQ, 0, 0, NULL, NULL,
@@ -443,42 +458,42 @@ static const struct api_entry entries[] = {
     { "wait_for", NULL, NULL, 0, 0, API_LUA | API_GLOBAL | API_MORE, NULL,
       HELP("waits until every given task has ended and every given thing is dead") },
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
-        "returns the value for the current difficulty; if there is none, the value for the nearest easier difficulty "
-        "or, failing that, for the easiest one given"),
+        "returns the value for the current difficulty; if there is none, the value for the nearest easier difficulty, "
+        "or else for the easiest one given"),
     LUA("pattern.ring", ring, 0, API_FIRE, NULL,
-        "fires `n` bullets in all directions, evenly spaced, the first along `dir`"),
+        "fires `n` bullets in all directions, evenly spaced, the first bullet along `dir`"),
     LUA("pattern.fan", fan, 0, API_FIRE, NULL, "fires `n` bullets in a fan, centred on `dir`"),
     LUA("pattern.arc", arc, 0, API_FIRE, NULL, "fires `n` bullets over an arc that starts at `dir`"),
     LUA("pattern.stack", stack, 0, API_FIRE, NULL,
         "fires `n` bullets in one direction, at speeds from `speed` to `speed_to`"),
     LUA("pattern.line", line, 0, API_FIRE, NULL, "fires `n` bullets side by side, in a line across `dir`"),
     LUA("pattern.polygon", polygon, 0, API_FIRE, NULL,
-        "fires `n` bullets as a growing polygon; its corners fly at `speed`, the first of them along `dir`"),
+        "fires `n` bullets as a growing polygon; its corners fly at `speed`, the first corner along `dir`"),
     LUA("pattern.star", star, 0, API_FIRE, NULL,
-        "fires `n` bullets as a growing star; its tips fly at `speed`, the first of them along `dir`"),
+        "fires `n` bullets as a growing star; its tips fly at `speed`, the first tip along `dir`"),
     LUA("pattern.ellipse", ellipse, 0, API_FIRE, NULL,
-        "fires `n` bullets as a growing ellipse, the first along `dir`; bullets along its axis fly at `speed`"),
+        "fires `n` bullets as a growing ellipse, the first bullet along `dir`; bullets along its axis fly at `speed`"),
     LUA("pattern.rose", rose, 0, API_FIRE, NULL,
         "fires `n` bullets in all directions as a growing flower; the tip of the first petal flies along `dir`"),
     LUA("pattern.whip", whip, 0, API_FIRE, NULL,
-        "fires `n` bullets as a bent stack: speed and direction change from the first to the last"),
+        "fires `n` bullets as a bent stack: speed and direction change from the first bullet to the last"),
     LUA("pattern.scatter", scatter, 0, API_FIRE, NULL,
-        "fires `n` bullets in random directions at random speeds; draws two random numbers for each"),
+        "fires `n` bullets in random directions at random speeds; draws two random numbers for each bullet"),
     LUA("pattern.points", figure, 0, API_FIRE, NULL,
-        "fires a bullet from each point of a list; all fly in the same direction"),
+        "fires a bullet from each point of a list; all bullets fly in the same direction"),
     LUA("pattern.picture", picture, 0, API_FIRE, NULL,
         "fires a bullet for each character of a picture made of text, centred on the position"),
     LUA("pattern.spiral", spiral, 0, API_FIRE, NULL,
-        "fires one volley after another, each turned by `step`; this takes time, so call it in a task"),
+        "fires one volley after another, each turned by `step`; the pattern takes time, so call it in a task"),
     LUA("pattern.aimed", aimed, 0, API_FIRE, NULL,
-        "fires `n` bullets one after another at the nearest player, or shots at the nearest enemy; this takes time, so "
-        "call it in a task"),
+        "fires `n` bullets one after another at the nearest player, or shots at the nearest enemy; the pattern takes "
+        "time, so call it in a task"),
     LUA("path.def", points, 1, API_LOAD, "route", "creates a route for enemies and bullets from a list of points"),
     LUA("path.def point", point, 0, API_SYS, NULL,
-        "one entry of the list: { x, y } to start, then { x, y, over } or { wait }"),
+        "one entry of the list: first { x, y }, then { x, y, over } or { wait }"),
     LUA("path.run", path_run, 3, 0, NULL, "moves an enemy along a route; returns when it arrives at the end"),
     LUA("spark.trail", trail, 0, 0, "task",
-        "leaves afterimages of a thing: a spark every few frames, until the thing despawns or the task's owner ends"),
+        "leaves a trail of sparks behind a thing, until the thing despawns or the task's owner ends"),
     LUA("stage.def", stage_def, 2, API_LOAD, NULL,
         "declares a stage: one task that spawns waves and fights bosses in order"),
     LUA("stage.at", stage_at, 1, 0, NULL, "waits for frame `n` of the stage's clock, which stops during boss.fight"),
@@ -489,14 +504,15 @@ static const struct api_entry entries[] = {
     LUA("stage.mark", name_only, 1, 0, NULL,
         "marks a moment in the stage at which practice and --stage NAME:MARK can start"),
     { "stage.skipping", NULL, NULL, 0, 0, API_LUA, "boolean",
-      HELP("returns true while the stage skips ahead to the mark it starts at") },
+      HELP("returns true while the stage skips ahead to the mark where play starts") },
     LUA("boss.def", boss_def, 1, API_LOAD, NULL,
         "declares a boss: one enemy, or a cast of several, that fights in phases"),
     LUA("boss.def phase", phase, 0, API_SYS, NULL,
-        "one phase of the fight; when `hp` or `time` runs out, it ends, and everything its `run` spawned is removed"),
+        "one phase of the fight; when `hp` or `time` runs out, the phase ends, and everything that its `run` spawned "
+        "is removed"),
     LUA("boss.def cast", boss_cast, 0, API_SYS, NULL, "one member of the cast"),
-    LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a dialogue between two phases; the boss is safe meanwhile"),
-    LUA("boss.def clear", phase_clear, 0, API_SYS, NULL, "what the bullets leave when the phase ends"),
+    LUA("boss.def talk", boss_talk, 0, API_SYS, NULL, "a dialogue before or after a phase; the boss is safe during it"),
+    LUA("boss.def clear", phase_clear, 0, API_SYS, NULL, "what each bullet leaves behind when the phase ends"),
     LUA("boss.fight", boss_fight, 1, 0, "boolean",
         "brings the boss in and fights all its phases; returns true if every phase was beaten"),
     { "boss.now", NULL, NULL, 0, 0, API_LUA, "boss, id, frames",
@@ -505,49 +521,49 @@ static const struct api_entry entries[] = {
     LUA("boss.history", boss_history, 2, 0, "tries, captures",
         "returns how often a spell has been tried and captured in all runs; practice doesn't count"),
     LUA("bg.def", bg_def, 2, API_LOAD, NULL,
-        "declares a background: a task that sets up bg.layer and bg.plane, which are all off when it starts"),
+        "declares a background: a task that sets up bg.layer and bg.plane; all layers and the plane are off when the "
+        "task starts"),
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades through black to a background declared with bg.def, whose task starts in the middle of the fade"),
     LUA("score.rule", rule, 0, API_LOAD, NULL,
-        "declares what an event is worth in points and in registers, for chains, multipliers and gauges"),
+        "declares which points an event earns and which registers it changes, for chains, multipliers and gauges"),
     LUA("score.count", count, 3, 0, NULL, "reports that a custom event happened `n` times"),
-    LUA("score.tally", tally, 1, API_LOAD, NULL, "declares the bonus lines of a stage's results"),
+    LUA("score.tally", tally, 1, API_LOAD, NULL, "declares the bonus lines in the results of a stage"),
     LUA("score.tally line", tally_line, 0, API_SYS, NULL, "one line of the results"),
     LUA("unlock.def", unlock_def, 1, API_LOAD, NULL,
         "declares an unlock: a permanent reward for a run that meets its conditions"),
     LUA("unlock.def when", unlock_when, 0, API_SYS, NULL, "conditions, all of which must hold"),
     LUA("unlock.has", unlock_has, 1, 0, "boolean", "returns true if an unlock has been earned"),
     LUA("mission.def", mission_def, 1, API_LOAD, NULL,
-        "declares a mission: a part of a stage, or a boss, to play for a goal and up to three stars"),
+        "declares a mission: a part of a stage, or a boss fight, with a goal and up to three stars"),
     LUA("mission.best", mission_best, 1, 0, "value, stars, ship",
-        "returns the best result of a mission, its stars and its ship; nil and 0 if it was never completed"),
+        "returns a mission's best result, its stars and its ship; nil and 0 if the mission was never completed"),
     { "mission.stars", NULL, NULL, 0, 0, API_LUA, "got, most",
-      HELP("returns the number of stars earned in all missions, and the number that exist") },
+      HELP("returns the number of stars earned in all missions, and the number that can be earned") },
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, such as rank; read and write them as game.NAME"),
     LUA("talk.def", talk_def, 1, API_LOAD, NULL, "declares a speaker for `say`, with a name, a portrait and a voice"),
-    LUA("talk.def face", talk_face, 1, API_SYS, NULL, "each face, by name"),
+    LUA("talk.def face", talk_face, 1, API_SYS, NULL, "one face of the portrait, under its name"),
     LUA("talk.run", talk_run, 1, 0, NULL,
-        "runs f(), whose calls to `say` and `choose` share one box; meanwhile the stage's clock stops and players "
-        "can't fire"),
+        "runs f(), whose calls to `say` and `choose` share one box; until f returns, the stage's clock stops and "
+        "players can't fire"),
     LUA("say", say, 2, API_GLOBAL, NULL,
         "shows a line of dialogue and waits for the fire button; a press before the line is complete shows the rest of "
         "it"),
     LUA("choose", choose, 1, API_GLOBAL, "number",
-        "shows a list, lets the player choose an item with up, down and fire, and returns its number"),
+        "shows a list, lets the player choose an item with up, down and fire, and returns the item's number"),
     LUA("boot.run", boot_run, 0, 0, NULL,
         "runs the game from title to score table; call it on the last line of main.lua"),
 #ifndef WITHOUT_HELP
-    LUA("boot.run mode", boot_mode, 0, API_SYS, NULL, "one mode to choose"),
-    LUA("boot.run ship", boot_ship, 0, API_SYS, NULL, "each ship, by the name of its player kind"),
-    LUA("boot.run form", boot_form, 0, API_SYS, NULL,
-        "one form of a ship: another player kind under the same menu item"),
+    LUA("boot.run mode", boot_mode, 0, API_SYS, NULL, "one mode in the menu"),
+    LUA("boot.run ship", boot_ship, 0, API_SYS, NULL, "the menu entry of one ship, under the name of its player kind"),
+    LUA("boot.run form", boot_form, 0, API_SYS, NULL, "one form of a ship: another player kind in the same menu entry"),
     LUA("boot.run ending", boot_ending, 0, API_SYS, NULL, "one ending"),
     LUA("boot.run staff", boot_staff, 0, API_SYS, NULL,
         "one section of the credits: a list of strings, with the heading first"),
     LUA("boot.run page", boot_page, 0, API_SYS, NULL, "one custom page"),
     LUA("boot.run screens", boot_screens, 0, API_SYS, NULL,
-        "functions that replace a screen; each runs in a task, draws the screen and returns the player's choice"),
+        "functions that replace screens; each runs in a task, draws its screen and returns the player's choice"),
 #endif
     LUA("boot.run music", boot_music, 0, API_SYS, NULL, "one piece of the music room"),
 };

@@ -30,27 +30,30 @@ enum {
 const struct api_param api_emit_params[EMIT_PARAMS] = {
     PARAM("pattern", A_EMIT, OPT, 0, 0, NULL, "one",
           "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
-    PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL, "number to fire; required unless `pattern` is \"one\""),
-    PARAM("spread", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle between the first and the last of a fan"),
-    PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle from the first to the last of an arc, clockwise"),
+    PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL,
+          "number of bullets to fire; required unless `pattern` is \"one\""),
+    PARAM("spread", A_NUM, OPT, -32767, 32767, "degrees", NULL, "angle between the first and the last bullet of a fan"),
+    PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL,
+          "angle from the first to the last bullet of an arc, clockwise"),
     PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last bullet of a stack"),
-    PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last of a line"),
-    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL,
-          "bullets to skip: the numbers of the first and the last of them"),
-    PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet", "what to fire; shots belong to the player whose shot fired them"),
+    PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last bullet of a line"),
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip, counted from 1"),
+    PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet",
+          "what to fire; shots belong to the owner of the shot that fires them"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
     PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
           "speed of flight; if negative, it flies backwards"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
-          "direction of flight, clockwise from the right; defaults to the bullet's own; with `aim`, an offset from the "
-          "target's direction"),
+          "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
+          "`aim`, angle added to the direction towards the target"),
     PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", "fire at the nearest target"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of the sprite; overrides the kind's"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put them in"),
-    PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers them"),
-    PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames they wait in place before they fly"),
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that they circle in the `orbit` steps of their motion"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
+    PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers the bullets"),
+    PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),
+    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
 /* What each pattern must have: n, and the word for its size. */
@@ -226,11 +229,13 @@ void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e)
 enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 
 const struct api_param api_await_params[AWAIT_PARAMS] = {
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this vertical line"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "continues once it reaches or crosses this horizontal line"),
-    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "continues once a target is nearer than this"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "continues when group:signal() is called for this tag"),
-    PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which it continues anyway"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "the motion continues once the bullet reaches or crosses this vertical line"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "the motion continues once the bullet reaches or crosses this horizontal line"),
+    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "the motion continues once a target is nearer than this"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "the motion continues when group:signal() is called for this tag"),
+    PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which the motion continues anyway"),
 };
 
 static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,

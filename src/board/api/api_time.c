@@ -46,11 +46,11 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                             "f(...): called as the task, with the arguments that follow") };
+                                             "f(...): body of the task; called with the remaining arguments") };
 static const struct api_param own[] = {
     PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task that the new task ends with"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-          "f(owner, ...): called as the task, with the owner and the arguments that follow")
+          "f(owner, ...): body of the task; called with the owner and the remaining arguments")
 };
 static const struct api_param owner[] = { PARAM(
     "owner", A_THING, OPT, OWNERS, 0, NULL, NULL,
@@ -112,39 +112,40 @@ static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
 const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
 
 static const struct api_param on_graze_f[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the bullet that it grazed") };
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
 static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                    "f(player, by): called with the player and the bullet or enemy that "
                                                    "hit it; set player.safe here to cancel the hit") };
 static const struct api_param on_death_f[] = { PARAM(
-    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player): called with the player, still at the position of the death") };
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player): called with the player, who is still at the position of the death") };
 static const struct api_param on_game_over_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                          "f(): called without arguments") };
 static const struct api_param on_kill_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                    "f(enemy, player): called with the enemy, which can still be read, "
-                                                    "and the player who killed it; player may be nil") };
-static const struct api_param on_leave_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                     "f(enemy): called with the enemy, which can still be read") };
+                                                    "f(enemy, player): called with the enemy, whose properties can "
+                                                    "still be read, and the player who killed it; player may be nil") };
+static const struct api_param on_leave_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(enemy): called with the enemy, whose properties can still be read") };
 static const struct api_param on_extend_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                       "f(player): called with the player") };
 static const struct api_param on_take_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player, item): called with the player and the item, which can still be read") };
+    "f(player, item): called with the player and the item, whose properties can still be read") };
 static const struct api_param on_bomb_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
 static const struct api_param on_continue_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player): called with the player; its score is now the number of continues it has used") };
+    "f(player): called with the player, whose score was just reset to the number of continues used, at most 9") };
 static const struct api_param on_start_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
 static const struct api_param on_phase_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(enemy, id, won, captured): called with the boss, the id of the phase, whether it was beaten, and whether it was "
-    "beaten without a death or a bomb") };
+    "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was beaten, "
+    "captured if it was beaten without a death or a bomb") };
 static const struct api_param on_stage_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(name, state): called with the name of the stage and \"start\" or \"clear\"") };
+    "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
 
 #define ON(name, index)                                                                                                \
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
@@ -177,7 +178,7 @@ static const struct api_entry entries[] = {
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
       HELP("starts a task that ends with the given owner") },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      HELP("creates an owner that isn't a thing, so that several tasks can be stopped together") },
+      HELP("creates a scope, an owner that isn't a thing; stopping the scope stops all its tasks") },
     { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
     { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },
@@ -200,7 +201,7 @@ static const struct api_entry entries[] = {
     { "on.continue", on_continue, PARAMS(on_continue_f), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player continues after losing the last life") },
     { "on.start", on_start, PARAMS(on_start_f), 1, ON_FLAGS, NULL,
-      HELP("calls a function when a game or a practice attempt starts, to reset script variables") },
+      HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
     { "on.phase", on_phase, PARAMS(on_phase_f), 1, ON_FLAGS, NULL,
       HELP("calls a function at the end of each phase of a boss") },
     { "on.stage", on_stage, PARAMS(on_stage_f), 1, ON_FLAGS, NULL,

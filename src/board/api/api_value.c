@@ -87,12 +87,13 @@ static bool taken(lua_State *L, int kind, const char *name)
 
 enum { D_NAME, D_OF, D_START };
 
-static const struct api_param def[] = {
-    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-          "name of the value, which is also a property of the thing and an argument of the call that creates it"),
-    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
-    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0", "value if the call that creates the thing doesn't give one")
-};
+static const struct api_param def[] = { PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+                                              "name of the value; the things have a property with this name, and the "
+                                              "calls that create them take an argument with this name"),
+                                        PARAM("of", A_STR, OPT, 0, 0, NULL, NULL,
+                                              "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
+                                        PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0",
+                                              "initial value if the call that creates the thing doesn't set one") };
 
 static const char DEF[] = "value.def";
 

@@ -44,7 +44,7 @@ enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
         { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
-                "`back` is behind all things, `front` is in front of all sprites"),                                    \
+                "`back` is behind all things; `front` is in front of all sprites"),                                    \
           PROP_WRITE },                                                                                                \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
         { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
@@ -294,8 +294,8 @@ static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LA
 static const struct api_param lines_params[] = {
     PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "number of the layer"),
     PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; "
-          "omit it to straighten the layer")
+          "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; if "
+          "omitted, the layer becomes straight again")
 };
 
 enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
@@ -418,10 +418,11 @@ static const struct api_entry entries[] = {
     { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer",
       HELP("returns one of the four tile layers of the background") },
     PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane",
-          "returns the background's plane, a floor or a ceiling in perspective"),
+          "returns the plane of the background, a floor or a ceiling in perspective"),
     { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL, HELP("shifts each line of a layer sideways") },
 #ifndef WITHOUT_HELP
-    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL, HELP("a wave instead of a list") },
+    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL,
+      HELP("a wave, given instead of a list") },
 #endif
     { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
       HELP("fades the background to black and back; returns the frames until it is black") },

@@ -26,9 +26,8 @@ static const struct api_param line_put[] = {
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
           "string or number to write, up to 240 characters; \\n starts a new row"),
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing it moves with, at a distance of `dx` and `dy`; the line is removed together with that thing; not with "
-          "`x`, "
-          "`y` or `from`"),
+          "thing to follow, at a distance of `dx` and `dy`; the line is removed when the thing is; not with `x`, `y` "
+          "or `from`"),
     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
     PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at `x`"),
@@ -37,9 +36,9 @@ static const struct api_param line_put[] = {
           "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
           "frames before each letter appears; 0 shows all letters immediately"),
-    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind it in the darkest colour of the bank"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
+    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind the text in the darkest colour of the bank"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the line without drawing it"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),
 };
 
 /* The text at `at`, a string or a number; raises. */
@@ -116,16 +115,18 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position; while it follows a thing, this is that thing's position and writes are ignored"),
+    { PARAM(
+          "x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+          "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position; while it follows a thing, this is that thing's position and writes are ignored"),
+            "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE },
     { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of `x` at which it is drawn"),
       PROP_WRITE },
     { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below `y` at which it is drawn"), PROP_WRITE },
-    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "its text; after a write, the letters appear again one by one"),
+    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
+            "text of the line; after a write, the letters appear one by one again"),
       PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },

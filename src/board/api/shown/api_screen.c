@@ -36,18 +36,17 @@ static const struct api_param put[] = {
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture"),
     PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front",
-          "drawing order; `over` is above everything that screen.dim darkens and can't be combined with `blend`"),
+          "drawing order; `over` is above everything that screen.dim darkens, and cannot be combined with `blend`"),
     PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
           "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
-    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it left to right"),
-    PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror it top to bottom"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
+    PARAM("flip_x", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the picture left to right"),
+    PARAM("flip_y", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the picture top to bottom"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the sprite without drawing it"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
-    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL,
-          "thing it moves with; the sprite is removed together with that thing"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the thing it follows; needs `follow`"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the thing it follows; needs `follow`"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
+    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, "thing to follow; the sprite is removed when the thing is"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the followed thing; needs `follow`"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the followed thing; needs `follow`"),
 };
 
 #define OVER_BLEND "sprites in layer \"over\" cannot blend"
@@ -124,9 +123,9 @@ static const struct api_param plate[] = {
     PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width"),
     PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its colours 1 and 10"),
-    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create it without drawing it"),
-    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw it above sprites in layer `over`, too"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that created it ends"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the sprite without drawing it"),
+    PARAM("front", A_BOOL, OPT, 0, 0, NULL, "false", "draw the plate above sprites in layer `over`, too"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
 };
 
 static bool is_plate(const struct sprites *s, uint32_t i)
@@ -160,21 +159,22 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position; read-only while it follows a thing"),
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position; read-only while the sprite follows a thing"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read-only while it follows a thing"),
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read-only while the sprite follows a thing"),
       PROP_WRITE },
     { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
-            "name of its picture; writing a different name restarts the animation; nil for a plate"),
+            "name of the picture; writing a different name restarts the animation; nil for a plate"),
       PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE },
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
     { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
     { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of the thing it follows, or nil"),
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of the followed thing, or nil"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below the thing it follows, or nil"), PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below the followed thing, or nil"), PROP_WRITE },
     { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate, or nil"), PROP_WRITE },
     { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate, or nil"), PROP_WRITE },
     { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE },
@@ -315,18 +315,18 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
 static const struct api_param spark_def[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name to declare it under"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
-    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until it disappears"),
+    PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears"),
     PARAM("gravity", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", "0", "downward acceleration"),
-    PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that it loses each frame"),
+    PARAM("drag", A_FX, OPT, 0, 1, "per frame", "0", "fraction of its speed that a spark loses each frame"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0",
           "number added to the palette bank of the picture; give `bank` or `banks`"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("banks", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "list of up to eight banks to go through, each for an equal part of its life"),
+          "list of up to eight banks that a spark goes through, each for an equal part of its life"),
     PARAM("layer", A_SPARK_LAYER, OPT, 0, 0, NULL, "front",
-          "`middle` draws it below players and bullets, `front` above them"),
+          "`middle` draws the sparks below players and bullets; `front` draws them above"),
 };
 
 static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
@@ -381,17 +381,17 @@ enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B
 static const struct api_param burst[] = {
     PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind to create"),
     PLACE,
-    PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number to create"),
+    PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number of sparks to create"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, "0",
-          "middle of the range of directions; with `radius`, it is added to the outward direction"),
+          "middle of the range of directions; with `radius`, an angle added to the outward direction"),
     PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "360",
-          "width of the range of directions; with `radius`, it defaults to 0"),
+          "width of the range of directions; with `radius`, the default is 0"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", "highest speed; each spark gets at least half of it"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
-          "radius of a ring from which they fly outwards, evenly spaced; not with `to_x`"),
+          "radius of a ring from which the sparks fly outwards, evenly spaced; not with `to_x`"),
     PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
-          "x of the end of the line along which they start, evenly spaced; needs `to_y`"),
-    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y of that line's end; needs `to_x`"),
+          "x of the end of a line that starts at the position; the sparks start evenly spaced along it; needs `to_y`"),
+    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y of the end of the line; needs `to_x`"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -431,7 +431,7 @@ static const struct api_param text_put[] = {
     PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL,
           "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
     PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
-    PARAM("size", A_INT, OPT, 1, 2, NULL, "1", "2 draws letters two cells wide and two high"),
+    PARAM("size", A_INT, OPT, 1, 2, NULL, "1", "2 draws each letter two cells wide and two cells high"),
 };
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
@@ -516,7 +516,7 @@ enum { CYCLE_FIRST, CYCLE_LAST, CYCLE_EVERY };
 static const struct api_param cycle[] = {
     PARAM("first", A_INT, REQ, 0, 255, NULL, NULL, "first palette entry of the range"),
     PARAM("last", A_INT, REQ, 0, 255, NULL, NULL, "last palette entry of the range"),
-    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, "frames between two steps; 0 stops the cycle"),
+    PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, "frames from one step to the next; 0 stops the cycle"),
 };
 
 static int palette_set(lua_State *L, struct board *b, struct api_value *v)
@@ -595,8 +595,9 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
 
 static const struct api_param shake[] = {
-    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL, "distance it moves at first; the distance shrinks to 0"),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it lasts"),
+    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL,
+          "distance the picture moves at first; the distance shrinks to 0"),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "duration of the shake"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if omitted"),
 };
 
@@ -604,7 +605,7 @@ enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
 
 static const struct api_param flash[] = {
     PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", "colour as 0xRRGGBB"),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames it takes to fade out"),
+    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames the tint takes to fade out"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, "1", "initial strength; 1 is the pure colour"),
 };
 
@@ -665,19 +666,20 @@ static const struct api_entry entries[] = {
     { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
       HELP("places a sprite in the field or on the screen, or attaches it to a thing") },
     { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
-      HELP("places a dark plate with a light rim on the screen, above the dimmed picture and below the text") },
+      HELP("places a dark plate with a light rim on the screen, above the picture that screen.dim darkens and below "
+           "the text") },
     { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the sprite") },
     { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of spark: a purely visual particle that never hits and that scripts can't read") },
     { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
       HELP("creates sparks that fly apart from a point, a ring or a line") },
     { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
-      HELP("writes text into the grid of 8x8 cells on the screen, where it stays until overwritten or cleared") },
+      HELP("writes text into the grid of 8x8 cells on the screen; the text stays until it is overwritten or cleared") },
     { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL,
       HELP("clears a rectangle of text cells; without arguments, all of them") },
     { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
-      HELP("translates text with lang/NAME.txt into the language of the run; returns the text unchanged if it has no "
-           "translation") },
+      HELP("translates a text into the language of the run, using lang/NAME.txt; returns a text without translation "
+           "unchanged") },
     { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
     { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
       HELP("sets all 256 colours to a palette from rom.lua") },
@@ -690,7 +692,7 @@ static const struct api_entry entries[] = {
     { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
       HELP("tints the entire picture and fades the tint out") },
     { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
-      HELP("slides in black bars at the top and bottom of the field, drawn under the text") },
+      HELP("slides in black bars at the top and the bottom of the field, under the text") },
     { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
       HELP("darkens everything except plates, text and sprites in layer `over`, even while the game is paused; returns "
            "the previous `share`") },

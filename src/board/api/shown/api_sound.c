@@ -16,10 +16,10 @@ enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 1
 
 static const struct api_param play[] = {
     PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
-    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of its volume in rom.lua"),
+    PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the sound's volume in rom.lua"),
     PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "stereo position: -1 is left, 1 is right; give `pan` or `from`"),
     PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing whose position in the field sets the stereo position; if it is dead, nothing plays"),
+          "thing whose position in the field sets the stereo position; if the thing is dead, nothing plays"),
     PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
 static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
@@ -28,20 +28,21 @@ static const struct api_param music_play_params[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
     PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
           "frames the current music takes to fade out first; cannot be combined with `at`"),
-    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false", "restart it if it is already playing; otherwise it continues"),
+    PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false",
+          "restart the piece if it is already playing; otherwise, it continues"),
     PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
-          "set the current music aside, and resume it when this piece ends or when it is passed to music.play; up to "
+          "set the current piece aside; it resumes when the new piece ends, or when you pass it to music.play; up to "
           "three pieces can be set aside"),
     PARAM("at", A_STR, OPT, 0, 31, "\"beat\" or \"bar\"", NULL,
-          "start on the next \"beat\" or \"bar\" of the current music, or immediately if omitted; cannot be combined "
-          "with `fade`"),
+          "start on the next \"beat\" or \"bar\" of the current music; if omitted, start immediately; cannot be "
+          "combined with `fade`"),
 };
 static const struct api_param volume[] = {
-    PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; omit it to only read"),
+    PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; if omitted, the volume doesn't change"),
     PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "frames the change takes")
 };
 static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
-                                                            "frames it takes to fade out") };
+                                                            "frames the music takes to fade out") };
 static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
                                                 "number of beats (quarter notes)") };
 static const struct api_param until[] = { PARAM(
@@ -285,8 +286,8 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 #define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
-      HELP("plays a sound from rom.lua; silent while a stage skips ahead to a practice mark") },
-    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all of them") },
+      HELP("plays a sound from rom.lua; plays nothing while a stage skips ahead to a practice mark") },
+    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all sounds") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
       HELP("plays a piece of music from rom.lua instead of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
@@ -295,14 +296,15 @@ static const struct api_entry entries[] = {
       HELP("changes the volume of all music and returns the previous one; each new game starts at 1") },
     { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("returns the name of the piece that is playing") },
     { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer",
-      HELP("returns how many beats (quarter notes) the piece has played, from 0") },
-    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer", HELP("returns how many bars the piece has played, from 0") },
+      HELP("returns the number of beats (quarter notes) since the piece started; 0 during the first beat") },
+    { "music.bar", music_bar, NO_PARAMS, 0, 0, "integer",
+      HELP("returns the number of bars since the piece started; 0 during the first bar") },
     { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil",
       HELP("returns the name of the last marker the piece has passed") },
     { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
       HELP("converts beats to frames at the current tempo, or at 120 beats per minute if nothing is playing") },
     { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
-      HELP("waits for a beat or a marker and returns the beat; it doesn't wait for a marker that won't come again, or "
-           "for any marker if nothing is playing") },
+      HELP("waits for a beat or a marker and returns the number of the beat; doesn't wait for a marker that won't come "
+           "again, or for any marker if nothing is playing") },
 };
 const struct api_module api_sound = { entries, sizeof entries / sizeof *entries };

@@ -25,10 +25,10 @@ enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 
 static const struct api_param part_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of its body"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below its body"),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage it takes that is also dealt to its body"),
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the body"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the body"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the part's damage that is also dealt to the body"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the part in"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
 };
@@ -228,14 +228,16 @@ enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVE
 static const struct api_param orbit[] = {
     SELF,
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to circle, or its last position once it has despawned; give `around`, or `x` and `y`"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the circle"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the circle"),
-    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL, "radius at the start; defaults to its current distance"),
+          "thing to circle; once it has despawned, its last position is circled; give `around`, or `x` and `y`"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the circle's centre"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the circle's centre"),
+    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL,
+          "radius at the start; defaults to the current distance from the centre"),
     PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL,
           "radius at the end of `over`; defaults to `radius`; needs `over`"),
-    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees it moves around the centre per frame, clockwise"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction from the centre at the start; defaults to the current one"),
+    PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees the enemy moves around the centre per frame, clockwise"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
+          "direction from the centre to the enemy at the start; defaults to the current one"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", "forever", "duration of the orbit"),
 };
 
@@ -246,10 +248,12 @@ static const struct api_param wander[] = {
     PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on `x` and `y`"),
     PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the start of the next"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; must not exceed `every`"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal centre of the area; defaults to where the enemy is"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical centre of the area; defaults to where the enemy is"),
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "horizontal position of the area's centre; defaults to the enemy's position"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "vertical position of the area's centre; defaults to the enemy's position"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how its speed changes on the way: `in` starts slowly, `out` ends slowly, `both` does both"),
+          "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
 };
 
 static bool forever(const struct api_value *v)
@@ -334,7 +338,7 @@ static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
     VERBS("enemies", "each enemy"),
     { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
-      HELP("returns a list of its parts in slot order, not including parts of parts; needs `board = { bodies = "
+      HELP("returns a list of the enemy's parts in slot order, not including parts of parts; needs `board = { bodies = "
            "true }`") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,
       HELP("one enemy attached to the body; it spawns, moves and dies with the body") },

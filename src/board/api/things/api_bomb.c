@@ -24,12 +24,12 @@ static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
           "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
-          "frames it lasts; then `run` stops, and everything it started or spawned is removed"),
+          "duration of the bomb; then `run` stops, and everything that `run` started or spawned is removed"),
     PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
     PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
           "frames for which nothing can hit the ship; defaults to `over`"),
-    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for it"),
-    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount it takes from `stock`; 0 needs no register"),
+    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for the bomb"),
+    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount that the bomb takes from `stock`; 0 needs no register"),
 };
 
 /* Pushes the list; false: there is none, and nothing is pushed. */
@@ -184,6 +184,7 @@ static const struct api_entry entries[] = {
     { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a bomb: a task that a ship starts and pays for from a register") },
     API_VERB("player:bomb", player_bomb, self, 1, "boolean",
-             "starts the bomb of its ship; returns false if it has none, can't pay for it or is still bombing"),
+             "starts the bomb of the player's ship; returns false if the ship has no bomb, can't pay for it or is "
+             "still bombing"),
 };
 const struct api_module api_bomb = { entries, sizeof entries / sizeof *entries };

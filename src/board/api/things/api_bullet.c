@@ -248,52 +248,59 @@ static const char NO_HP[] = "bullet hp is disabled; add `hp = true` to `board` i
 static const struct api_param bullet_def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
+          "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "players can graze it"),
+    PARAM("graze", A_BOOL, OPT, 0, 0, NULL, "true", "whether players can graze it"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
           "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for hits; if false, checks only its position at the end"),
+          "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
+          "frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
-    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite shown instead during its delay; nil shows its own sprite"),
+    PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark it leaves when cleared, if the clear doesn't name one; nil leaves none"),
+          "kind of spark left when the bullet is cleared, unless the call names another; nil leaves none"),
     PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether clears remove it; if false, only clears with `all = true` do"),
+          "whether it can be cleared; if false, it can be cleared only with `all = true`"),
     PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
           "damage it takes from shots before it is destroyed; without `hp`, shots pass through it"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark it leaves when its hp runs out; needs `hp`"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark left when the bullet's hp runs out; needs `hp`"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_death(b, p): called with the bullet and the player whose shot destroyed it; p may be nil; needs `hp`"),
-    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when its hp runs out, { NAME = count }; needs `hp`"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "items dropped when the bullet's hp runs out, { NAME = count }; needs `hp`"),
     PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "if true, it can't hit players or be grazed"),
 };
 
 static const struct api_param shot_def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
+          "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", "1", "damage to each enemy or bullet it hits"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",
           "rotate the sprite to the direction of flight; the sprite needs `rotations` in rom.lua"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for hits; if false, checks only its position at the end"),
+          "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
+          "frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
-    PARAM("cancels", A_BOOL, OPT, 0, 0, NULL, "false",
-          "removes one clearable bullet that it touches; a bullet with `hp` takes its damage instead"),
+    PARAM(
+        "cancels", A_BOOL, OPT, 0, 0, NULL, "false",
+        "whether it removes one clearable bullet that it touches; a bullet with `hp` takes the shot's damage instead"),
     PARAM("pierce", A_COUNT, OPT, 0, 1000000, NULL, "0",
-          "number of hits it survives before the next one removes it; with forever, no hit removes it"),
+          "number of hits that the shot survives; the next hit removes it; with forever, no hit removes it"),
     PARAM("every", A_COUNT, OPT, 1, 1000000, "frames", NULL,
-          "frames before it can hit the same target again; defaults to 6; needs `pierce`"),
+          "frames before the shot can hit the same target again; defaults to 6; needs `pierce`"),
 };
 
 /* The ROW_CLOUD of the kind that is declared next. */
@@ -422,8 +429,8 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
               "speed of flight; if negative, it flies backwards"),                                                     \
         PLACE,                                                                                                         \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
-              "direction of flight, clockwise from the right; with `aim`, an offset from the target's direction, "     \
-              "0 if omitted"),                                                                                         \
+              "direction of flight, clockwise from the right; with `aim`, angle added to the direction towards the "   \
+              "target, 0 if omitted"),                                                                                 \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
@@ -437,7 +444,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 static const struct api_param bullet_fire[] = {
     FLIGHT(A_BULLET_KIND, "90"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0",
-          "frames it waits in place before it flies, harmless and drawn as its cloud"),
+          "frames the bullet waits in place before it flies; until then, it is harmless and drawn as its cloud"),
     AROUND
 };
 static const struct api_param shot_fire[] = {
@@ -521,10 +528,10 @@ static int shot_fire_run(lua_State *L, struct board *b, struct api_value *v)
 /* ---- groups ---- */
 
 const struct api_param api_tag_params[TAG_PARAMS] = { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL,
-                                                            "tag of the group; omit it to include all") };
+                                                            "tag to select by; if omitted, all are included") };
 const struct api_param api_each_params[EACH_PARAMS] = {
-    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to visit; nil visits all"),
-    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "called with each of them; it cannot wait")
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag to select by; nil selects all"),
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "function to call; it cannot wait")
 };
 
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
@@ -591,16 +598,16 @@ static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param bullet_sweep[] = {
     PLACE,
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing the circle moves with; the sweep ends when that thing dies"),
+          "thing that the circle moves with; the sweep ends when the thing dies"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
     PARAM("over", A_INT, REQ, 1, 65535, "frames", NULL, "duration of the sweep"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only bullets with this tag"),
-    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "spark left by each bullet; overrides its kind's"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark that each bullet leaves; overrides `vanish`"),
     PARAM("hurt", A_INT, OPT, 0, INT32_MAX, "hp", "0", "damage dealt once to each enemy the circle reaches"),
     PARAM("by", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for enemies that `hurt` kills"),
     PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove bullets with `clearable = false`"),
-    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "item each bullet turns into"),
+    PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each bullet"),
     PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true", "also remove lasers that the circle touches"),
 };
 
@@ -608,10 +615,10 @@ static const struct api_param bullet_sweep[] = {
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
-            "horizontal position in the field; a write teleports it, with no hits in between"),                        \
+            "horizontal position in the field; a write teleports it, without hits on the way"),                        \
       PROP_WRITE },                                                                                                    \
         { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "vertical position in the field; a write teleports it, with no hits in between"),                      \
+                "vertical position in the field; a write teleports it, without hits on the way"),                      \
           PROP_WRITE },                                                                                                \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
           PROP_WRITE },                                                                                                \
@@ -625,7 +632,7 @@ static const struct api_param bullet_sweep[] = {
                 "vertical velocity; a write changes `dir` and `speed`"),                                               \
           PROP_WRITE },                                                                                                \
         { PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL,                                                              \
-                "name of its kind; a write also sets its bank to the new kind's"),                                     \
+                "name of its kind; a write also sets `bank` to the bank of the new kind"),                             \
           PROP_WRITE },                                                                                                \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"),              \
           PROP_WRITE },                                                                                                \
@@ -653,7 +660,7 @@ static const struct api_param bullet_sweep[] = {
 
 static const struct api_prop bullet_props[] = {
     FLIGHT_PROPS(A_BULLET_KIND),
-    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left until it flies; 0 once it does"), PROP_READ },
+    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left before it flies; 0 once it flies"), PROP_READ },
     HP_PROP,
 };
 static const struct api_prop shot_props[] = {
@@ -1068,26 +1075,26 @@ static const struct api_param step_keys[M_KEYS] = {
     PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawns"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
           "duration of the step; without `over`, the step takes effect immediately"),
-    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "how many times to run the steps listed inside this one"),
+    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "number of times to run the steps nested in this one"),
     PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "point { x, y } in the field to fly to; needs `over` or `speed`"),
     PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
           "speed away from `at`, or from where the step starts if `at` is omitted; needs `over`"),
     PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
-          "distance it swings to each side of its path; needs `over` and `every`"),
+          "distance the bullet swings to each side of its path; needs `over` and `every`"),
     PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of a circle around `at`, or around the thing in `around` if `at` is omitted; needs `over`"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of `go_to`"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
     PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "centre of `polar` or `orbit`, a point { x, y } in the field"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of `wave`"),
-    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees are one period"),
+    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees is one period"),
     PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that `orbit` reaches at the end of `over`"),
     PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
-          "number of bounces off the edges of the field; steps inside this one run after each bounce"),
+          "number of bounces off the edges of the field; the steps nested in this one run after each bounce"),
     PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
           "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
-    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from where it is"),
-    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, starting where it is"),
+    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from its position"),
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, moved so that it starts at the bullet's position"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror `path` left to right"),
     PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL,
           "flies unchanged until it reaches a position, nears a target or gets a signal"),
@@ -1270,7 +1277,7 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
             api_error(L, DEF, "step %d: `%s` requires `%s`", step, word, step_keys[k].name);
     }
     if (found >= 0 && fine)
-        api_error(L, DEF, "step %d: `%s` cannot be used in a fine motion (it is already exact)", step,
+        api_error(L, DEF, "step %d: `%s` cannot be used in a fine motion (this step is always exact)", step,
                   step_keys[leads[found].key].name);
     if (v[M_GO_TO].given)
         go_to_alone(L, v, step);
@@ -1431,7 +1438,7 @@ static void read_path(lua_State *L, struct reader *r, const struct api_value v[M
 
     word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
     if (r->fine)
-        step_error(L, step, "`path` cannot be used in a fine motion (it is already exact)");
+        step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
     leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
     while (api_step_leg(L, step, &at, &leg)) {
         *add_step(L, r) = leg;
@@ -1501,7 +1508,7 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
 static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
-        step_error(L, step, "`bounce` cannot be used in a fine motion (it is already exact)");
+        step_error(L, step, "`bounce` cannot be used in a fine motion (this step is always exact)");
     if (r->bounces++)
         step_error(L, step, "`bounce` cannot be nested in `bounce`");
     r->steps[r->n - 1].does |= DOES_BOUNCE;
@@ -1657,13 +1664,13 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
     API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
-             "removes all of the group, or only those in a circle, a box or a line; returns how many")
+             "removes the entire group, or only its members in a circle, a box or a line; returns the number removed")
 /* The verbs of one and of a group; `it` names who does it. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
         API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \
         API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL,                                                      \
-                 "teleports " it " by a distance, with no hits in between"),                                           \
+                 "teleports " it " by a distance, without hits on the way"),                                           \
         CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
@@ -1672,20 +1679,21 @@ static const struct api_entry entries[] = {
     BULLET_FIRE,
     API_GROUPS("bullet", bullet_group, bullet_each),
     { "bullet.clear", api_clear, PARAMS(api_clear_params), 0, API_CHANGES, "count",
-      HELP("removes all bullets, or those in a circle, a box or a line; returns how many") },
+      HELP("removes all bullets, or only those in a circle, a box or a line; returns the number removed") },
     { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
-      HELP("makes the bullets of two tags collide; needs `board = { meet = true }`") },
+      HELP("makes bullets with one tag collide with bullets with another tag; needs `board = { meet = true }`") },
     { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
-      HELP("removes the bullets in a circle that grows every frame; the task ends with its owner") },
+      HELP("starts a task that removes the bullets in a growing circle; the task has the same owner as the calling "
+           "task") },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each bullet", "player", CLEAR_GROUP),
     API_VERB("group:signal", verb_signal, self_group, 1, NULL,
-             "resumes every bullet whose motion is waiting for the group's tag (`wait_for`), or for any tag if the "
-             "group has none"),
+             "resumes every bullet whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
+             "every bullet that waits for a tag"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       HELP("creates a motion program: a list of steps that any number of bullets can run") },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
-      HELP("one step; the name of a value (value.def) can replace any number") },
+      HELP("one step; instead of any number, you can write the name of a value (value.def)") },
     { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
       HELP("what to fire from the position of the bullet") },
     { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,
@@ -1697,7 +1705,7 @@ static const struct api_entry entries[] = {
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each shot", "enemy", CLEAR_GROUP),
     API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
-             "resumes every shot whose motion is waiting for the group's tag (`wait_for`), or for any tag if the group "
-             "has none"),
+             "resumes every shot whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
+             "every shot that waits for a tag"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

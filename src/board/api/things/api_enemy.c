@@ -31,32 +31,37 @@ enum {
 static const struct api_param def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
-    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL, "hitbox, relative to its position; \"none\" never hits"),
+    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL,
+          "hitbox, relative to the thing's position; \"none\" never hits"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true", "hits players who touch it; false lets them fly through it"),
+    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether it hits players who touch it; if false, players can fly through it"),
     PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark: it leaves twelve when it dies; nil leaves none"),
+          "kind of the twelve sparks it leaves when it dies; nil leaves none"),
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
-    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task started when it spawns; it ends with the enemy"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "run(e): task that starts when the enemy spawns and ends with the enemy"),
     PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_hit(e, p, damage): called when a shot or a laser hits it without killing it; p may be nil"),
+          "on_hit(e, p, damage): called when a shot or a laser of player p hits the enemy but doesn't kill it; p may "
+          "be nil"),
     PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
-          "check its full path in each frame for players; if false, checks only its position at the end"),
+          "check the entire path flown in each frame for players; if false, check only the position at the end of the "
+          "frame"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
-    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "removes bullets that touch it"),
+    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "whether it removes bullets that touch it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 7 sprites that it can show by name, { NAME = sprite }; the picture `hurt` replaces its sprite while "
-          "it blinks"),
+          "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
+          "the enemy blinks"),
     PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
           "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
     PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
-    PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along its outline"),
+    PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along the outline of the sprite"),
 };
 
 static const char *const first_pictures[] = { "hurt", NULL };
@@ -134,23 +139,24 @@ static const struct api_param spawn[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PLACE,
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
-          "route to fly; the enemy is removed at its end; use it instead of `x` and `y`, or `from`"),
+          "route to fly; the enemy is removed at the end of the route; use it instead of `x` and `y`, or `from`"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of its sprite; overrides its kind's"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task that ends with the enemy; overrides its kind's"),
-    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
-          "on_death(e, p): called when p kills it; p may be nil; overrides its kind's"),
-    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep it when the boss phase that spawned it ends"),
+    PARAM(
+        "on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+        "on_death(e, p): called when it dies, with the player who gets its score; p may be nil; overrides its kind's"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the enemy when the boss phase that spawned it ends"),
     PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
           "items dropped when it dies, { NAME = count }; overrides its kind's"),
     PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL,
-          "enemy it becomes a part of, at `dx` and `dy`; use it instead of a position; needs `board = { bodies = true "
-          "}`"),
+          "enemy to attach to as a part, at a distance of `dx` and `dy`; use it instead of a position; needs `board = "
+          "{ bodies = true }`"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
-          "fraction of the damage it takes that is also dealt to its body; defaults to 0; needs `follow`"),
+          "fraction of the part's damage that is also dealt to the body; defaults to 0; needs `follow`"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
@@ -385,12 +391,13 @@ enum {
 /* The last is of groups alone. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position in the field; writing it teleports the thing and ends its move"),
+            "horizontal position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position in the field; writing it teleports the thing and ends its move"),
+            "vertical position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE },
-    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL, "hit points left, rounded up; writing 0 does not kill it"),
+    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
+            "hit points left, rounded up; writing 0 doesn't kill the enemy"),
       PROP_WRITE },
     { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
     { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
@@ -401,7 +408,8 @@ static const struct api_prop props[PROPS + 1] = {
     { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
       PROP_WRITE },
-    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL, "name of the picture of its kind to show; nil shows its sprite"),
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
+            "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
       PROP_WRITE },
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"),
@@ -414,7 +422,7 @@ static const struct api_prop props[PROPS + 1] = {
       PROP_WRITE },
     { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a part below its body; a write ends its move"),
       PROP_WRITE },
-    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "fraction of the damage a part takes that is also dealt to its body"),
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "fraction of a part's damage that is also dealt to its body"),
       PROP_WRITE },
     { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ },
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
@@ -554,16 +562,16 @@ static const struct api_param move[] = {
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position to move to"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
-          "how its speed changes on the way: `in` starts slowly, `out` ends slowly, `both` does both"),
+          "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new `dx`"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new `dy`"),
 };
 static const struct api_param shift_by[] = {
-    SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; negative moves left"),
-    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; negative moves up")
+    SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; a negative distance moves left"),
+    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; a negative distance moves up")
 };
 static const struct api_param hurt[] = {
-    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before its `rate` is applied"),
+    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
     PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
 };
 static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
@@ -688,10 +696,10 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \
         API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
-                 "teleports " it " by a distance and shifts the rest of its move, too"),                               \
+                 "teleports " it " by a distance and shifts the rest of its move by the same distance"),               \
         API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
         API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
-                 "kills " it ", with its score, sparks, drops and on_death" order),                                    \
+                 "kills " it order "; score, sparks, drops and on_death work as usual"),                               \
         API_VERB(thing ":remove", enemy_remove, self, 1, NULL,                                                         \
                  "removes " it " without score, sparks, drops or on_death")
 
@@ -702,8 +710,8 @@ static const struct api_entry entries[] = {
       HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
-      HELP("returns the number of live enemies, or of those with a tag") },
+      HELP("returns the number of live enemies with the given tag") },
     ENEMY_VERBS("enemy", "it", ""),
-    ENEMY_VERBS("enemies", "each enemy", ", in slot order"),
+    ENEMY_VERBS("enemies", "each enemy", " in slot order"),
 };
 const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

@@ -30,22 +30,22 @@ enum {
 static const struct api_param laser_def[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
-          "sprite repeated along it and stretched to its width, drawn pointing right"),
+          "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
     PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"),
-    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of its width that hits; \"none\" never hits"),
+    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
     PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
     PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
-          "frames until a player can graze it again; 0 makes it impossible to graze"),
+          "frames until a player can graze the laser again; 0 makes it impossible to graze"),
     PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether clears remove it; if false, only clears with `all = true` do"),
+          "whether it can be cleared; if false, it can be cleared only with `all = true`"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "spark left along it when cleared, if the clear doesn't name one; nil leaves none"),
+          "kind of spark left along the laser when it is cleared, unless the call names another; nil leaves none"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
-          "damage to each enemy it touches; makes it a player laser, which is harmless to players"),
+          "damage to each enemy it touches; makes the kind a player laser, which is harmless to players"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
 };
 
@@ -108,10 +108,10 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 #define LASER_PARAMS                                                                                                   \
     PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
-              "direction, clockwise from the right; with `aim`, an offset from the target's direction, "               \
-              "0 if omitted"),                                                                                         \
+              "direction, clockwise from the right; with `aim`, angle added to the direction towards the target, 0 "   \
+              "if omitted"),                                                                                           \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
-              "point at the nearest target: an enemy if its kind has damage, otherwise a player"),                     \
+              "point at the nearest target: an enemy for player lasers, otherwise a player"),                          \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
               "number added to the palette banks of its sprites; overrides its kind's"),                               \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
@@ -149,7 +149,7 @@ enum {
     PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                                 \
           "speed of flight; if negative, it flies backwards"),                                                         \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
-        PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames it waits in place before it flies"),                 \
+        PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
         PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
               "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
@@ -162,18 +162,18 @@ static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
 static const struct api_param beam_params[] = {
     LASER_PARAMS,
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to start from, at a distance of `dx` and `dy`; the beam ends with that thing; use it instead of `x` "
+          "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
           "and `y`, or `from`"),
-    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the bullet, shot or laser it follows; needs `follow`"),
-    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from its start to its end"),
-    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames it stays at its full width"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
+    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from the start of the beam to its end"),
+    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames the beam stays at its full width"),
     PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40",
-          "frames at the start during which it is a dotted line that never hits"),
+          "frames at the start during which the beam is a dotted line that never hits"),
     PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8",
-          "frames it takes to reach its width; it already hits from the first of these frames"),
+          "frames the beam takes to reach its full width; it hits during these frames, too"),
     PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12",
-          "frames it takes to fade out; it no longer hits while it fades"),
-    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees it turns per frame once `warn` is over, clockwise"),
+          "frames the beam takes to fade out; it doesn't hit during these frames"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
 };
 
 static uint8_t player_of(const struct board *b, const struct api_value *v)
@@ -364,11 +364,10 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
         { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
                 "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
           PROP_WRITE },                                                                                                \
-        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
-                "distance of a beam to the right of the thing it follows"),                                            \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam to the right of the followed thing"),  \
           PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam below the thing it follows"), PROP_WRITE \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam below the followed thing"), PROP_WRITE   \
     }
 
 static const struct api_prop laser_props[] = {
@@ -640,7 +639,7 @@ static int each(lua_State *L, struct board *b, struct api_value *v)
 #define BEAM                                                                                                           \
     {                                                                                                                  \
         "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
-            HELP("fires a straight laser from a position or a thing: it warns, grows, holds and fades")                \
+            HELP("fires a straight laser from a position or a thing; it warns, grows, holds and fades")                \
     }
 #define BOLT                                                                                                           \
     {                                                                                                                  \
@@ -662,32 +661,34 @@ static const struct api_entry entries[] = {
     CURVE,
     API_GROUPS("laser", group, each),
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
-      HELP("removes all enemy lasers, or those that touch a circle, a box or a line; returns how many") },
+      HELP(
+          "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
     { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points it at the nearest player, or a player's laser at the nearest enemy") },
+      HELP("points it at the nearest player or, if it is a player laser, at the nearest enemy") },
     { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
     { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("teleports the entire laser by a distance, with no hits in between") },
+      HELP("teleports the entire laser by a distance, without hits on the way") },
     { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("fades it out; it no longer hits") },
+      HELP("fades it out; it stops hitting immediately") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
       API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
     { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it and leaves nothing") },
     { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
-      HELP("points each laser at the nearest player, or a player's laser at the nearest enemy") },
+      HELP("points each laser at the nearest player and each player laser at the nearest enemy") },
     { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
       HELP("turns each laser by an angle") },
     { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
-      HELP("teleports each laser by a distance, with no hits in between") },
+      HELP("teleports each laser by a distance, without hits on the way") },
     { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
-      HELP("fades each laser out; it no longer hits") },
+      HELP("fades each laser out; it stops hitting immediately") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
-      HELP("removes all lasers of the group, or those that touch a circle, a box or a line; returns how many") },
+      HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
+           "removed") },
     API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
-             "resumes every laser whose motion is waiting for the group's tag (`wait_for`), or for any tag if the "
-             "group has none"),
+             "resumes every laser whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
+             "every laser that waits for a tag"),
     { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each laser and leaves nothing") },
 };

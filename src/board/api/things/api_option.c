@@ -42,14 +42,15 @@ static const char PLAYER[] = "player.def", *const styles[] = { "fixed", "trail",
 enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SPIN, O_PARAMS };
 
 static const struct api_param ship_params[O_PARAMS] = {
-    PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind that flies with the ship"),
+    PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the options"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship that selects the level; without it, the last level applies"),
     PARAM("levels", A_TABLE, REQ, 0, 0, NULL, NULL,
           "list of 1 to 16 levels, each with a higher `at` than the one before"),
-    PARAM("over", A_INT, OPT, 0, 65535, "frames", "8", "frames they take to reach new positions; not for style trail"),
+    PARAM("over", A_INT, OPT, 0, 65535, "frames", "8",
+          "frames the options take to reach new positions; not for style trail"),
     PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
-          "how they fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
+          "how the options fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
     PARAM("apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8",
           "frames of flight between one option and the next; only for style trail"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
@@ -62,7 +63,7 @@ static const struct api_param ship_params[O_PARAMS] = {
 enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 
 static const struct api_param level_params[L_PARAMS] = {
-    PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "value of the register from which the level applies"),
+    PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "lowest value of the register at which the level applies"),
     PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL,
           "number of options; only for styles trail and orbit, where it is required"),
     PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -309,10 +310,10 @@ const struct api_thing api_option_thing = { "option", props, PROPS, get, set };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a kind of option, which flies with a ship and fires; needs `board = { options = n }`") },
+      HELP("declares a kind of option, a thing that flies with a ship and fires; needs `board = { options = n }`") },
     { "player.def options", NULL, PARAMS(ship_params), 0, API_LUA | API_SYS, NULL,
-      HELP("the options of the ship: their kind, their levels and how they fly") },
+      HELP("which options fly with the ship, and how") },
     { "player.def level", NULL, PARAMS(level_params), 0, API_LUA | API_SYS, NULL,
-      HELP("one level of options; the last level whose `at` the register has reached applies") },
+      HELP("one level of options; the highest level whose `at` the register has reached applies") },
 };
 const struct api_module api_option = { entries, sizeof entries / sizeof *entries };

@@ -39,27 +39,28 @@ static const struct api_param def[] = {
     PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
     PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", "lives at the start of a game, counting the one in play"),
     PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120",
-          "frames for which nothing can hit it at the start and after a death"),
+          "frames at the start and after a death during which nothing can hit the ship"),
     PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }, read and written as "
-          "p.NAME"),
+          "up to 16 whole numbers that belong to the ship, { NAME = start } or { NAME = { .. } }; read and write them "
+          "as p.NAME"),
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
           "run(p): task that runs from when the ship joins the game until the player is out"),
     PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
     PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL,
-          "vertical position above which the ship attracts all items; nil for no such line"),
+          "vertical position of a line; while the ship is above the line, it attracts all items; nil for no line"),
     PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship or the run; while the register is at its max, all items fly to the ship"),
     PARAM("pull", A_FX, OPT, 0, MAX_SPEED, "px/frame", "6", "speed at which items fly to it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "up to 15 sprites, { NAME = sprite }; `left` and `right` are shown while it flies that way"),
+          "up to 15 more sprites, { NAME = sprite }, which `picture` selects by name; `left` and `right` are shown "
+          "while the ship flies left or right"),
     PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb (bomb.def) that the bomb button starts"),
     PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; defaults to `bomb`"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
-          "frames after a hit in which a bomb saves it; at 0 it dies immediately"),
+          "frames after a hit during which a bomb can still save the ship; at 0, it dies immediately"),
     PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
           "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
-    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes it available to players"),
+    PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes the ship available to players"),
 };
 
 static const char *const first_pictures[] = { "left", "right", NULL };
@@ -254,10 +255,10 @@ enum {
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position in the field; a write teleports it, with no hits in between"),
+            "horizontal position in the field; a write teleports it, without hits on the way"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position in the field; a write teleports it, with no hits in between"),
+            "vertical position in the field; a write teleports it, without hits on the way"),
       PROP_WRITE },
     { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
             "lives left after the one in play; -1 in on.death when the last life is lost"),
@@ -269,14 +270,14 @@ static const struct api_prop props[PROPS] = {
     { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_LASTS },
     { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
-            "name of the picture of its kind to show; nil shows its sprite, or the picture `left` or `right` while it "
-            "flies that way"),
+            "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
+            "flies left or right, otherwise its sprite"),
       PROP_WRITE },
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"),
       PROP_WRITE },
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"fly\", or \"hit\" while it can't move or fire but a bomb can still save it (deathbomb)"),
+            "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but a bomb can still save it (deathbomb)"),
       PROP_READ },
 };
 
@@ -412,7 +413,7 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 enum { ADD_POINTS, ADD_PLAYER };
 
 static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
-                                              "points to add; negative takes points away"),
+                                              "points to add; a negative number takes points away"),
                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets them") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
@@ -430,7 +431,8 @@ static const struct api_param enter[] = {
           "name of the score table; boot.run uses the names of the difficulties"),
     PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, "name to show for the player"),
     PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship, if the score is for that ship's table"),
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL,
+          "ship that earned the score; the score is entered into the ship's table"),
     PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "true if all stages were cleared; use it instead of `stage`"),
     PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "number of continues used")
@@ -508,11 +510,11 @@ static const struct api_entry entries[] = {
     { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a ship: its sprite, its hitbox, its speed and its rules") },
     { "player.get", player_get, PARAMS(index_only), 1, 0, "player",
-      HELP("returns player 1 or 2, whether in the game or not") },
+      HELP("returns player 1 or 2, even if that player isn't in the game") },
     { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player",
       HELP("returns the living player nearest to a point, or a dead handle if there is none") },
     { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
-      HELP("calls a function with each player in the game") },
+      HELP("calls a function for each player in the game") },
     { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("returns true while a button is held") },
     { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean",
       HELP("returns true in the frame in which a button goes down") },
@@ -523,15 +525,17 @@ static const struct api_entry entries[] = {
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
       HELP("returns true when a button goes down, then every 5 frames once it has been held for 20 frames") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; this can grant lives "
+      HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; may earn extra lives "
            "(`extends` in rom.lua)") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
-      HELP("returns up to ten rows of a saved table, best first: { name, score, ship, stage, clear, continues }") },
+      HELP("returns up to ten rows of a saved score table, best first; each is { name, score, ship, stage, clear, "
+           "continues }") },
     { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
-      HELP("enters a score into a saved table of ten rows; returns its row, or nil if it is too low") },
+      HELP("enters a score into a saved table of ten rows; returns the number of its row, or nil if the score is too "
+           "low") },
     { "player.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
-      HELP("each register of the ship; a plain number is its `start`") },
+      HELP("one register of the ship; a plain number sets only `start`") },
     { "game.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,
-      HELP("each register of the run; a plain number is its `start`") },
+      HELP("one register of the run; a plain number sets only `start`") },
 };
 const struct api_module api_player = { entries, sizeof entries / sizeof *entries };

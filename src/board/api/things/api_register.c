@@ -24,17 +24,19 @@ const struct api_param api_register_settings[REGISTER_SETTINGS] = {
     PARAM("min", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "lowest value; defaults to 0"),
     PARAM("max", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "highest value; no limit if omitted"),
     PARAM("drain", A_COUNT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
-          "amount lost at each interval, down to `min`; a negative amount is gained, up to `max`; forever resets it to "
-          "`start` in one step"),
-    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "interval of the drain; defaults to 1"),
+          "amount that the register loses at each interval, down to `min`; a negative amount raises it, up to `max`; "
+          "with forever, the register returns to `start` in one step"),
+    PARAM("every", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "frames from one drain to the next; defaults to 1"),
     PARAM("hold", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
           "frames for which the drain pauses after a script or an item changes the register in the opposite direction; "
           "needs `drain`"),
     PARAM("show", A_STR, OPT, 0, 0, NULL, NULL,
-          "how the HUD shows it: none, number, icons, bar or times; a bar needs `max`"),
-    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL, "where the HUD shows it: top, or low (at the lower edge of the field)"),
-    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before it; defaults to its name"),
-    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL, "value at or above which the HUD shows it bright"),
+          "how the HUD shows the register: none, number, icons, bar or times; a bar needs `max`"),
+    PARAM("at", A_STR, OPT, 0, 0, NULL, NULL,
+          "where the HUD shows the register: top, or low (at the lower edge of the field)"),
+    PARAM("label", A_STR, OPT, 0, 31, NULL, NULL, "word shown before the register; defaults to its name"),
+    PARAM("mark", A_INT, OPT, -INT32_MAX, INT32_MAX, NULL, NULL,
+          "lowest value at which the HUD shows the register in the bright colour"),
 };
 
 struct reg {
