@@ -4,12 +4,7 @@
  *
  * It cannot be played in: plat_open says so, and `curtain play` ends with exit code 3.
  */
-#if defined(__unix__) || defined(__APPLE__)
-#define _XOPEN_SOURCE 700
-#endif
-
 #include <string.h>
-#include <time.h>
 #include "platform.h"
 
 bool plat_open(const struct plat_want *want)
@@ -36,26 +31,4 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
     (void)w;
     (void)h;
     (void)rgb;
-}
-
-uint64_t plat_usec(void)
-{
-    struct timespec t;
-#ifdef CLOCK_MONOTONIC
-    clock_gettime(CLOCK_MONOTONIC, &t);
-#else
-    timespec_get(&t, TIME_UTC);
-#endif
-    return (uint64_t)t.tv_sec * 1000000 + (uint64_t)t.tv_nsec / 1000;
-}
-
-void plat_wait(uint64_t until)
-{
-    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;) {
-#ifdef CLOCK_MONOTONIC
-        uint64_t left = until - now;
-        struct timespec t = { .tv_sec = (time_t)(left / 1000000), .tv_nsec = (long)(left % 1000000 * 1000) };
-        nanosleep(&t, 0);
-#endif
-    }
 }

@@ -136,7 +136,8 @@ void plat_poll(struct plat_input *in);
 /* Shows a picture of palette indices; colours are 0xRRGGBB. Scaled by a whole number, the rest of the window black. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
-/* Microseconds from any fixed moment, never going back. Works before plat_open. */
+/* Microseconds from any fixed moment, never going back. Works before plat_open. Hosts with clock_gettime have defaults
+ * for this and plat_wait. */
 uint64_t plat_usec(void);
 
 /* Returns when plat_usec() has reached `until`, or at once where the host has the loop. */

@@ -4,13 +4,14 @@
  *
  * Every function is a weak symbol: a port that defines the same name wins. A build without weak symbols leaves out the
  * functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _CONTROLLER,
- * _KEY_LABEL, _SOUND, _LOG, _NAME, _BESIDE, _CRASH, _ABOUT and _FILES (path, size, load, save, append, remove, list,
- * same, stream and runnable together).
+ * _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _BESIDE, _CRASH, _ABOUT and _FILES (path, size, load, save, append,
+ * remove, list, same, stream and runnable together).
  */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include "host.h"
 
 #ifndef PLAT_OWN_RGB
@@ -124,6 +125,34 @@ DEFAULT bool plat_key_label(unsigned usage, char *text, size_t size)
     (void)text;
     (void)size;
     return false;
+}
+#endif
+
+#ifndef PLAT_OWN_USEC
+DEFAULT uint64_t plat_usec(void)
+{
+    struct timespec t;
+#ifdef CLOCK_MONOTONIC
+    clock_gettime(CLOCK_MONOTONIC, &t);
+#else
+    timespec_get(&t, TIME_UTC);
+#endif
+    return (uint64_t)t.tv_sec * 1000000 + (uint64_t)t.tv_nsec / 1000;
+}
+#endif
+
+#ifndef PLAT_OWN_WAIT
+/* Sleeps whole milliseconds and spins for the rest, because a sleep ends late. */
+DEFAULT void plat_wait(uint64_t until)
+{
+    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;) {
+#ifdef CLOCK_MONOTONIC
+        const uint64_t ms = (until - now) / 1000;
+        const struct timespec t = { .tv_sec = (time_t)(ms / 1000), .tv_nsec = (long)(ms % 1000 * 1000000) };
+        if (ms)
+            nanosleep(&t, NULL);
+#endif
+    }
 }
 #endif
 
