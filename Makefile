@@ -30,7 +30,6 @@ WARN     := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
 LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
 LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
-SDL_L    := $(shell pkg-config --libs sdl2 2>/dev/null)
 CFLAGS   ?=
 # library.c opens libraries. Before glibc 2.34 what that needs are libraries of their own; WebAssembly has none.
 THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
@@ -191,7 +190,7 @@ $(OUT)/gen/rom.c: $(OUT)/game.rom
 
 $(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $^ $(LIBS) $(SDL_L) -o $@
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
@@ -204,7 +203,7 @@ WIN_CC    ?= x86_64-w64-mingw32-gcc
 WIN_RES   ?= x86_64-w64-mingw32-windres
 # SDL's own list, of libraries that every Windows has. The stack is as large as Linux's.
 WIN_LIBS  := -lSDL2 -ldinput8 -ldxguid -lsetupapi -lwinmm -limm32 -lole32 -loleaut32 -lversion -luuid -luser32 -lgdi32 \
-             -lshell32 -ladvapi32 -lm
+             -lshell32 -ladvapi32 -lm -lpthread
 # MinGW's isnan looks like a conversion to gcc, and %zu like an error: formats are checked by the other builds.
 WIN_WARN  := -Wno-float-conversion -Wno-format -Wno-format-extra-args
 WIN_LINK  := -municode -static -s -Wl,--stack,8388608
@@ -217,8 +216,8 @@ windows: say-windows
 	@tools/windows/libraries.sh
 	@$(MAKE) --no-print-directory CONFIG=windows CC="$(WIN_CC)" BUILD_CC="$(CC)" BARE=$(OUT)/curtain-bare \
 		CFLAGS="$(strip -D__USE_MINGW_ANSI_STDIO=1 $(CFLAGS))" WARN="$(WARN) $(WIN_WARN)" HARDEN_L= THREADS= \
-		LUA_C="-I$(WIN)/lib/lua/include -I$(WIN)/include" LUA_L=$(WIN)/lib/lua/lib/liblua.a SDL_C=-I$(WIN)/lib/sdl2/include/SDL2 \
-		$(WIN)/curtain.exe $(WIN)/curtain-null.exe
+		LUA_C="-I$(WIN)/lib/lua/include -I$(WIN)/include" LUA_L=$(WIN)/lib/lua/lib/liblua.a \
+		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe
 
 $(WIN)/curtain.ico: tools/windows/icon.py $(wildcard share/icons/*.png)
 	$(SAY) "  MAKE  $@"

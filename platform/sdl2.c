@@ -6,6 +6,9 @@
  * whole number, what the cabinet has composed over all of the window. SDL's scancodes are USB HID usages, so keys need
  * no table. From SDL 2.0.18 on pictures are held for the vertical blank when that is wanted, before that from the next
  * start on. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
+ *
+ * The SDL library is opened when a window is first needed, so commands without a window run where SDL is not installed,
+ * and start faster. With -DSDL_LINKED it is linked instead, as on Windows.
  */
 #include <SDL.h>
 #include <stdio.h>
@@ -20,6 +23,37 @@ enum {
     TITLE = 40,     /* pixels of a window's title, and of its other edges, before they are known */
     EDGE = 2,
 };
+
+/* The functions in use; SDL_Init is called as sdl.Init. */
+/* clang-format off */
+#define FUNCTIONS(X)                                                                                                  \
+    X(CloseAudioDevice) X(CreateRenderer) X(CreateRGBSurfaceWithFormat) X(CreateTexture) X(CreateWindow)              \
+    X(DestroyRenderer) X(DestroyTexture) X(DestroyWindow) X(free) X(FreeSurface) X(GameControllerClose)               \
+    X(GameControllerGetJoystick) X(GameControllerName) X(GameControllerOpen) X(GetCurrentVideoDriver)                 \
+    X(GetDesktopDisplayMode) X(GetDisplayUsableBounds) X(getenv) X(GetError) X(GetKeyFromScancode) X(GetKeyName)      \
+    X(GetMouseFocus) X(GetMouseState) X(GetQueuedAudioSize) X(GetRendererInfo) X(GetRendererOutputSize)               \
+    X(GetVersion) X(GetWindowBordersSize) X(GetWindowDisplayIndex) X(GetWindowFlags) X(GetWindowSize) X(Init)         \
+    X(InitSubSystem) X(IsGameController) X(JoystickGetDeviceInstanceID) X(JoystickInstanceID) X(LockTexture)          \
+    X(NumJoysticks) X(OpenAudioDevice) X(PauseAudioDevice) X(PollEvent) X(QueueAudio) X(Quit) X(RenderClear)          \
+    X(RenderCopy) X(RenderPresent) X(SetHint) X(SetRenderDrawColor) X(SetTextureBlendMode) X(SetWindowFullscreen)     \
+    X(SetWindowIcon) X(SetWindowMinimumSize) X(SetWindowSize) X(SetWindowTitle) X(ShowCursor) X(StartTextInput)       \
+    X(StopTextInput) X(UnlockTexture) X(UpdateTexture) X(WasInit)
+/* clang-format on */
+
+/* Newer than 2.0.10: NULL if the library is too old. */
+#if SDL_VERSION_ATLEAST(2, 0, 18)
+#define NEWER_FUNCTIONS(X) X(GameControllerGetType) X(RenderSetVSync)
+#elif SDL_VERSION_ATLEAST(2, 0, 12)
+#define NEWER_FUNCTIONS(X) X(GameControllerGetType)
+#else
+#define NEWER_FUNCTIONS(X)
+#endif
+
+#define POINTER(name) __typeof__(SDL_##name) *name;
+static struct {
+    FUNCTIONS(POINTER)
+    NEWER_FUNCTIONS(POINTER)
+} sdl;
 
 static struct {
     SDL_Window *window;
@@ -47,9 +81,38 @@ static struct {
 static bool failed(const char *what)
 {
     char line[512];
-    snprintf(line, sizeof line, "%s: %s", what, SDL_GetError());
+    snprintf(line, sizeof line, "%s: %s", what, sdl.GetError());
     plat_log(line);
     return false;
+}
+
+/* ---- the library ---- */
+
+/* False: the library is missing or too old. */
+static bool find_functions(void)
+{
+#ifdef SDL_LINKED
+#define STORE(name) sdl.name = SDL_##name;
+    FUNCTIONS(STORE)
+    NEWER_FUNCTIONS(STORE)
+    return true;
+#else
+#define MISSING(name)    || !plat_symbol(library, "SDL_" #name, &sdl.name)
+#define FIND_NEWER(name) plat_symbol(library, "SDL_" #name, &sdl.name);
+    void *library = plat_library("SDL2-2.0", 0);
+
+    if (!library FUNCTIONS(MISSING))
+        return false;
+    NEWER_FUNCTIONS(FIND_NEWER)
+    return true;
+#endif
+}
+
+static bool loaded;
+
+static bool load(void)
+{
+    return loaded = loaded || find_functions();
 }
 
 /* ---- window ---- */
@@ -58,15 +121,15 @@ static bool failed(const char *what)
  * */
 static void find_room(int *w, int *h)
 {
-    const int display = port.window ? SDL_GetWindowDisplayIndex(port.window) : 0;
+    const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
     int top = TITLE, left = EDGE, bottom = EDGE, right = EDGE;
     SDL_Rect r;
 
     *w = *h = 0;
-    if (SDL_GetDisplayUsableBounds(display < 0 ? 0 : display, &r) != 0)
+    if (sdl.GetDisplayUsableBounds(display < 0 ? 0 : display, &r) != 0)
         return;
-    if (port.window && !(SDL_GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
-        SDL_GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes where it cannot say */
+    if (port.window && !(sdl.GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
+        sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes where it cannot say */
     *w = r.w - left - right;
     *h = r.h - (top ? top : TITLE) - bottom;
 }
@@ -75,9 +138,9 @@ static void find_room(int *w, int *h)
 static bool can_wait(const struct plat_want *want)
 {
     SDL_DisplayMode mode;
-    const int display = port.window ? SDL_GetWindowDisplayIndex(port.window) : 0;
+    const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
 
-    return want->vsync && SDL_GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
+    return want->vsync && sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
 }
 
 static bool open_window(const struct plat_want *want)
@@ -90,11 +153,11 @@ static bool open_window(const struct plat_want *want)
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
     find_room(&room_w, &room_h);
     plat_fit(want, room_w, room_h, &w, &h);
-    port.window = SDL_CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
+    port.window = sdl.CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
     if (!port.window)
         return failed("cannot open a window");
-    SDL_SetWindowMinimumSize(port.window, want->w, want->h);
-    port.renderer = SDL_CreateRenderer(port.window, -1, can_wait(want) ? SDL_RENDERER_PRESENTVSYNC : 0);
+    sdl.SetWindowMinimumSize(port.window, want->w, want->h);
+    port.renderer = sdl.CreateRenderer(port.window, -1, can_wait(want) ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (!port.renderer)
         return failed("cannot create a renderer");
     return true;
@@ -103,8 +166,8 @@ static bool open_window(const struct plat_want *want)
 static void change_vsync(const struct plat_want *want)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 18)
-    if (want->vsync != port.want.vsync)
-        SDL_RenderSetVSync(port.renderer, can_wait(want)); /* one that cannot stays as it is, and plat_window says so */
+    if (sdl.RenderSetVSync && want->vsync != port.want.vsync)
+        sdl.RenderSetVSync(port.renderer, can_wait(want)); /* one that cannot stays as it is, and plat_window says so */
 #else
     (void)want;
 #endif
@@ -113,9 +176,9 @@ static void change_vsync(const struct plat_want *want)
 static void change_window(const struct plat_want *want)
 {
     if (want->title)
-        SDL_SetWindowTitle(port.window, want->title);
+        sdl.SetWindowTitle(port.window, want->title);
     if (want->fullscreen != port.want.fullscreen)
-        SDL_SetWindowFullscreen(port.window, want->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+        sdl.SetWindowFullscreen(port.window, want->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
     change_vsync(want);
     if (want->w == port.want.w && want->h == port.want.h && want->scale == port.want.scale &&
         want->any == port.want.any)
@@ -123,21 +186,21 @@ static void change_window(const struct plat_want *want)
     int w, h, room_w, room_h;
     find_room(&room_w, &room_h);
     plat_fit(want, room_w, room_h, &w, &h);
-    SDL_SetWindowMinimumSize(port.window, want->w, want->h);
-    SDL_SetWindowSize(port.window, w, h);
+    sdl.SetWindowMinimumSize(port.window, want->w, want->h);
+    sdl.SetWindowSize(port.window, w, h);
 }
 
 /* SDL keeps a copy of its own. */
 void plat_icon(const uint8_t *rgba, int w, int h)
 {
-    SDL_Surface *icon = port.window ? SDL_CreateRGBSurfaceWithFormat(0, w, h, 32, SDL_PIXELFORMAT_RGBA32) : NULL;
+    SDL_Surface *icon = port.window ? sdl.CreateRGBSurfaceWithFormat(0, w, h, 32, SDL_PIXELFORMAT_RGBA32) : NULL;
     if (!icon)
         return;
     for (int y = 0; y < h; y++)
         memcpy((uint8_t *)icon->pixels + (size_t)y * (size_t)icon->pitch, rgba + (size_t)y * (size_t)w * 4,
                (size_t)w * 4);
-    SDL_SetWindowIcon(port.window, icon);
-    SDL_FreeSurface(icon);
+    sdl.SetWindowIcon(port.window, icon);
+    sdl.FreeSurface(icon);
 }
 
 /* ---- speaker ---- */
@@ -156,12 +219,10 @@ static void ignore_alsa(const char *file, int line, const char *function, int er
 static void quiet_alsa(void)
 {
     typedef int set_handler(void (*)(const char *, int, const char *, int, const char *, ...));
-    void *library = SDL_LoadObject("libasound.so.2"), *symbol;
+    void *library = plat_library("asound", 2);
     set_handler *set;
 
-    symbol = library ? SDL_LoadFunction(library, "snd_lib_error_set_handler") : NULL;
-    memcpy(&set, &symbol, sizeof set);
-    if (symbol)
+    if (library && plat_symbol(library, "snd_lib_error_set_handler", &set))
         set(ignore_alsa);
 }
 #else
@@ -172,10 +233,10 @@ static void quiet_alsa(void)
 
 static bool start_sound(void)
 {
-    if (SDL_WasInit(SDL_INIT_AUDIO))
+    if (sdl.WasInit(SDL_INIT_AUDIO))
         return true;
     quiet_alsa();
-    return SDL_InitSubSystem(SDL_INIT_AUDIO) == 0;
+    return sdl.InitSubSystem(SDL_INIT_AUDIO) == 0;
 }
 
 static void open_speaker(bool complain)
@@ -184,10 +245,10 @@ static void open_speaker(bool complain)
     SDL_AudioSpec have;
 
     if (start_sound())
-        port.speaker = SDL_OpenAudioDevice(0, 0, &want, &have, 0);
+        port.speaker = sdl.OpenAudioDevice(0, 0, &want, &have, 0);
     if (port.speaker) {
         port.taken = 2 * have.samples;
-        SDL_PauseAudioDevice(port.speaker, 0);
+        sdl.PauseAudioDevice(port.speaker, 0);
     } else if (complain) {
         failed("no sound");
     }
@@ -196,7 +257,7 @@ static void open_speaker(bool complain)
 static void close_speaker(void)
 {
     if (port.speaker)
-        SDL_CloseAudioDevice(port.speaker);
+        sdl.CloseAudioDevice(port.speaker);
     port.speaker = 0;
 }
 
@@ -236,9 +297,9 @@ static void change_speaker(int rate)
 /* Where there is no display SDL may find a driver that shows nothing; SDL_VIDEODRIVER set to it asks for that. */
 static bool nobody_sees(void)
 {
-    const char *driver = SDL_GetCurrentVideoDriver();
+    const char *driver = sdl.GetCurrentVideoDriver();
 
-    if (SDL_getenv("SDL_VIDEODRIVER") || !driver)
+    if (sdl.getenv("SDL_VIDEODRIVER") || !driver)
         return false;
     return strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0 || strcmp(driver, "evdev") == 0;
 }
@@ -246,15 +307,20 @@ static bool nobody_sees(void)
 /* By default SDL exchanges the buttons of Nintendo's controllers, to go by the letters; here they go by place. */
 static void start_controllers(void)
 {
-    SDL_SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
-    if (SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
+    sdl.SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
+    if (sdl.InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
         failed("no controllers");
 }
 
 bool plat_open(const struct plat_want *want)
 {
     bool open = port.window != 0;
-    if (!open && SDL_Init(SDL_INIT_VIDEO) != 0)
+    if (!load()) {
+        plat_log("curtain: SDL 2.0.10 or later is not installed; install the package libsdl2-2.0-0 (Debian, Ubuntu), "
+                 "SDL2 (Fedora) or sdl2 (Arch)");
+        return false;
+    }
+    if (!open && sdl.Init(SDL_INIT_VIDEO) != 0)
         return failed("cannot open a window");
     if (!open && nobody_sees()) {
         plat_log("curtain: cannot open a window: no display");
@@ -273,10 +339,10 @@ bool plat_open(const struct plat_want *want)
     }
     change_speaker(want->rate);
     if (want->text)
-        SDL_StartTextInput();
+        sdl.StartTextInput();
     else
-        SDL_StopTextInput();
-    SDL_ShowCursor(want->fullscreen ? SDL_DISABLE : SDL_ENABLE);
+        sdl.StopTextInput();
+    sdl.ShowCursor(want->fullscreen ? SDL_DISABLE : SDL_ENABLE);
     port.want = *want;
     return true;
 }
@@ -284,20 +350,22 @@ bool plat_open(const struct plat_want *want)
 void plat_close(void)
 {
     plat_heed_hangup(false);
+    if (!loaded)
+        return;
     close_speaker();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (in.controller[i])
-            SDL_GameControllerClose(in.controller[i]);
+            sdl.GameControllerClose(in.controller[i]);
     if (port.texture)
-        SDL_DestroyTexture(port.texture);
+        sdl.DestroyTexture(port.texture);
     if (port.renderer)
-        SDL_DestroyRenderer(port.renderer);
+        sdl.DestroyRenderer(port.renderer);
     if (port.window)
-        SDL_DestroyWindow(port.window);
-    SDL_free(in.dropped);
+        sdl.DestroyWindow(port.window);
+    sdl.free(in.dropped);
     memset(&port, 0, sizeof port);
     memset(&in, 0, sizeof in);
-    SDL_Quit();
+    sdl.Quit();
 }
 
 /* ---- switches ---- */
@@ -326,18 +394,18 @@ static void release_all(void)
 static int controller_of(SDL_JoystickID id)
 {
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        if (in.controller[i] && SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(in.controller[i])) == id)
+        if (in.controller[i] && sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(in.controller[i])) == id)
             return i;
     return -1;
 }
 
 static void controller_comes(int device)
 {
-    if (controller_of(SDL_JoystickGetDeviceInstanceID(device)) >= 0)
+    if (controller_of(sdl.JoystickGetDeviceInstanceID(device)) >= 0)
         return;
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (!in.controller[i]) {
-            in.controller[i] = SDL_GameControllerOpen(device);
+            in.controller[i] = sdl.GameControllerOpen(device);
             return;
         }
 }
@@ -347,11 +415,11 @@ static void controller_goes(SDL_JoystickID id)
     int i = controller_of(id);
     if (i < 0)
         return;
-    SDL_GameControllerClose(in.controller[i]);
+    sdl.GameControllerClose(in.controller[i]);
     in.controller[i] = 0;
     in.pad_down[i] = in.pad_seen[i] = 0;
-    for (int d = 0; d < SDL_NumJoysticks(); d++) /* one that there was no room for */
-        if (SDL_IsGameController(d))
+    for (int d = 0; d < sdl.NumJoysticks(); d++) /* one that there was no room for */
+        if (sdl.IsGameController(d))
             controller_comes(d);
 }
 
@@ -369,7 +437,7 @@ static void controller_switch(SDL_JoystickID id, int which, bool down)
 static enum plat_kind kind_of(SDL_GameController *c)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 12)
-    switch (SDL_GameControllerGetType(c)) {
+    switch (sdl.GameControllerGetType ? sdl.GameControllerGetType(c) : SDL_CONTROLLER_TYPE_UNKNOWN) {
     case SDL_CONTROLLER_TYPE_XBOX360:
         return PLAT_XBOX_360;
     case SDL_CONTROLLER_TYPE_XBOXONE:
@@ -411,9 +479,9 @@ bool plat_controller(int i, struct plat_controller *controller)
     memset(controller, 0, sizeof *controller);
     if (!c)
         return false;
-    const char *name = SDL_GameControllerName(c);
+    const char *name = sdl.GameControllerName(c);
     snprintf(controller->name, sizeof controller->name, "%s", name ? name : "");
-    controller->id = (uint32_t)SDL_JoystickInstanceID(SDL_GameControllerGetJoystick(c));
+    controller->id = (uint32_t)sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(c));
     controller->kind = kind_of(c);
     return true;
 }
@@ -421,11 +489,12 @@ bool plat_controller(int i, struct plat_controller *controller)
 /* SDL's code of a key that prints a character is that character; of others it has a bit of its own or is a control. */
 bool plat_key_label(unsigned usage, char *text, size_t size)
 {
-    const SDL_Keycode code = usage < PLAT_KEYS ? SDL_GetKeyFromScancode((SDL_Scancode)usage) : SDLK_UNKNOWN;
+    const SDL_Keycode code =
+        port.window && usage < PLAT_KEYS ? sdl.GetKeyFromScancode((SDL_Scancode)usage) : SDLK_UNKNOWN;
 
     if (code <= SDLK_SPACE || code == SDLK_DELETE || code & SDLK_SCANCODE_MASK)
         return false;
-    snprintf(text, size, "%s", SDL_GetKeyName(code));
+    snprintf(text, size, "%s", sdl.GetKeyName(code));
     return text[0] != 0;
 }
 
@@ -483,7 +552,8 @@ static uint8_t mouse_bit(unsigned button)
 
 static void drop(char *path)
 {
-    SDL_free(in.dropped);
+    if (in.dropped)
+        sdl.free(in.dropped);
     in.dropped = path;
 }
 
@@ -500,7 +570,7 @@ bool plat_dropped(char *path, size_t size)
 static void forget_texture(void)
 {
     if (port.texture)
-        SDL_DestroyTexture(port.texture);
+        sdl.DestroyTexture(port.texture);
     port.texture = NULL;
 }
 
@@ -567,11 +637,11 @@ static void find_mouse(struct plat_input *to)
 {
     int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
     to->mouse_x = to->mouse_y = -1;
-    if (!port.on.w || SDL_GetMouseFocus() != port.window)
+    if (!port.on.w || sdl.GetMouseFocus() != port.window)
         return;
-    SDL_GetMouseState(&x, &y);
-    SDL_GetWindowSize(port.window, &ww, &wh);
-    SDL_GetRendererOutputSize(port.renderer, &ow, &oh);
+    sdl.GetMouseState(&x, &y);
+    sdl.GetWindowSize(port.window, &ww, &wh);
+    sdl.GetRendererOutputSize(port.renderer, &ow, &oh);
     x = x * ow / (ww ? ww : 1) - port.on.x;
     y = y * oh / (wh ? wh : 1) - port.on.y;
     if (x < 0 || y < 0 || x >= port.on.w || y >= port.on.h)
@@ -583,7 +653,7 @@ static void find_mouse(struct plat_input *to)
 void plat_poll(struct plat_input *to)
 {
     memset(to, 0, sizeof *to);
-    for (SDL_Event e; port.window && SDL_PollEvent(&e);)
+    for (SDL_Event e; port.window && sdl.PollEvent(&e);)
         event(&e);
     for (int i = 0; i < PLAT_KEYS / 8; i++)
         to->keys[i] = in.down[i] | in.seen[i];
@@ -592,7 +662,7 @@ void plat_poll(struct plat_input *to)
     to->mouse = in.mouse_down | in.mouse_seen;
     to->wheel = in.wheel;
     to->quit = in.quit || plat_hung_up();
-    const Uint32 flags = port.window ? SDL_GetWindowFlags(port.window) : 0;
+    const Uint32 flags = port.window ? sdl.GetWindowFlags(port.window) : 0;
     to->focus = flags & SDL_WINDOW_INPUT_FOCUS;
     to->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
     memcpy(to->text, in.text, sizeof to->text);
@@ -611,12 +681,12 @@ static bool fit_texture(int w, int h)
     if (port.texture && port.texture_w == w && port.texture_h == h)
         return true;
     forget_texture();
-    SDL_SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
-    port.texture = SDL_CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
+    sdl.SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
+    port.texture = sdl.CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
     port.texture_w = w;
     port.texture_h = h;
     if (port.texture) /* the top byte of what is painted is nothing */
-        SDL_SetTextureBlendMode(port.texture, SDL_BLENDMODE_NONE);
+        sdl.SetTextureBlendMode(port.texture, SDL_BLENDMODE_NONE);
     return port.texture != 0;
 }
 
@@ -624,7 +694,7 @@ static bool fit_texture(int w, int h)
 static void place(int w, int h)
 {
     int ow = w, oh = h;
-    SDL_GetRendererOutputSize(port.renderer, &ow, &oh);
+    sdl.GetRendererOutputSize(port.renderer, &ow, &oh);
     int s = ow / w < oh / h ? ow / w : oh / h;
     s = s < 1 ? 1 : s;
     port.on = (SDL_Rect){ (ow - w * s) / 2, (oh - h * s) / 2, w * s, h * s };
@@ -632,18 +702,18 @@ static void place(int w, int h)
 
 static void present(void)
 {
-    SDL_SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
-    SDL_RenderClear(port.renderer);
-    SDL_RenderCopy(port.renderer, port.texture, 0, &port.on);
-    SDL_RenderPresent(port.renderer);
+    sdl.SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
+    sdl.RenderClear(port.renderer);
+    sdl.RenderCopy(port.renderer, port.texture, 0, &port.on);
+    sdl.RenderPresent(port.renderer);
 }
 
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 {
-    if (!port.renderer || !fit_texture(w, h) || SDL_UpdateTexture(port.texture, 0, rgb, pitch * (int)sizeof *rgb) != 0)
+    if (!port.renderer || !fit_texture(w, h) || sdl.UpdateTexture(port.texture, 0, rgb, pitch * (int)sizeof *rgb) != 0)
         return false;
     port.on = (SDL_Rect){ 0, 0, w, h };
-    SDL_GetRendererOutputSize(port.renderer, &port.on.w, &port.on.h);
+    sdl.GetRendererOutputSize(port.renderer, &port.on.w, &port.on.h);
     present();
     return true;
 }
@@ -660,12 +730,12 @@ bool plat_window(struct plat_window *out)
     SDL_DisplayMode mode;
 
     memset(out, 0, sizeof *out);
-    if (!port.renderer || SDL_GetRendererOutputSize(port.renderer, &out->w, &out->h) != 0)
+    if (!port.renderer || sdl.GetRendererOutputSize(port.renderer, &out->w, &out->h) != 0)
         return false;
-    const int display = SDL_GetWindowDisplayIndex(port.window);
-    if (SDL_GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
+    const int display = sdl.GetWindowDisplayIndex(port.window);
+    if (sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
         out->refresh = thousandths(mode.refresh_rate);
-    out->waits = SDL_GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
+    out->waits = sdl.GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
     return out->w > 0 && out->h > 0;
 }
 
@@ -674,46 +744,36 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
     uint32_t opaque[256];
     void *to;
     int to_pitch;
-    if (!port.renderer || !fit_texture(w, h) || SDL_LockTexture(port.texture, 0, &to, &to_pitch) != 0)
+    if (!port.renderer || !fit_texture(w, h) || sdl.LockTexture(port.texture, 0, &to, &to_pitch) != 0)
         return;
     for (int i = 0; i < 256; i++)
         opaque[i] = rgb[i] | 0xFF000000u;
     plat_rgb(to, to_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
-    SDL_UnlockTexture(port.texture);
+    sdl.UnlockTexture(port.texture);
     place(w, h);
     present();
 }
 
-/* ---- clock and speaker ---- */
+/* ---- versions and speaker ---- */
 
 void plat_about(char *text, size_t size)
 {
-    const char *driver = SDL_GetCurrentVideoDriver();
     SDL_version v;
-    SDL_GetVersion(&v);
+    if (!load()) {
+        snprintf(text, size, "SDL 2 (not installed)");
+        return;
+    }
+    const char *driver = sdl.GetCurrentVideoDriver();
+    sdl.GetVersion(&v);
     snprintf(text, size, "SDL %d.%d.%d, %s", v.major, v.minor, v.patch, driver ? driver : "no window");
-}
-
-uint64_t plat_usec(void)
-{
-    uint64_t f = SDL_GetPerformanceFrequency(), c = SDL_GetPerformanceCounter();
-    return c / f * 1000000 + c % f * 1000000 / f;
-}
-
-/* SDL sleeps whole milliseconds and rarely too short; what is left under one is spun. */
-void plat_wait(uint64_t until)
-{
-    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;)
-        if (until - now >= 1000)
-            SDL_Delay((Uint32)((until - now) / 1000));
 }
 
 int plat_sound(const int16_t *lr, int frames)
 {
     if (!port.speaker)
         return -1;
-    int waiting = (int)(SDL_GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
+    int waiting = (int)(sdl.GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
     if (waiting <= QUEUE_FRAMES && frames > 0)
-        SDL_QueueAudio(port.speaker, lr, (Uint32)frames * FRAME_BYTES);
+        sdl.QueueAudio(port.speaker, lr, (Uint32)frames * FRAME_BYTES);
     return waiting ? waiting + port.taken : 0;
 }

@@ -41,9 +41,10 @@ fi
 
 # ---- alone ----
 
-bare_folder() { # ROOT: what the loader takes; a window's title needs X's locales
-    local file
-    for file in $(ldd game | grep -oE '/[^ ]+'); do
+bare_folder() { # ROOT: what the loader takes, and SDL, which the program opens; a window's title needs X's locales
+    local file sdl
+    sdl=$(realpath -s "$(cc -print-file-name=libSDL2-2.0.so.0)")
+    for file in "$sdl" $( (ldd game; ldd "$sdl") | grep -oE '/[^ ]+' | sort -u); do
         mkdir -p "$1/${file%/*}" && cp -L "$file" "$1/$file" || return
     done
     mkdir -p "$1/usr/share/X11" && cp -r /usr/share/X11/locale "$1/usr/share/X11"
