@@ -29,6 +29,15 @@ SEMANTIC := -std=c11 -fwrapv -ffp-contract=off
 WARN     := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
 LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
 LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
+# LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
+LUA_SRC  := build/cross/lua-bookworm/src
+LUA_H    := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
+LUA_OBJ  := $(patsubst %,$(OUT)/lua/l%.o,api auxlib baselib code ctype debug do dump func gc lex mathlib mem object opcodes \
+            parser state string strlib table tablib tm undump utf8lib vm zio)
+ifdef LUA_INSIDE
+LUA_C    := -I$(LUA_SRC) -Ibuild/cross/include
+LUA_L    := $(LUA_OBJ)
+endif
 SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
 CFLAGS   ?=
 # library.c opens libraries. Before glibc 2.34 what that needs are libraries of their own; WebAssembly has none.
@@ -166,6 +175,19 @@ $(OUT)/gen/%.o: $(OUT)/gen/%.c
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) -c $< -o $@
 
+# Lua's sources are fetched once.
+$(LUA_SRC)/lua.h:
+	$(Q)tools/source.sh lua5.4 bookworm build/cross/lua-bookworm
+build/cross/include/lua5.4-deb-multiarch.h:
+	@mkdir -p $(@D)
+	@ln -sfn /usr/include/stb $(@D)/stb
+	@echo '#define DEB_HOST_MULTIARCH "none"' > $@
+$(OUT)/lua/%.o: $(LUA_H)
+	@mkdir -p $(@D)
+	$(SAY) "  CC    $*.c"
+	$(Q)$(CC) -std=gnu99 -O2 -DLUA_COMPAT_5_3 $(if $(findstring mingw,$(CC)),,-fPIC) -fvisibility=hidden $(LUA_C) $(CFLAGS) \
+		-c $(LUA_SRC)/$*.c -o $@
+
 # The program that packs the built-in game has none itself.
 $(OUT)/curtain-bare: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	$(SAY) "  LINK  $@"
@@ -211,12 +233,11 @@ WIN_LINK  := -municode -static -s -Wl,--stack,8388608
 OWN        = $(addprefix -DPLAT_OWN_,$(shell grep -oP '^[a-z].*\bplat_\K[a-z_]+(?=\x28.*[^;]$$)' $1 | tr a-z A-Z))
 
 # The tools, libraries and games are this machine's; the same objects are made by the rules above.
-windows: say-windows
+windows: say-windows $(LUA_H)
 	@$(MAKE) --no-print-directory $(OUT)/curtain-bare
 	@tools/windows/libraries.sh
 	@$(MAKE) --no-print-directory CONFIG=windows CC="$(WIN_CC)" BUILD_CC="$(CC)" BARE=$(OUT)/curtain-bare \
-		CFLAGS="$(strip -D__USE_MINGW_ANSI_STDIO=1 $(CFLAGS))" WARN="$(WARN) $(WIN_WARN)" HARDEN_L= THREADS= \
-		LUA_C="-I$(WIN)/lib/lua/include -I$(WIN)/include" LUA_L=$(WIN)/lib/lua/lib/liblua.a \
+		CFLAGS="$(strip -D__USE_MINGW_ANSI_STDIO=1 $(CFLAGS))" WARN="$(WARN) $(WIN_WARN)" HARDEN_L= THREADS= LUA_INSIDE=1 \
 		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe
 
 $(WIN)/curtain.ico: tools/windows/icon.py $(wildcard share/icons/*.png)
@@ -229,13 +250,13 @@ $(WIN)/platform/sdl2/%.o: platform/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) $(call OWN,platform/sdl2.c) -MMD -MP -c $< -o $@
-$(WIN)/curtain.exe: $(BOARD_OBJ) $(CAB_OBJ) $(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST)) $(WIN)/src/cab/main.o \
-		$(WIN)/platform/sdl2.o $(WIN)/gen/rom.o $(WIN)/resource.o
+$(WIN)/curtain.exe: $(WIN)/gen/rom.o $(BOARD_OBJ) $(CAB_OBJ) $(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST)) \
+		$(WIN)/src/cab/main.o $(WIN)/platform/sdl2.o $(WIN)/resource.o $(LUA_OBJ)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ $(LUA_L) -L$(WIN)/lib/sdl2/lib $(WIN_LIBS) -o $@
-$(WIN)/curtain-null.exe: $(CORE_OBJ) $(WIN)/src/cab/main.o $(WIN)/platform/null.o $(WIN)/gen/rom.o
+	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -L$(WIN)/lib/sdl2/lib $(WIN_LIBS) -o $@
+$(WIN)/curtain-null.exe: $(CORE_OBJ) $(WIN)/src/cab/main.o $(WIN)/platform/null.o $(WIN)/gen/rom.o $(LUA_OBJ)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ $(LUA_L) -lole32 -luuid -lm -lpthread -o $@
+	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -lole32 -luuid -lm -lpthread -o $@
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
@@ -286,26 +307,16 @@ $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
 
 # ---- the web port: libcurtain and Lua for WebAssembly, and pages with games inside; docs/internals/porting.md ----
 
-# As Debian compiles Lua, with tools/cross/wasi in place of setjmp. Its sources are fetched once.
+# Lua has tools/cross/wasi in place of setjmp.
 WEB_CC    ?= clang
 WEB_OPT   ?= -Oz -msimd128
 WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -ffunction-sections \
              -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
-LUA_SRC   := build/cross/lua-bookworm/src
-WEB_LUA   := $(patsubst %,$(WEB)/lua/l%.o,api auxlib baselib code ctype debug do dump func gc lex mathlib mem object \
-             opcodes parser state string strlib table tablib tm undump utf8lib vm zio)
+WEB_LUA   := $(LUA_OBJ:$(OUT)/%=$(WEB)/%)
 WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) \
              $(WEB)/obj/ports/web/web.o $(WEB)/obj/ports/web/no_host.o
 WEB_PAGE  := $(patsubst %,ports/web/%,page.html player.css player.js worklet.js build.sh)
 
-LUA_H     := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
-
-$(LUA_SRC)/lua.h:
-	$(Q)tools/source.sh lua5.4 bookworm build/cross/lua-bookworm
-build/cross/include/lua5.4-deb-multiarch.h:
-	@mkdir -p $(@D)
-	@ln -sfn /usr/include/stb $(@D)/stb
-	@echo '#define DEB_HOST_MULTIARCH "none"' > $@
 $(WEB)/lua/%.o: $(LUA_H)
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $*.c (web)"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# libraries.sh - builds SDL2, Lua and expat for Windows from Debian's source packages, below build/windows.
+# libraries.sh - builds SDL2 and expat for Windows from Debian's source packages, below build/windows.
 #
 #     tools/windows/libraries.sh
 #
@@ -7,7 +7,7 @@
 # at the part that was interrupted. A failed part prints the end of its log, build/windows/NAME.log.
 set -eu
 cd "$(dirname "$0")/../.."
-suite=bookworm # SDL 2.26.5 and Lua 5.4.4
+suite=bookworm # SDL 2.26.5
 host=x86_64-w64-mingw32
 root=$PWD/build/windows
 
@@ -37,23 +37,6 @@ build_sdl2() {
     [ -s "$2/lib/libSDL2.a" ]
 }
 
-# Lua as Debian compiles it, without its program and the libraries the sandbox leaves out.
-build_lua() {
-    local source objects=()
-    for source in "$1"/src/l*.c; do
-        case ${source##*/} in
-        lua.c | luac.c | linit.c | liolib.c | loslib.c | lcorolib.c | ldblib.c | loadlib.c) continue ;;
-        esac
-        mkdir -p "$root/obj/lua"
-        objects+=("$root/obj/lua/$(basename "$source" .c).o")
-        $host-gcc -std=gnu99 -O2 -Wall -DLUA_COMPAT_5_3 -D__USE_MINGW_ANSI_STDIO=1 -I"$root/include" -c "$source" \
-            -o "${objects[-1]}"
-    done
-    mkdir -p "$2/include" "$2/lib"
-    $host-ar rcs "$2/lib/liblua.a" "${objects[@]}"
-    cp "$1"/src/{lua,luaconf,lualib,lauxlib}.h "$2/include"
-}
-
 # A library that the program opens when it reads BulletML: it lies next to the program.
 build_expat() {
     mkdir -p "$2/lib"
@@ -62,12 +45,6 @@ build_expat() {
         -o "$2/lib/libexpat-1.dll"
 }
 
-# What the sources include and Debian's cross compiler does not see: stb's headers, and a header of Debian's Lua.
-mkdir -p "$root/include"
-ln -sfn /usr/include/stb "$root/include/stb"
-echo '#define DEB_HOST_MULTIARCH "none"' >"$root/include/lua5.4-deb-multiarch.h"
-
-part lua lua5.4
 part sdl2 libsdl2
 part expat expat
 cp -u "$root/lib/expat/lib/libexpat-1.dll" "$root/"
