@@ -10,14 +10,7 @@ package=$1 suite=$2 to=$3
 keys=/usr/share/keyrings/debian-archive-keyring.gpg
 [ ! -d "$to" ] || exit 0
 
-# What apt-get update would fetch shows the mirror, on a machine without package lists too.
-mirror() {
-    apt-get --print-uris update | sed -n "s,^'\([^' ]*\)/dists/[^/' ]*/InRelease' .*,\1,p" | grep -v security |
-        head -n 1
-}
-uri=${DEBIAN:-$(mirror)}
-[ -n "$uri" ] || { echo "tools/source.sh: this machine names no Debian mirror; set DEBIAN=URI" >&2; exit 3; }
-
+uri=$("$(dirname "$0")/mirror.sh")
 mkdir -p "$(dirname "$to")"
 scratch=$(mktemp -d "$(dirname "$to")/source.XXXXXX")
 scratch=$(cd "$scratch" && pwd)
