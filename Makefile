@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan monkey msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports web windows bulletml
+         patterns library ports players web windows bulletml
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -80,7 +80,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs tools test golden demos
-.PHONY: asan ubsan monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports web windows bulletml
+.PHONY: asan ubsan monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports players web windows bulletml
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -110,6 +110,7 @@ help:
 	@echo "make compare BASE=COMMIT   compare bytes, loading and frame time with another commit"
 	@echo "make library  libcurtain, its pkg-config file, and the libretro core: docs/internals/library.md"
 	@echo "make web GAME=DIR   the game as one HTML file, for browsers and phones: build/web/NAME.html"
+	@echo "make players  the programs that exports are copies of, for Linux, Windows, RetroArch, the web: build/players"
 	@echo "make windows  the program for Windows, cross-compiled: build/windows/curtain.exe"
 	@echo "make install PREFIX=/usr/local DESTDIR=   with manual page, menu entry, games     make uninstall"
 
@@ -214,6 +215,11 @@ $(OUT)/curtain: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
 
+# Without a built-in game.
+$(OUT)/curtain-player: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o $(OUT)/gen/no_rom.o | $(filter %.o,$(LUA_L))
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) $^ $(LIBS) -o $@
+
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
@@ -238,7 +244,7 @@ windows: say-windows $(LUA_H)
 	@tools/windows/libraries.sh
 	@$(MAKE) --no-print-directory CONFIG=windows CC="$(WIN_CC)" BUILD_CC="$(CC)" BARE=$(OUT)/curtain-bare \
 		CFLAGS="$(strip -D__USE_MINGW_ANSI_STDIO=1 $(CFLAGS))" WARN="$(WARN) $(WIN_WARN)" HARDEN_L= THREADS= LUA_INSIDE=1 \
-		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe
+		SDL_C="-I$(WIN)/lib/sdl2/include/SDL2 -DSDL_LINKED" $(WIN)/curtain.exe $(WIN)/curtain-null.exe $(WIN)/player.exe
 
 $(WIN)/curtain.ico: tools/windows/icon.py $(wildcard share/icons/*.png)
 	$(SAY) "  MAKE  $@"
@@ -250,13 +256,33 @@ $(WIN)/platform/sdl2/%.o: platform/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $<"
 	$(Q)$(CC) $(ALL_C) $(call OWN,platform/sdl2.c) -MMD -MP -c $< -o $@
-$(WIN)/curtain.exe: $(WIN)/gen/rom.o $(BOARD_OBJ) $(CAB_OBJ) $(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST)) \
+$(WIN)/curtain.exe: $(WIN)/gen/rom.o
+$(WIN)/player.exe: $(WIN)/gen/no_rom.o
+$(WIN)/curtain.exe $(WIN)/player.exe: $(BOARD_OBJ) $(CAB_OBJ) $(patsubst %,$(WIN)/platform/sdl2/%.o,stdio $(HOST)) \
 		$(WIN)/src/cab/main.o $(WIN)/platform/sdl2.o $(WIN)/resource.o $(LUA_OBJ)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -L$(WIN)/lib/sdl2/lib $(WIN_LIBS) -o $@
 $(WIN)/curtain-null.exe: $(CORE_OBJ) $(WIN)/src/cab/main.o $(WIN)/platform/null.o $(WIN)/gen/rom.o $(LUA_OBJ)
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(WIN_LINK) $^ -lole32 -luuid -lm -lpthread -o $@
+
+# ---- players: the programs without a game that exports are copies of; docs/internals/porting.md ----
+
+# Without unwind tables: old linkers report those of libcurtain.a as an error.
+LINUX_C := -g0 -fno-asynchronous-unwind-tables
+LINUX   := build/linux
+PLAYERS := build/players
+
+players: say-play-web-windows-players $(LUA_H)
+	@$(MAKE) --no-print-directory $(WEB)/player.html
+	@$(MAKE) --no-print-directory windows
+	@tools/old_glibc.sh make --no-print-directory -j2 CONFIG=linux CFLAGS="$(LINUX_C)" LUA_INSIDE=1 SDL_C="$(SDL_C)" V=$(V) \
+		$(LINUX)/curtain-player $(LINUX)/curtain_libretro.so
+	@mkdir -p $(PLAYERS)
+	@cp $(WEB)/player.html $(LINUX)/curtain_libretro.so $(PLAYERS)
+	@cp $(LINUX)/curtain-player $(PLAYERS)/curtain-linux
+	@cp $(WIN)/player.exe $(PLAYERS)/curtain.exe
+	@ls -l $(PLAYERS)
 
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
@@ -285,10 +311,10 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 	$(Q)rm -f $@ && $(AR) rcs $@ $(OUT)/lib/curtain.o
 
 # Each port's test: build and play it where it is at home. ARGS="libretro web": these, of the others what they said last.
-ports: deps-play-test-ports-web-firefox-windows
+ports: deps-play-test-ports-web-firefox-windows-players
 	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
 		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(OUT)/libspeed $(WEB)/player.html build/curtain build/curtain-null
-	@$(MAKE) --no-print-directory windows
+	@$(MAKE) --no-print-directory players
 	@OUT=$(OUT) tools/ports/ports.sh $(ARGS)
 
 library: say-null
@@ -300,7 +326,7 @@ build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
 RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
-$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a
+$(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a | $(filter %.o,$(LUA_L))
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
 		$(filter-out -pie,$(HARDEN_L)) $(LUA_L) -lm -ldl -o $@

@@ -2,15 +2,15 @@
 # Installs what is missing from Debian's packages; says nothing when all is there.
 #
 #     tools/deps.sh [--say] [null] [play] [test] [docs] [ports] [fuzz] [nightly] [bench] [bulletml] [cross] [web]
-#     [firefox] [windows]
+#     [firefox] [windows] [players]
 #
 # null: what curtain-null is built with, and expat, for BulletML; play: that, and SDL2; test: also the libraries with
 # which curtain packs OGG, FLAC and modules (it opens them when it needs them, and is built the same without); ports:
-# RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are
-# run beside it; web: what a page is built with, and tested in; firefox: where it is tested too;
-# windows: the cross compiler for Windows, and Wine, which runs its programs here. Without arguments:
-# play, test, fuzz and bench. With --say it installs nothing: it says, in one line to paste, what is missing, and
-# exits with 3.
+# RetroArch, that the libretro core is tested in; bulletml: libbulletml, and the games whose documents are run beside
+# it; web: what a page is built with, and tested in; firefox: where it is tested too; windows: the cross compiler for
+# Windows, and Wine, which runs its programs here; players: what makes the Debian roots in which programs for other
+# machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs nothing: it
+# says, in one line to paste, what is missing, and exits with 3.
 set -eu
 say=""
 if [ "${1:-}" = --say ]; then
@@ -164,9 +164,15 @@ for what; do
         have xz || need xz-utils
         have python3 || need python3
         ;;
+    players)
+        have debootstrap || need debootstrap
+        [ -e /usr/share/distro-info/debian.csv ] || need distro-info-data
+        have dpkg-source || need dpkg-dev
+        have xz || need xz-utils
+        ;;
     *)
         echo "tools/deps.sh: \"$what\" is none of null, play, test, docs, ports, fuzz, nightly, bench, bulletml," \
-            "cross, web, firefox, windows" >&2
+            "cross, web, firefox, windows, players" >&2
         exit 2
         ;;
     esac

@@ -5,7 +5,7 @@
 #
 # One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own. The
 # documents as one file are there after `make docs` only, the library after `make library`, the player that
-# `curtain export --web` makes pages of after `make web`.
+# `curtain export --web` makes pages of after `make web`, the players for other systems after `make players`.
 set -eu
 cd "$(dirname "$0")/.."
 root=${DESTDIR:-}${PREFIX:-/usr/local}
@@ -43,6 +43,13 @@ list_web() {
     echo "644 build/web/player.html $data/player.html"
 }
 
+# What make players made; those that exist are installed.
+list_players() {
+    for player in curtain-linux curtain.exe curtain_libretro.so player.html; do
+        echo "755 build/players/$player $data/players/$player"
+    done
+}
+
 # What desktops look up is made anew: here, and not where a package is made, whose installation does it.
 look_up() {
     [ -z "${DESTDIR:-}" ] || return 0
@@ -58,8 +65,9 @@ install)
         list
         [ ! -e build/curtain_libretro.so ] || list_library
         [ ! -e build/web/player.html ] || list_web
+        list_players
     } | while read -r mode file target; do
-        [ "$file" != build/curtain.html ] || [ -e "$file" ] || continue
+        case $file in build/curtain.html | build/players/*) [ -e "$file" ] || continue ;; esac
         install -d "$root/${target%/*}"
         install -m "$mode" "$file" "$root/$target"
     done
@@ -73,6 +81,7 @@ uninstall)
         list
         list_library
         list_web
+        list_players
     } | while read -r mode file target; do
         rm -f "$root/$target"
     done

@@ -30,6 +30,9 @@ printf '<meta name="generator" content="Curtain, core %s">@TITLE@ @ROM@' "$core"
 check 'with the player for browsers, once make web has made it' makes install DESTDIR="$scratch/root" PREFIX=/usr
 check 'of which the installed program makes a page' \
     "$installed" export roms/testcard --web -o "$scratch/page.html"
+mkdir -p "$tree/build/players" && echo player >"$tree/build/players/curtain-linux"
+check 'with the players that exist' makes install DESTDIR="$scratch/root" PREFIX=/usr
+same 'and no other' curtain-linux "$(ls "$share/players")"
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
 check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/docs/guide/03-bullets.md"

@@ -34,6 +34,7 @@ mutants   tests/nightly.sh          fuzz mutants"
 nightly   tests/house/targets.sh    tests/nightly.sh none
 bulletml  tests/nightly.sh          build/release/bulletml
 play      .ci/run                   make play
+players   Makefile                  --no-print-directory players
 ports     tests/nightly.sh          library ports
 test      .ci/run                   make test
 torture   tests/nightly.sh          torture screens
