@@ -77,9 +77,31 @@ static void what_is_loaded(void **state)
     free(file);
 }
 
+/* A file for a 32-bit, big-endian machine: its header, two segments, and the table of sections behind them. */
+static void what_is_loaded_elsewhere(void **state)
+{
+    uint8_t file[512] = {
+        0x7f, 'E', 'L', 'F', 1, 2, 1, [31] = 52, [34] = 1, [35] = 0x80, [43] = 32, [45] = 2, [49] = 3
+    };
+
+    (void)state;
+    file[52 + 7] = 52, file[52 + 19] = 64;  /* the headers */
+    file[84 + 6] = 1, file[84 + 19] = 0x11; /* 17 bytes from 256 on */
+    assert_int_equal(image_trim(file, sizeof file), 273);
+    assert_true(file[34] == 0 && file[35] == 0 && file[49] == 0);
+    assert_int_equal(image_trim(file, 272), 272); /* the second one is cut short */
+    file[45] = 20;                                /* the table of segments is */
+    assert_int_equal(image_trim(file, sizeof file), sizeof file);
+    file[45] = 2, file[43] = 56;
+    assert_int_equal(image_trim(file, sizeof file), sizeof file);
+    file[43] = 32, file[4] = 3;
+    assert_int_equal(image_trim(file, sizeof file), sizeof file);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(one_mark_is_found), cmocka_unit_test(what_is_loaded) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(one_mark_is_found), cmocka_unit_test(what_is_loaded),
+                                        cmocka_unit_test(what_is_loaded_elsewhere) };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

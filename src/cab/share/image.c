@@ -4,66 +4,44 @@
  */
 #include "image.h"
 
-#if defined __ELF__ && defined __has_include /* wasi has the header, and not what it includes */
-#if __has_include(<elf.h>)
-#define HAS_ELF
-#include <elf.h>
 #include <stdbool.h>
 #include <string.h>
-#endif
-#endif
 
-#ifdef HAS_ELF
+/* Where the fields are, and their size; the System V ABI, "Object Files". */
+static const struct layout {
+    int word;                                  /* bytes of an offset */
+    int phoff, shoff, phentsize, phnum, shnum; /* of the file's header; shstrndx is behind shnum */
+    int segment, offset, filesz;               /* of a program header: its bytes, and fields */
+} layouts[] = { { 4, 28, 32, 42, 44, 48, 32, 4, 16 }, { 8, 32, 40, 54, 56, 60, 56, 8, 32 } };
 
-#if UINTPTR_MAX > 0xffffffffu
-typedef Elf64_Ehdr elf_header;
-typedef Elf64_Phdr elf_piece;
-enum { CLASS = ELFCLASS64 };
-#else
-typedef Elf32_Ehdr elf_header;
-typedef Elf32_Phdr elf_piece;
-enum { CLASS = ELFCLASS32 };
-#endif
-
-static bool ours(const elf_header *h)
+static uint64_t get(const uint8_t *p, int n, bool big_endian)
 {
-    const uint16_t one = 1;
-    const int order = *(const uint8_t *)&one ? ELFDATA2LSB : ELFDATA2MSB;
+    uint64_t v = 0;
 
-    return memcmp(h->e_ident, ELFMAG, SELFMAG) == 0 && h->e_ident[EI_CLASS] == CLASS && h->e_ident[EI_DATA] == order &&
-           h->e_phentsize == sizeof(elf_piece);
+    for (int i = 0; i < n; i++)
+        v |= (uint64_t)p[i] << 8 * (big_endian ? n - 1 - i : i);
+    return v;
 }
 
 size_t image_trim(uint8_t *file, size_t size)
 {
-    elf_header h;
-    elf_piece p;
-    size_t end;
+    enum { CLASS = 4, ORDER = 5 }; /* 1: 32 bits, 2: 64 bits; 1: little-endian, 2: big-endian */
 
-    if (size < sizeof h)
+    if (size < 64 || memcmp(file, "\177ELF", 4) != 0 || (file[CLASS] - 1) >> 1 || (file[ORDER] - 1) >> 1)
         return size;
-    memcpy(&h, file, sizeof h);
-    end = (size_t)h.e_phoff + (size_t)h.e_phnum * sizeof p;
-    if (!ours(&h) || h.e_phoff > size || end > size)
+    const struct layout *l = &layouts[file[CLASS] - 1];
+    const bool big = file[ORDER] == 2;
+    const uint64_t at = get(file + l->phoff, l->word, big), n = get(file + l->phnum, 2, big);
+    if (get(file + l->phentsize, 2, big) != (uint64_t)l->segment || at > size || n * (uint64_t)l->segment > size - at)
         return size;
-    for (unsigned i = 0; i < h.e_phnum; i++) {
-        memcpy(&p, file + h.e_phoff + i * sizeof p, sizeof p);
-        if (p.p_offset > size || p.p_filesz > size - p.p_offset)
+    uint64_t end = at + n * (uint64_t)l->segment;
+    for (const uint8_t *p = file + at; p < file + at + n * (uint64_t)l->segment; p += l->segment) {
+        const uint64_t from = get(p + l->offset, l->word, big), bytes = get(p + l->filesz, l->word, big);
+        if (from > size || bytes > size - from)
             return size;
-        end = p.p_offset + p.p_filesz > end ? (size_t)(p.p_offset + p.p_filesz) : end;
+        end = from + bytes > end ? from + bytes : end;
     }
-    h.e_shoff = 0;
-    h.e_shnum = h.e_shstrndx = 0;
-    memcpy(file, &h, sizeof h);
-    return end;
+    memset(file + l->shoff, 0, (size_t)l->word);
+    memset(file + l->shnum, 0, 4);
+    return (size_t)end;
 }
-
-#else
-
-size_t image_trim(uint8_t *file, size_t size)
-{
-    (void)file;
-    return size;
-}
-
-#endif

@@ -8,8 +8,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How many bytes of the file are needed, from its beginning on. Of ELF files of this machine all that is behind the
- * last piece that is loaded is taken off, and the header says so; other files are left as they are. */
+/* How many bytes from the beginning of the file are needed. Of an ELF file, of any machine, all that is behind the last
+ * segment is cut off, and the header says so; other files are left as they are. */
 size_t image_trim(uint8_t *file, size_t size);
 
 #endif
