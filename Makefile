@@ -313,12 +313,12 @@ $(OUT)/libcurtain.a: $(LIB_OBJ)
 # Each port's test: build and play it where it is at home. ARGS="libretro web": these, of the others what they said last.
 ports: deps-play-test-ports-web-firefox-windows-players
 	@$(MAKE) --no-print-directory -j2 $(OUT)/curtain $(OUT)/curtain-null $(OUT)/curtain-bare $(OUT)/libcurtain.a \
-		$(OUT)/libcurtain.so $(OUT)/curtain_libretro.so $(OUT)/need $(OUT)/libspeed $(WEB)/player.html build/curtain build/curtain-null
+		$(OUT)/libcurtain.so $(OUT)/need $(OUT)/libspeed build/curtain build/curtain-null
 	@$(MAKE) --no-print-directory players
 	@OUT=$(OUT) tools/ports/ports.sh $(ARGS)
 
 library: say-null
-	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so
+	@$(MAKE) --no-print-directory build/libcurtain.a build/libcurtain.so build/curtain.pc build/curtain_libretro.so build/players/curtain_libretro.so
 build/libcurtain.a build/libcurtain.so build/curtain_libretro.so: build/%: $(OUT)/%
 	@cp $< $@
 VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host/version.h)
@@ -364,9 +364,17 @@ $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
 	$(Q)OUT=$(OUT) ports/web/build.sh $(WEB)/core.wasm $@
 
+# Players are in one folder, where the programs of build/ look for them, and by a link those of build/NAME.
+build/players/player.html: $(WEB)/player.html
+build/players/curtain_libretro.so: $(OUT)/curtain_libretro.so
+build/players/%:
+	@mkdir -p $(@D)
+	@ln -sfn ../players $(OUT)/players
+	@cp $^ $@
+
 # One file with a game inside: make web GAME=DIR.
 web: say-null-web
-	@$(MAKE) --no-print-directory $(OUT)/curtain-bare $(WEB)/player.html
+	@$(MAKE) --no-print-directory $(OUT)/curtain-bare build/players/player.html
 	@$(OUT)/curtain-bare export $(GAME) --web -o $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
@@ -434,7 +442,8 @@ programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT
           $(UNIT) $(MACHINE)
 
 test: deps-play-test-ports-web
-	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs tools $(WEB)/player.html
+	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs tools build/players/player.html \
+		build/players/curtain_libretro.so
 	@OUT=$(OUT) tests/run.sh
 
 torture: deps-play-test

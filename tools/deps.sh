@@ -65,6 +65,7 @@ for what; do
         have git || need git
         have nm || need binutils
         have jq || need jq
+        have unzip || need unzip
         have pgrep || need procps
         have clang || need clang
         ls /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.msan-* >/dev/null 2>&1 || need libclang-rt-14-dev
@@ -160,6 +161,8 @@ for what; do
     windows)
         have x86_64-w64-mingw32-gcc || need gcc-mingw-w64-x86-64
         [ -e /usr/lib/wine/wine64 ] || need wine64
+        have osslsigncode || need osslsigncode
+        have openssl || need openssl
         have dpkg-source || need dpkg-dev
         have xz || need xz-utils
         have python3 || need python3

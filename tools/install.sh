@@ -4,8 +4,8 @@
 #     DESTDIR=... PREFIX=/usr/local tools/install.sh install|uninstall
 #
 # One list serves both. What others have put into the folders stays, and so do folders that are not Curtain's own. The
-# documents as one file are there after `make docs` only, the library after `make library`, the player that
-# `curtain export --web` makes pages of after `make web`, the players for other systems after `make players`.
+# documents as one file are there after `make docs` only, the library after `make library`, the players that exports are
+# copies of after `make players`, or `make web` for browsers alone.
 set -eu
 cd "$(dirname "$0")/.."
 root=${DESTDIR:-}${PREFIX:-/usr/local}
@@ -38,12 +38,7 @@ list_library() {
     echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
 }
 
-# What make web made.
-list_web() {
-    echo "644 build/web/player.html $data/player.html"
-}
-
-# What make players made; those that exist are installed.
+# Those that make players made, make web or make library.
 list_players() {
     for player in curtain-linux curtain.exe curtain_libretro.so player.html; do
         echo "755 build/players/$player $data/players/$player"
@@ -64,7 +59,6 @@ install)
     {
         list
         [ ! -e build/curtain_libretro.so ] || list_library
-        [ ! -e build/web/player.html ] || list_web
         list_players
     } | while read -r mode file target; do
         case $file in build/curtain.html | build/players/*) [ -e "$file" ] || continue ;; esac
@@ -80,7 +74,6 @@ uninstall)
     {
         list
         list_library
-        list_web
         list_players
     } | while read -r mode file target; do
         rm -f "$root/$target"

@@ -129,9 +129,7 @@ enum result command_export(const struct args *a)
                                       .nearest = a->nearest,
                                       .keys = a->keys,
                                       .desktop = a->desktop,
-                                      .kind = a->web        ? EXPORT_PAGE
-                                              : a->libretro ? EXPORT_CORE
-                                                            : EXPORT_PROGRAM,
+                                      .kind = a->all ? EXPORT_ALL : (enum export_kind)a->export,
                                       .builtin = builtin_rom,
                                       .builtin_size = builtin_rom_size };
 

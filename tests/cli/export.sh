@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # export.sh - `curtain export`: one file that is the game, whatever it is called and however it is started; its name,
-# folders and icon; what it does not do; and what becomes of one that is damaged, cut short, or may not be read.
+# folders and icon; what it does not do; and what becomes of one that is damaged, cut short, or may not be read. The
+# same for other systems, of players; and a zip file of each.
 . "$(dirname "$0")/../tap.sh"
 sandbox
 export SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy
@@ -176,23 +177,30 @@ bad 'beside files of somebody' 'new.png: already exists; remove it, or choose an
     export lanterns -o "$(touch new.png && echo new)" --desktop
 check '... and nothing was written' test ! -e new
 
-# ---- pages and cores: what they are made of stands beside the program, or in its installation ----
+# ---- for other systems: players are next to the program, or in its installation ----
 
-mkdir -p tree/bin tree/share/curtain tree/lib/libretro
+mkdir -p tree/bin tree/share/curtain/players
 cp "$null" tree/bin/curtain-null
 tool=$PWD/tree/bin/curtain-null
+players=$PWD/tree/share/curtain/players
 bad() { # NAME LINE ARGUMENT...: of that program
     local name=$1 line=$2
     shift 2
     says "$name" 2 "curtain: $line" "$tool" "$@"
 }
-bad 'no player' "export: player.html is not next to this program or in its installed share/curtain; run \`make web\` \
-in Curtain's source tree" export lanterns --web
-bad 'no core' "export: curtain_libretro.so is not next to this program or in its installed lib/libretro; run \
-\`make library\` in Curtain's source tree" export lanterns --libretro
-check '... and nothing was written' test ! -e lanterns.html -a ! -e lanterns_libretro.so
+while read -r option player; do
+    bad "no player: $option" "export: $player is not in the folder players next to this program or in its installed \
+share/curtain/players; run \`make players\` in Curtain's source tree" export lanterns "--$option" -o "new.so"
+done <<'END'
+linux curtain-linux
+windows curtain.exe
+web player.html
+libretro curtain_libretro.so
+all curtain-linux
+END
+check '... and nothing was written' test ! -e new.so
 version=$("$tool" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
-player=$PWD/tree/share/curtain/player.html
+player=$players/player.html
 page() { # CORE [ROM-MARK]
     printf '<meta name="generator" content="Curtain, core %s">\n<title>@TITLE@</title>\n<h1>@TITLE@</h1>\n' "$1"
     printf '<script>%s</script>\n@ROM' "${2-@ROM@}"
@@ -213,17 +221,17 @@ bad 'what is none is not' 'mine.html: already exists and is not an exported page
 bad 'nor is a program' 'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
 bad 'a player of another core version' \
-    "$player: has core version $((version + 1)), this program has $version; rebuild it with make web" \
+    "$player: has core version $((version + 1)), this program has $version; rebuild it with make players" \
     export lanterns --web -o new.html
 for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
     printf '%s' "$wrong" >"$player"
-    bad "what is no player: ${#wrong} bytes" "$player: not a player that can hold a game; build one with make web" \
+    bad "what is no player: ${#wrong} bytes" "$player: not a player that can hold a game; build one with make players" \
         export lanterns --web -o new.html
 done
 check '... and nothing was written' test ! -e new.html
 
-cp "$OUT/curtain_libretro.so" tree/lib/libretro/ || not_ok 'the core is there'
-core=$PWD/tree/lib/libretro/curtain_libretro.so
+cp "$OUT/curtain_libretro.so" "$players" || not_ok 'the core is there'
+core=$players/curtain_libretro.so
 says 'a core is made' 0 '' "$tool" export lanterns --libretro
 same 'and what front ends read of it' 'display_name = "Sun & <Sea> @ROM@"
 supports_no_game = "true"
@@ -251,7 +259,7 @@ bad 'what is none is not replaced' 'run.demo.so: already exists and is not an ex
 bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \
     export lanterns --libretro -o lanterns.core
 head -c 5000 "$OUT/curtain_libretro.so" >"$core"
-bad 'a core that is none' "$core: not a core that can hold a game; build one with make library" \
+bad 'a core that is none' "$core: not a player that can hold a game; build one with make players" \
     export lanterns --libretro -o new.so
 python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
 import sys
@@ -260,13 +268,227 @@ b[b.index(b"<a game may stand behind curtain") + 60] += 1
 open(sys.argv[2], "wb").write(b)
 END
 bad 'a core of another core version' \
-    "$core: has core version $((version + 1)), this program has $version; rebuild it with make library" \
+    "$core: has core version $((version + 1)), this program has $version; rebuild it with make players" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
-bad 'both at once' '--libretro cannot be combined with --web; run export twice' export lanterns --web --libretro
-bad 'a page with keys' '--keys cannot be combined with --web' export lanterns --web --keys
-bad 'a core with an entry' '--desktop cannot be combined with --libretro' export lanterns --libretro --desktop
+while read -r line; do
+    read -ra options <<<"$line"
+    bad "$line" "${options[1]} cannot be combined with ${options[0]}" export lanterns "${options[@]}"
+done <<'END'
+--web --libretro
+--linux --windows
+--linux --web
+--windows --libretro
+--all --linux
+--all --windows
+--all --web
+--all --libretro
+--web --keys
+--libretro --keys
+--all --keys
+--windows --desktop
+--web --desktop
+--libretro --desktop
+--all --desktop
+END
 bad 'an option of it elsewhere' '--web does not work with pack (only with export)' pack lanterns --web
 says 'where nothing can be written' 3 'curtain: /proc/none/a.html: cannot be written (No such file or directory)' \
     "$tool" export lanterns --web -o "$(page "$version" >"$player"; echo /proc/none/a.html)"
+
+# ---- Linux: the player is a copy of the program here ----
+
+cp "$OUT/curtain" "$players/curtain-linux"
+sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
+says 'a program for Linux, by a program without a window too' 0 '' "$tool" export lanterns --linux -o other
+check 'is the game' is_game ./other
+says 'and plays it' 0 '' ./other --demo run.demo --mute
+says 'a program is replaced' 0 '' "$tool" export lanterns --linux -o game
+same 'the same bytes' "$(cksum <other)" "$(cksum <game)"
+"$tool" export lanterns --linux --keys --desktop -o full
+check 'with --keys it has all commands' ./full hash --frames 1
+check 'with --desktop an entry' desktop-file-validate full.desktop
+mkdir tree/bin/players
+cp "$player" tree/bin/players/curtain-linux
+bad 'a player next to the program is the one used' \
+    "$PWD/tree/bin/players/curtain-linux: not a player that can hold a game; build one with make players" \
+    export lanterns --linux -o new
+rm -r tree/bin/players
+
+# ---- Windows: what is changed in the file, of a small one; tests/windows.sh runs a whole one ----
+
+exe=$players/curtain.exe
+pe() { python3 "$repo/tests/cli/pe_$1.py" "${@:2}"; }
+pe make "$exe" "$version"
+sed -i 's/title = "[^"]*"/title = "Lanterns ☂𝄞"/' lanterns/rom.lua
+says 'a program for Windows' 0 '' "$tool" export lanterns --windows
+same 'has sections, resources and a version as it should' 'sections .text .unused .reloc .rsrc
+resources 3/1 3/2 3/3 3/4 14/1 16/1 24/1
+version 0 1 0 0 1 0 0 0
+CompanyName: You
+FileDescription: Lanterns ☂𝄞
+FileVersion: 0.1.0
+InternalName: lanterns
+OriginalFilename: lanterns.exe
+ProductName: Lanterns ☂𝄞
+ProductVersion: 1
+Comments: Made with Curtain 0.1.0
+translation 4b00409' "$(pe read lanterns.exe)"
+same 'the manifest is the old one' '<assembly>a manifest</assembly>' "$(pe read lanterns.exe 24 1)"
+check 'an icon for Windows to read' eval 'pe read lanterns.exe icon >of.ico'
+same '... of four sizes' '16x16 32x32 48x48 256x256' "$(identify -format '%wx%h ' of.ico | sed 's/ $//')"
+convert 'of.ico[2]' -alpha extract -format '%[fx:mean>0.1&&mean<0.9]' info: >mean
+same '... with a picture on nothing' 1 "$(cat mean)"
+for old in 'old icon' 'old version' 'signature, names'; do
+    check "nothing is left of the player's: $old" not_here "$old" lanterns.exe
+    refuse 'planted: in the player it is' '' bash -c "! grep -aq '$old' '$exe' || { echo is there; false; }"
+done
+in_exe() { # FILE: the ROM in it, where its mark says
+    python3 - "$1" <<'END'
+import struct, sys
+b = open(sys.argv[1], "rb").read()
+at, size = struct.unpack_from("<QQ", b, b.index(b"<a game may stand behind curtain") + 40)
+assert at % 16 == 0 and at + size == len(b), (at, size, len(b))
+sys.stdout.buffer.write(b[at:])
+END
+}
+"$tool" pack lanterns -o lanterns.rom
+check 'the game is behind it, where the mark says' cmp <(in_exe lanterns.exe) lanterns.rom
+check 'in an export for Linux too' cmp <("$tool" export lanterns --linux -o game && in_exe game) lanterns.rom
+says 'again, by another name' 0 '' "$tool" export lanterns --windows -o other.exe
+check 'the bytes are the same' cmp lanterns.exe other.exe
+cp -r lanterns plainer
+sed -i 's/, icon = "ship"//; s/ author = "You"//; s/,,/,/' plainer/rom.lua
+"$tool" export plainer --windows -o plainer.exe
+same 'without an icon and author: the icon is the old one' "$(pe read lanterns.exe 24 1)
+$(printf 'old icon%.0s' 1 2 3 4 5 6 7 8 9)
+resources 3/1 14/1 16/1 24/1" "$(pe read plainer.exe 24 1; echo; pe read plainer.exe 3 1; echo; pe read plainer.exe |
+    sed -n 2p)"
+same '... and there is no company' '' "$(pe read plainer.exe | grep Company)"
+python3 - lanterns.exe <<'END'
+import struct, sys
+whole = open(sys.argv[1], "rb").read()
+optional = 128 + 24
+for name, at in (("time", 128 + 8), ("memory", optional + 57), ("checksum", optional + 64),
+                 ("signature", optional + 144), ("resources", optional + 129)):
+    b = bytearray(whole)
+    b[at] ^= 16
+    open("spoiled-%s.exe" % name, "wb").write(b)
+END
+for fault in time:'has a time' memory:'size in memory' checksum:'a checksum' signature:'a signature' resources:''; do
+    refuse "planted: ${fault%%:*}" "${fault#*:}" pe read "spoiled-${fault%%:*}.exe"
+done
+not_windows='not a program for Windows on x86-64 with room for another section'
+echo MZ >spoiled && head -c 100 /dev/zero >>spoiled && cp "$exe" whole.exe && cp spoiled "$exe"
+bad 'a player that is no program' "$exe: $not_windows" export lanterns --windows -o new.exe
+python3 - whole.exe "$exe" <<'END'
+import sys
+b = bytearray(open(sys.argv[1], "rb").read())
+b[128 + 24 + 60:128 + 24 + 64] = (128 + 24 + 240 + 3 * 40).to_bytes(4, "little")
+open(sys.argv[2], "wb").write(b)
+END
+bad 'one whose header is full' "$exe: $not_windows" export lanterns --windows -o new.exe
+cp whole.exe "$exe"
+check 'damaged ones are refused with a sentence' pe spoil "$tool" lanterns "$exe" 100
+pe make "$exe" $((version + 1))
+bad 'one of another core version' \
+    "$exe: has core version $((version + 1)), this program has $version; rebuild it with make players" \
+    export lanterns --windows -o new.exe
+check '... and nothing was written' test ! -e new.exe
+pe make "$exe" "$version"
+
+# ---- a zip file of each ----
+
+cp "$OUT/curtain_libretro.so" "$core"
+sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
+mv "$player" away
+bad 'a zip of each, and a player is missing' "export: player.html is not in the folder players next to this program or \
+in its installed share/curtain/players; run \`make players\` in Curtain's source tree" export lanterns --all
+check '... and nothing was written' test ! -e lanterns-exports
+mv away "$player"
+says 'a zip of each' 0 '' "$tool" export lanterns --all
+same 'in a folder of the id' 'lanterns-libretro.zip lanterns-linux.zip lanterns-web.zip lanterns-windows.zip' \
+    "$(cd lanterns-exports && echo *)"
+list() { # ZIP: mode, name, date of each file, as Python reads it, after a look at all bytes
+    python3 - "$1" <<'END'
+import sys, zipfile
+z = zipfile.ZipFile(sys.argv[1])
+assert z.testzip() is None
+for i in z.infolist():
+    assert i.date_time == (1980, 1, 1, 0, 0, 0) and i.create_system == 3 and i.flag_bits == 1 << 11
+    print("%o %s" % (i.external_attr >> 16, i.filename))
+END
+}
+of_all() { # KIND FILES: what is in its zip
+    local zip=lanterns-exports/lanterns-$1.zip
+    same "$1: its files" "$2
+100644 README.txt
+100644 licences.txt" "$(list "$zip")"
+    check '... are as unzip wants them' unzip -tqq "$zip"
+    mkdir "of-$1" && unzip -qq "$zip" -d "of-$1"
+}
+of_all linux '100755 lanterns'
+of_all windows '100755 lanterns.exe'
+of_all web '100644 index.html'
+of_all libretro '100644 lanterns_libretro.so
+100644 lanterns_libretro.info'
+check 'planted: a byte is another' python3 - lanterns-exports/lanterns-web.zip <<'END'
+import sys
+b = bytearray(open(sys.argv[1], "rb").read())
+b[2000] ^= 1
+open("bad.zip", "wb").write(b)
+END
+refuse '... which Python sees' Error list bad.zip
+refuse '... and unzip' 'bad CRC' unzip -tqq bad.zip
+check 'the program for Linux runs, unpacked' is_game of-linux/lanterns
+for pair in linux:lanterns windows:lanterns.exe web:index.html libretro:lanterns_libretro.so; do
+    "$tool" export lanterns "--${pair%:*}" -o one.so
+    check "${pair%:*}: what is exported alone" cmp one.so "of-${pair%:*}/${pair#*:}"
+    rm one.so
+done
+check '... and the core is described' cmp one.info of-libretro/lanterns_libretro.info
+lines() { # FOLDER FILE: of how many lines how many end in CR LF
+    echo "$2 $(grep -c '' "$1/$2") $(grep -c $'\r$' "$1/$2")"
+}
+for kind in linux windows web libretro; do
+    for text in README.txt licences.txt; do
+        n=$(grep -c '' "of-$kind/$text")
+        same "$kind: ends of lines" "$text $n $([ $kind = windows ] && echo "$n" || echo 0)" "$(lines "of-$kind" $text)"
+        check '... which are short' awk 'length > 121 { exit 1 }' "of-$kind/$text"
+    done
+    same "$kind: whose game it is" 'Paper \ Lanterns
+by You' "$(head -n 2 of-$kind/README.txt | tr -d '\r')"
+    check '... in UTF-8' iconv -f utf-8 -t utf-16 -o /dev/null "of-$kind/README.txt"
+done
+keys() { sed -n '/^KEYS/,/^SCORES/p' "$1" | tr -d '\r'; }
+same 'the keys for Windows are those for Linux' "$(keys of-linux/README.txt)" "$(keys of-windows/README.txt)"
+for name in fire bomb focus special start select; do
+    "$null" help play | sed -n "s/^  p1\.$name  *\([^ ]*\) .*/\1/p" >key
+    check "the key of $name is the default one: $(cat key)" grep -qE "^  $(cat key)(,| )" of-linux/README.txt
+done
+check 'one player: no keys of another' bash -c '! grep -q "Player 2" of-linux/README.txt'
+settings=$(./game help config | sed -n "s,^ *$XDG_DATA_HOME/\(.*\)/curtain.conf$,\1,p")
+for kind in linux windows; do
+    same "$kind: where files are" 2 "$(grep -c "[/\\]$settings" "of-$kind/README.txt")"
+done
+for notice in Lua.org 'Sam Lantinga' 'mingw-w64 project' 'Rich Felker' 'The Curtain authors'; do
+    check "licences: $notice" grep -q "$notice" of-linux/licences.txt
+done
+"$curtain" licences --full | sed -n '/^Permission/,/^IN THE/p' | sed '/^IN THE/q' >mit
+check 'and the words are those that licences --full prints' bash -c '[[ $(<of-web/licences.txt) == *"$(<mit)"* ]]'
+cp -r lanterns-exports then
+says 'zip files are replaced' 0 '' "$tool" export lanterns --all -o lanterns-exports
+check '... by the same bytes' diff -r then lanterns-exports
+(cd lanterns && zip -q ../foreign.zip rom.lua) 2>/dev/null || python3 -m zipfile -c foreign.zip lanterns/rom.lua
+cp foreign.zip lanterns-exports/lanterns-web.zip
+rm lanterns-exports/lanterns-linux.zip
+bad 'but not those of others' \
+    'lanterns-exports/lanterns-web.zip: already exists and is not an exported zip file; remove it first' \
+    export lanterns --all
+check '... and nothing was written' test ! -e lanterns-exports/lanterns-linux.zip
+says 'where nothing can be written' 3 \
+    'curtain: /proc/none/lanterns-linux.zip: cannot be written (No such file or directory)' \
+    "$tool" export lanterns --all -o /proc/none
+sed -i 's/return {/return { players = 2,/' lanterns/rom.lua
+"$tool" export lanterns --all -o two
+check 'two players: the keys of both' grep -q '^Player 2:' <(unzip -p two/lanterns-linux.zip README.txt)
 finish

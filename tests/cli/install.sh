@@ -24,15 +24,15 @@ check 'and with it, once make docs has made it' makes install DESTDIR="$scratch/
 check 'it is beside the pages' cmp "$tree/build/curtain.html" "$scratch/root/usr/share/doc/curtain/curtain.html"
 share=$scratch/root/usr/share/curtain
 installed=$scratch/root/usr/bin/curtain-null
-mkdir -p "$tree/build/web"
+mkdir -p "$tree/build/players"
 core=$("$installed" version | sed -n '1s/.*(core \([0-9]*\),.*/\1/p')
-printf '<meta name="generator" content="Curtain, core %s">@TITLE@ @ROM@' "$core" >"$tree/build/web/player.html"
+printf '<meta name="generator" content="Curtain, core %s">@TITLE@ @ROM@' "$core" >"$tree/build/players/player.html"
 check 'with the player for browsers, once make web has made it' makes install DESTDIR="$scratch/root" PREFIX=/usr
 check 'of which the installed program makes a page' \
     "$installed" export roms/testcard --web -o "$scratch/page.html"
-mkdir -p "$tree/build/players" && echo player >"$tree/build/players/curtain-linux"
+echo player >"$tree/build/players/curtain-linux"
 check 'with the players that exist' makes install DESTDIR="$scratch/root" PREFIX=/usr
-same 'and no other' curtain-linux "$(ls "$share/players")"
+same 'and no other' 'curtain-linux player.html' "$(echo $(ls "$share/players"))"
 check 'the program is there' "$installed" version
 check 'so is the one with a window' test -x "$scratch/root/usr/bin/curtain"
 check 'so are the documents' test -s "$scratch/root/usr/share/doc/curtain/docs/guide/03-bullets.md"

@@ -15,6 +15,7 @@
 #include "../../platform/platform.h"
 #include "../../src/base/pads.h"
 #include "../../src/cab/line/args.h"
+#include "../../src/cab/share/export.h"
 #include "../../src/cab/cli.h"
 #include "../../src/cab/host/version.h"
 #include "../temp.h"
@@ -81,7 +82,11 @@ static void test_commands(void **state)
     assert_int_equal(a.command, COMMAND_NEW);
     assert_string_equal(a.from, "first");
     reads("export game -o g --keys --desktop");
-    assert_true(a.command == COMMAND_EXPORT && a.keys && a.desktop && !a.full);
+    assert_true(a.command == COMMAND_EXPORT && a.keys && a.desktop && !a.full && a.export == EXPORT_PROGRAM);
+    reads("export game --windows");
+    assert_int_equal(a.export, EXPORT_WINDOWS);
+    reads("export game --all -o folder");
+    assert_true(a.all && a.export == EXPORT_PROGRAM);
     reads("bulletml a.xml b.xml --lua");
     assert_true(a.command == COMMAND_BULLETML && a.lua && a.n_words == 2);
     refuses("play game --lua", "--lua does not work with play (only with bulletml)");
@@ -297,6 +302,9 @@ static void test_misfits(void **state)
     refuses("verify g", "verify: expected ROM DEMO... (see curtain help verify)");
     refuses("export", "export: expected ROM (see curtain help export)");
     refuses("export g --full", "--full does not work with export (only with licences)");
+    refuses("export g --web --linux", "--web cannot be combined with --linux");
+    refuses("export g --all --keys", "--keys cannot be combined with --all");
+    refuses("survive g --all --linux", "--linux does not work with survive (only with export)");
     refuses("pack g --desktop", "--desktop does not work with pack (only with export)");
     refuses("licences --keys", "--keys does not work with licences (only with export)");
     refuses("licences g", "licences: unexpected argument \"g\" (see curtain help licences)");
@@ -341,9 +349,18 @@ static void collect(const char *line)
 }
 
 /* Help comes from the tables: whatever a command takes is in its help, and nothing else. */
+/* No line of help is cut short. */
+static void is_whole(const char *line)
+{
+    assert_true(strlen(line) < 600);
+}
+
 static void test_help_text(void **state)
 {
     (void)state;
+    args_help(-1, is_whole);
+    for (int i = 0; i < COMMANDS; i++)
+        args_help(i, is_whole);
     help[0] = 0;
     args_help(COMMAND_HASH, collect);
     assert_non_null(strstr(help, "--every N"));

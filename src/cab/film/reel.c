@@ -3,6 +3,8 @@
  */
 #include "reel.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,6 +45,22 @@ void reel_byte(struct reel *r, uint8_t byte)
         r->bytes[r->n++] = byte;
     else
         reel_put(r, &byte, 1);
+}
+
+void reel_print(struct reel *r, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    const int n = vsnprintf(NULL, 0, format, args);
+    va_end(args);
+    char *to = n < 0 ? NULL : (char *)reel_take(r, (size_t)n + 1);
+    if (!to)
+        return;
+    va_start(args, format);
+    vsnprintf(to, (size_t)n + 1, format, args);
+    va_end(args);
+    r->n--;
 }
 
 void reel_close(struct reel *r)

@@ -1,5 +1,5 @@
 /*
- * reel.h - bytes of a film in the making: a buffer that grows.
+ * reel.h - bytes of a file in the making: a buffer that grows.
  * floor: cab
  */
 #ifndef CAB_REEL_H
@@ -23,6 +23,9 @@ uint8_t *reel_take(struct reel *r, size_t n);
 
 void reel_put(struct reel *r, const void *bytes, size_t n);
 void reel_byte(struct reel *r, uint8_t byte);
+
+/* Adds text as printf does, without its NUL. */
+void reel_print(struct reel *r, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Frees the bytes; harmless on zeroes, or twice. */
 void reel_close(struct reel *r);

@@ -48,8 +48,8 @@ static bool unknown_option(const char *word, size_t n, char *err, size_t err_siz
     return err_set(err, err_size, "unknown option %s (see curtain help)", name);
 }
 
-/* Reads the option argv[*i], and its value if it has one; adds its bit to *seen. */
-static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t *seen, char *err, size_t err_size)
+/* Reads the option argv[*i], and its value if it has one; sets its place in seen. */
+static bool read_option(struct args *a, int argc, char **argv, int *i, bool seen[OPTIONS], char *err, size_t err_size)
 {
     const char *word = argv[*i], *equals = strchr(word, '='), *value = NULL;
     size_t n = equals ? (size_t)(equals - word) : strlen(word);
@@ -64,9 +64,9 @@ static bool read_option(struct args *a, int argc, char **argv, int *i, uint64_t 
             return err_set(err, err_size, "%s: expected %s, got nothing", args_options[o].name, args_options[o].value);
         value = equals ? equals + 1 : argv[++*i];
     }
-    if (*seen >> o & 1 && !args_repeats(o))
+    if (seen[o] && !args_repeats(o))
         return err_set(err, err_size, "%s is given twice", args_options[o].name);
-    *seen |= args_bit(o);
+    seen[o] = true;
     return args_keep(a, o, value, err, err_size);
 }
 
@@ -94,7 +94,7 @@ static bool short_enough(int argc, char **argv, char *err, size_t err_size)
 
 bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_size)
 {
-    uint64_t seen = 0;
+    bool seen[OPTIONS] = { false };
     bool only_words = false;
 
     *a = (struct args){ .words = argv, .every = 1, .bank = -1, .machine = 1 };
@@ -107,13 +107,13 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
             only_words = true;
         else if (only_words || argv[i][0] != '-' || !argv[i][1])
             argv[a->n_words++] = argv[i];
-        else if (!read_option(a, argc, argv, &i, &seen, err, err_size))
+        else if (!read_option(a, argc, argv, &i, seen, err, err_size))
             return false;
     }
-    a->seeded = seen >> OPTION_SEED & 1;
-    if (seen >> OPTION_VERSION & 1)
+    a->seeded = seen[OPTION_SEED];
+    if (seen[OPTION_VERSION])
         return take_over(a, COMMAND_VERSION);
-    if (seen >> OPTION_HELP & 1)
+    if (seen[OPTION_HELP])
         return take_over(a, COMMAND_HELP);
     int command = a->n_words ? args_command(a->words[0]) : -1;
     if (command >= 0) {

@@ -85,7 +85,7 @@ struct args {
     bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
         play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap, keys, desktop, web, libretro, full, lua;
+    bool update, tap, keys, desktop, full, lua;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */
@@ -93,6 +93,7 @@ struct args {
     int machine;               /* of --slower: this machine's pace by its; 1: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
     int prints;                /* as enum demo_prints; 0: not given */
+    int export;                /* as enum export_kind */
     uint32_t every;            /* 1: not given */
     uint32_t effort;           /* 0: not given */
     int bots;                  /* the same */

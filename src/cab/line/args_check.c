@@ -18,30 +18,42 @@ static void goes_with(unsigned set_of, char *out, size_t size)
     }
 }
 
-/* Each of these makes another command of verify. */
-static bool check_verify(uint64_t seen, char *err, size_t err_size)
+/* At most one option of each list may be given. */
+static bool check_exclusive(const bool seen[OPTIONS], char *err, size_t err_size)
 {
-    static const enum option ways[] = { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD, OPTION_JSON };
-    const char *first = NULL;
+    static const struct {
+        int n;
+        enum option list[5];
+    } sets[] = {
+        { 4, { OPTION_BISECT, OPTION_RESTAMP, OPTION_RERECORD, OPTION_JSON } },
+        { 2, { OPTION_ANNOTATIONS, OPTION_LUACHECK } },
+        { 5, { OPTION_ALL, OPTION_LINUX, OPTION_WINDOWS, OPTION_WEB, OPTION_LIBRETRO } },
+        { 4, { OPTION_ALL, OPTION_WEB, OPTION_LIBRETRO, OPTION_KEYS } },
+        { 5, { OPTION_ALL, OPTION_WINDOWS, OPTION_WEB, OPTION_LIBRETRO, OPTION_DESKTOP } },
+    };
 
-    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
-        if (!(seen >> ways[i] & 1))
-            continue;
-        if (first)
-            return err_set(err, err_size, "%s cannot be combined with %s", args_options[ways[i]].name, first);
-        first = args_options[ways[i]].name;
+    for (size_t s = 0; s < sizeof sets / sizeof *sets; s++) {
+        const char *first = NULL;
+        for (int i = 0; i < sets[s].n; i++) {
+            const char *name = args_options[sets[s].list[i]].name;
+            if (!seen[sets[s].list[i]])
+                continue;
+            if (first)
+                return err_set(err, err_size, "%s cannot be combined with %s", name, first);
+            first = name;
+        }
     }
     return true;
 }
 
 /* A run that was left is gone on with as it was begun; JSON is of replays. */
-static bool check_pairs(const struct args *a, uint64_t seen, char *err, size_t err_size)
+static bool check_pairs(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     static const enum option others[] = { OPTION_NO_RESUME, OPTION_DEMO,       OPTION_SEED, OPTION_DIP,
                                           OPTION_STAGE,     OPTION_DIFFICULTY, OPTION_LANG };
 
     for (size_t i = 0; a->resume && i < sizeof others / sizeof others[0]; i++)
-        if (seen & args_bit(others[i]))
+        if (seen[others[i]])
             return err_set(err, err_size, "--resume cannot be combined with %s", args_options[others[i]].name);
     if (a->command == COMMAND_SURVIVE && a->all && a->map)
         return err_set(err, err_size, "--all cannot be combined with --map, which needs a single section");
@@ -73,20 +85,6 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-/* A page and a core are no programs. */
-static bool check_export(const struct args *a, char *err, size_t err_size)
-{
-    const char *is = a->web ? "--web" : "--libretro";
-
-    if (!a->web && !a->libretro)
-        return true;
-    if (a->web && a->libretro)
-        return err_set(err, err_size, "--libretro cannot be combined with --web; run export twice");
-    if (a->keys || a->desktop)
-        return err_set(err, err_size, "%s cannot be combined with %s", a->keys ? "--keys" : "--desktop", is);
-    return true;
-}
-
 /* Both are of the whole API; test scripts have one of their own. */
 static bool check_help(const struct args *a, char *err, size_t err_size)
 {
@@ -94,8 +92,6 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
 
     if (!a->annotations && !a->luacheck)
         return true;
-    if (a->annotations && a->luacheck)
-        return err_set(err, err_size, "--luacheck cannot be combined with --annotations");
     if (a->n_words == 1 && a->annotations && strcmp(a->words[0], "test") == 0)
         return true;
     if (a->n_words != 1 || strcmp(a->words[0], "lua") != 0)
@@ -103,37 +99,44 @@ static bool check_help(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-static bool check_options(const struct args *a, uint64_t seen, char *err, size_t err_size)
+static bool among(enum option o, const enum option *list, size_t n)
+{
+    while (n > 0 && list[n - 1] != o)
+        n--;
+    return n > 0;
+}
+
+static bool check_options(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     char with[160];
-    const uint64_t practice = args_bit(OPTION_LIVES) | args_bit(OPTION_REGISTER) | args_bit(OPTION_INVINCIBLE);
-    const uint64_t fixed = practice | args_bit(OPTION_SEED) | args_bit(OPTION_DIP) | args_bit(OPTION_STAGE) |
-                           args_bit(OPTION_DIFFICULTY) | args_bit(OPTION_LANG) | args_bit(OPTION_PRESS);
+    static const enum option fixed[] = { OPTION_LIVES, OPTION_REGISTER,   OPTION_INVINCIBLE, /* those of practice */
+                                         OPTION_SEED,  OPTION_DIP,        OPTION_STAGE,
+                                         OPTION_LANG,  OPTION_DIFFICULTY, OPTION_PRESS };
 
-    for (int o = 0; o < OPTIONS; o++) {
-        if (!(seen >> o & 1))
+    for (enum option o = 0; o < OPTIONS; o++) {
+        if (!seen[o])
             continue;
         if (!(args_options[o].commands >> a->command & 1)) {
             goes_with(args_options[o].commands, with, sizeof with);
             return err_set(err, err_size, "%s does not work with %s (only with %s)", args_options[o].name,
                            args_commands[a->command].name, with);
         }
-        if (a->demo && fixed >> o & 1)
+        if (a->demo && among(o, fixed, sizeof fixed / sizeof *fixed))
             return err_set(err, err_size, "%s cannot be combined with --demo: the demo sets it", args_options[o].name);
-        if (!a->stage && practice >> o & 1)
+        if (!a->stage && among(o, fixed, 3))
             return err_set(err, err_size, "%s needs --stage: it applies only to practice starts", args_options[o].name);
     }
-    return check_verify(seen, err, err_size) && check_pairs(a, seen, err, err_size);
+    return check_exclusive(seen, err, err_size) && check_pairs(a, seen, err, err_size);
 }
 
 /* A first word that is no command is play's ROM, unless the rest shows that it was meant to be one. */
-bool args_check_first(const struct args *a, uint64_t seen, char *err, size_t err_size)
+bool args_check_first(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     const char *word = a->words[0], *meant = args_near_command(word);
     bool fits = a->n_words == 1;
 
     for (int o = 0; o < OPTIONS; o++)
-        fits = fits && (!(seen >> o & 1) || args_options[o].commands & FOR_PLAY);
+        fits = fits && (!seen[o] || args_options[o].commands & FOR_PLAY);
     if (fits || (!meant && a->n_words == 1))
         return true;
     if (meant)
@@ -157,8 +160,8 @@ static bool check_words(const struct args *a, char *err, size_t err_size)
     return true;
 }
 
-bool args_check(const struct args *a, uint64_t seen, char *err, size_t err_size)
+bool args_check(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size)
 {
     return check_options(a, seen, err, err_size) && check_words(a, err, err_size) && check_sound(a, err, err_size) &&
-           check_export(a, err, err_size) && check_help(a, err, err_size);
+           check_help(a, err, err_size);
 }

@@ -5,9 +5,11 @@
 
 #include <stdio.h>
 
+enum { LINE = 640 }; /* bytes of the longest one */
+
 static void help_options(unsigned set_of, void (*line)(const char *))
 {
-    char text[320], name[48];
+    char text[LINE], name[48];
 
     for (int o = 0; o < OPTIONS; o++) {
         if (!(args_options[o].commands & set_of))
@@ -21,7 +23,7 @@ static void help_options(unsigned set_of, void (*line)(const char *))
 
 static void help_all(void (*line)(const char *))
 {
-    char text[320], name[48];
+    char text[LINE], name[48];
 
     line("curtain plays bullet-hell games. A ROM is a game's folder or a .rom file.");
     line("");
@@ -40,7 +42,7 @@ static void help_all(void (*line)(const char *))
 
 void args_help(int command, void (*line)(const char *))
 {
-    char text[320];
+    char text[LINE];
 
     if (command < 0) {
         help_all(line);

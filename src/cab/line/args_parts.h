@@ -94,6 +94,8 @@ enum option {
     OPTION_LUACHECK,
     OPTION_KEYS,
     OPTION_DESKTOP,
+    OPTION_LINUX,
+    OPTION_WINDOWS,
     OPTION_WEB,
     OPTION_LIBRETRO,
     OPTION_FULL,
@@ -108,6 +110,7 @@ enum option {
 enum keep {
     KEEP_NOTHING,
     KEEP_SWITCH,  /* bool: it was given */
+    KEEP_CHOICE,  /* int: `least` */
     KEEP_TEXT,    /* const char *: as typed, not empty */
     KEEP_WORD,    /* int: the place in `words` */
     KEEP_NUMBER,  /* of `size` bytes, from `least` to `most` */
@@ -141,12 +144,6 @@ struct option_row {
 extern const struct command_row args_commands[COMMANDS];
 extern const struct option_row args_options[OPTIONS];
 
-/* Options as a set: the bit of each stands at its number. */
-static inline uint64_t args_bit(enum option o)
-{
-    return (uint64_t)1 << o;
-}
-
 /* May it be given several times? */
 bool args_repeats(enum option o);
 
@@ -156,10 +153,10 @@ bool args_keep(struct args *a, enum option o, const char *value, char *err, size
 /* Reads "2" or "1/2" of --speed. */
 bool args_speed(struct args *a, const char *text, char *err, size_t err_size);
 
-/* Do the words and options that were given (`seen`: a set) belong together? Else false and one sentence. */
-bool args_check(const struct args *a, uint64_t seen, char *err, size_t err_size);
+/* Do the words and options that were given (seen[o]: option o was) belong together? Else false and one sentence. */
+bool args_check(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size);
 
 /* The same, of a first word that is no command. */
-bool args_check_first(const struct args *a, uint64_t seen, char *err, size_t err_size);
+bool args_check_first(const struct args *a, const bool seen[OPTIONS], char *err, size_t err_size);
 
 #endif

@@ -5,6 +5,7 @@
 
 #include "../demo/demo.h"
 #include "../host/views.h"
+#include "../share/export.h"
 
 const struct command_row args_commands[COMMANDS] = {
     [COMMAND_PLAY] = { "play", "[ROM]", 0, 1,
@@ -25,7 +26,8 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_LIST] = { "list", "ROM", 1, 1, "list the contents of a ROM" },
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM to a file in DIR" },
     [COMMAND_NEW] = { "new", "DIR", 1, 1, "create a folder with a complete game that you can change" },
-    [COMMAND_EXPORT] = { "export", "ROM", 1, 1, "make a standalone program, a single file with the game's name" },
+    [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
+                         "make a standalone program, a web page or a RetroArch core from a game" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "find mistakes in a game's folder: scripts, art, missing and unused files, Lua memory" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
@@ -59,6 +61,10 @@ const struct command_row args_commands[COMMANDS] = {
 #define SWITCH(field)                                                                                                  \
     {                                                                                                                  \
         .kind = KEEP_SWITCH, .at = FIELD(bool, field)                                                                  \
+    }
+#define CHOICE(field, value)                                                                                           \
+    {                                                                                                                  \
+        .kind = KEEP_CHOICE, .at = FIELD(int, field), .least = value                                                   \
     }
 #define TEXT(field)                                                                                                    \
     {                                                                                                                  \
@@ -149,11 +155,14 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_BANK] = { "--bank", "N", FOR_PALETTE, NUMBER(bank, 0, 15), "bank in the palette, 0 to 15" },
     [OPTION_OUT] = { "-o", "PATH", FOR_VIEW | FOR_PACK | FOR_EXPORT | FOR_SURVIVE | FOR_SOUND | FOR_PALETTE, TEXT(out),
                      "output. render: folder (default: the current one); capture: clip, or - for standard output; "
-                     "pack: ROM file; export: file; survive: demo (the picture gets the extension .png), or, with "
+                     "pack: ROM file; export: file, or, with --all, folder; survive: demo (the picture gets the "
+                     "extension .png), or, with "
                      "--all, a folder for both; sound: WAV file; palette: a palette (.png) or one bank (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship can be, frame by frame" },
-    [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE, SWITCH(all),
-                     "search every stage and boss phase at every difficulty, print a line for each, and report those "
+    [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE | FOR_EXPORT, SWITCH(all),
+                     "export: write the folder ID-exports with a zip file for each of --linux, --windows, --web and "
+                     "--libretro, with licences and a README for players; survive: search every stage and boss phase "
+                     "at every difficulty, print a line for each, and report those "
                      "that are harder at an easier difficulty; --stage and --difficulty limit the search" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
@@ -211,11 +220,15 @@ const struct option_row args_options[OPTIONS] = {
                       "render)" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
                          "also write a desktop menu entry, FILE.desktop and FILE.png" },
-    [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, SWITCH(web),
-                     "write an HTML file that plays the game in browsers, ID.html, instead of a program" },
-    [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, SWITCH(libretro),
-                          "write a core that contains the game, for RetroArch and other libretro players, instead of a "
-                          "program: ID_libretro.so and ID_libretro.info" },
+    [OPTION_LINUX] = { "--linux", NULL, FOR_EXPORT, CHOICE(export, EXPORT_LINUX),
+                       "write a program for x86-64 Linux, ID, whatever this system is" },
+    [OPTION_WINDOWS] = { "--windows", NULL, FOR_EXPORT, CHOICE(export, EXPORT_WINDOWS),
+                         "write a program for 64-bit Windows, ID.exe" },
+    [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, CHOICE(export, EXPORT_WEB),
+                     "write an HTML file that plays the game in browsers, ID.html" },
+    [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, CHOICE(export, EXPORT_LIBRETRO),
+                          "write a core that contains the game, for RetroArch and other libretro players: "
+                          "ID_libretro.so and ID_libretro.info" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full),
                       "also print the licence texts, which must accompany the program" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),

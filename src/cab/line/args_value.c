@@ -221,6 +221,9 @@ bool args_keep(struct args *a, enum option o, const char *value, char *err, size
     case KEEP_SWITCH:
         *(bool *)to = true;
         return true;
+    case KEEP_CHOICE:
+        *(int *)to = (int)args_options[o].kept.least;
+        return true;
     case KEEP_TEXT:
         return keep_text(to, o, value, err, err_size);
     case KEEP_WORD:

@@ -100,6 +100,32 @@ uint8_t *icon_make(const struct cart *cart, int least, int *side)
     return out;
 }
 
+uint8_t *icon_fit(const struct cart *cart, int side)
+{
+    int from;
+    uint8_t *in = icon_make(cart, side, &from), *out = in ? calloc((size_t)side * (size_t)side, 4) : NULL;
+
+    for (int i = 0; out && i < side * side; i++) {
+        /* the square of the larger picture that the pixel covers, in 1 / side of its pixels */
+        const int x0 = i % side * from, y0 = i / side * from, x1 = x0 + from, y1 = y0 + from;
+        uint64_t sum[4] = { 0 };
+        for (int y = y0 / side; y * side < y1; y++)
+            for (int x = x0 / side; x * side < x1; x++) {
+                const int left = x * side > x0 ? x * side : x0, right = (x + 1) * side < x1 ? (x + 1) * side : x1;
+                const int top = y * side > y0 ? y * side : y0, low = (y + 1) * side < y1 ? (y + 1) * side : y1;
+                const uint8_t *p = in + 4 * (y * from + x);
+                const uint64_t covered = (uint64_t)(right - left) * (uint64_t)(low - top) * p[3];
+                for (int c = 0; c < 4; c++)
+                    sum[c] += covered * (c < 3 ? p[c] : 1);
+            }
+        for (int c = 0; c < 3; c++)
+            out[4 * i + c] = (uint8_t)(sum[3] ? sum[c] / sum[3] : 0);
+        out[4 * i + 3] = (uint8_t)(sum[3] / ((uint64_t)from * (uint64_t)from));
+    }
+    free(in);
+    return out;
+}
+
 /* The chunks of a PNG of eight bits R G B A. */
 static bool write_png(int side, const uint8_t *packed, size_t packed_size, uint8_t **png, size_t *size)
 {
@@ -120,12 +146,10 @@ static bool write_png(int side, const uint8_t *packed, size_t packed_size, uint8
     return true;
 }
 
-bool icon_png(const struct cart *cart, int least, uint8_t **png, size_t *size)
+bool icon_png(const uint8_t *rgba, int side, uint8_t **png, size_t *size)
 {
-    int side = 0;
-    uint8_t *rgba = icon_make(cart, least, &side), *packed = NULL;
     const size_t row = (size_t)side * 4;
-    uint8_t *raw = rgba ? calloc((size_t)side, row + 1) : NULL;
+    uint8_t *raw = calloc((size_t)side, row + 1), *packed = NULL;
     size_t packed_size;
 
     for (int y = 0; raw && y < side; y++) /* a 0 before each row: as it is */
@@ -134,7 +158,6 @@ bool icon_png(const struct cart *cart, int least, uint8_t **png, size_t *size)
                 write_png(side, packed, packed_size, png, size);
     free(packed);
     free(raw);
-    free(rgba);
     return good;
 }
 

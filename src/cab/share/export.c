@@ -11,34 +11,35 @@
 #include "../host/result.h"
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
-#include "../../../fb/utf8.h"
-#include "../host/clean.h"
 #include "../host/files.h"
 #include "../host/report.h"
 #include "../pack/compress.h"
-#include "../pack/icon.h"
 #include "../pack/pack.h"
-#include "../pack/png.h"
 #include "../store/output_paths.h"
-#include "beside.h"
+#include "desktop.h"
 #include "image.h"
+#include "licences.h"
 #include "mark.h"
 #include "own.h"
+#include "pe.h"
+#include "readme.h"
 #include "retro.h"
 #include "web.h"
+#include "zip.h"
 
 enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR + 256 };
 
 struct export
 {
     const struct export_want *want;
+    enum export_kind kind; /* of what is being made */
     struct rom_image image;
     struct cart cart;
     uint8_t *small; /* the game compressed; malloc, NULL: it stays plain */
     const uint8_t *game;
     size_t game_size;
+    char name[72]; /* of the file, where none was given */
     const char *out;
-    char name[72];         /* of the file, where none was given */
     char info[FILES_PATH]; /* of a core's .info */
     char from[FILES_PATH]; /* what the file is a copy of, as messages call it */
     uint8_t *file;         /* what is written; malloc */
@@ -47,7 +48,27 @@ struct export
     size_t err_size;
 };
 
-/* ---- the program ---- */
+static bool append_game(struct export *e);
+static bool make_page(struct export *e);
+
+static const struct kind {
+    const char *option;             /* without --; names the zip, too. NULL: none */
+    const char *noun;               /* as messages call it */
+    const char *ending;             /* of its name, behind the game's id */
+    const char *player;             /* the file that the game is put into; NULL: this program */
+    bool (*make)(struct export *e); /* into e->file */
+    bool runs;                      /* it is made executable */
+    bool crlf;                      /* lines of texts that come with it end in CR LF */
+} kinds[] = {
+    [EXPORT_PROGRAM] = { NULL, "program", "", NULL, append_game, true, false },
+    [EXPORT_LINUX] = { "linux", "program", "", "curtain-linux", append_game, true, false },
+    [EXPORT_WINDOWS] = { "windows", "program", ".exe", "curtain.exe", append_game, true, true },
+    [EXPORT_WEB] = { "web", "page", ".html", "player.html", make_page, false, false },
+    [EXPORT_LIBRETRO] = { "libretro", "core", "_libretro.so", "curtain_libretro.so", append_game, false, false },
+    [EXPORT_ALL] = { "all", "zip file", "-exports", NULL, NULL, false, false },
+};
+
+/* ---- a game in its player ---- */
 
 /* A game that is built in is not given along: zeroes are, which any archive makes nothing of. */
 static void blank_builtin(const struct export_want *w, uint8_t *file, size_t size)
@@ -76,63 +97,79 @@ static bool load_program(struct export *e)
     return files_read(name, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
 }
 
-static bool load_core(struct export *e)
+/* The players are next to the program, where it was built, or in its installation. */
+static bool load_player(struct export *e)
 {
-    static const struct beside core = { "curtain_libretro.so",
-                                        { "curtain_libretro.so", "../lib/libretro/curtain_libretro.so" },
-                                        "lib/libretro",
-                                        "make library" };
-    size_t at;
-    struct mark m = { .core = CORE_VERSION };
+    static const char *const folders[] = { "players", "../share/curtain/players" };
+    const char *player = kinds[e->kind].player;
+    char name[64];
 
-    if (!beside_read(&core, &e->file, &e->size, e->from, sizeof e->from, e->err, e->err_size))
-        return false;
-    if (mark_find(e->file, e->size, &at))
-        mark_read(e->file + at, &m);
-    if (m.core == CORE_VERSION)
-        return true;
-    return err_set(e->err, e->err_size, "%s: has core version %u, this program has %d; rebuild it with make library",
-                   e->from, (unsigned)m.core, CORE_VERSION);
+    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
+        snprintf(name, sizeof name, "%s/%s", folders[i], player);
+        if (plat_beside(name, e->from, sizeof e->from) && plat_size(e->from) >= 0)
+            return files_read(e->from, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
+    }
+    return err_set(e->err, e->err_size,
+                   "export: %s is not in the folder players next to this program or in its installed "
+                   "share/curtain/players; run `make players` in Curtain's source tree",
+                   player);
 }
 
 static bool make_page(struct export *e)
 {
-    static const struct beside player = { "player.html",
-                                          { "player.html", "web/player.html", "../web/player.html",
-                                            "../share/curtain/player.html" },
-                                          "share/curtain",
-                                          "make web" };
     const struct web_game game = { e->cart.m.title, e->game, e->game_size };
-    uint8_t *with;
+    uint8_t *player;
     size_t size;
 
-    if (!beside_read(&player, &with, &size, e->from, sizeof e->from, e->err, e->err_size))
+    if (!load_player(e))
         return false;
-    const bool good = web_make(&game, with, size, e->from, &e->file, &e->size, e->err, e->err_size);
-    free(with);
+    player = e->file;
+    size = e->size;
+    e->file = NULL;
+    const bool good = web_make(&game, player, size, e->from, &e->file, &e->size, e->err, e->err_size);
+    free(player);
     return good;
 }
 
-/* The file: the program or core, its mark, and the game behind. */
-static bool build(struct export *e)
+/* Cuts the player down to what is loaded; its mark is then at *at. */
+static bool prepare_player(struct export *e, size_t *at)
+{
+    const char *player = kinds[e->kind].player;
+    struct mark m;
+    char why[256];
+
+    if (!player)
+        blank_builtin(e->want, e->file, e->size);
+    if (pe_is(e->file, e->size) && !pe_dress(&e->file, &e->size, &e->cart, why, sizeof why))
+        return err_set(e->err, e->err_size, "%s: %s", e->from, why);
+    e->size = image_trim(e->file, e->size);
+    if (!mark_find(e->file, e->size, at))
+        return err_set(e->err, e->err_size,
+                       player ? "%s: not a player that can hold a game; build one with make players"
+                              : "%s is not the running program",
+                       e->from);
+    mark_read(e->file + *at, &m);
+    if (m.core == CORE_VERSION)
+        return true;
+    return err_set(e->err, e->err_size, "%s: has core version %u, this program has %d; rebuild it with make players",
+                   e->from, (unsigned)m.core, CORE_VERSION);
+}
+
+/* The player, its mark, and the game behind. */
+static bool append_game(struct export *e)
 {
     struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
-    size_t at, end = image_trim(e->file, e->size);
+    size_t at;
 
-    m.at = (end + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
-    if (!mark_find(e->file, end, &at))
-        return err_set(e->err, e->err_size,
-                       e->want->kind == EXPORT_CORE ? "%s: not a core that can hold a game; build one with make library"
-                                                    : "%s is not the running program",
-                       e->from);
-    if (e->want->kind == EXPORT_PROGRAM)
-        blank_builtin(e->want, e->file, end);
+    if (!(kinds[e->kind].player ? load_player(e) : load_program(e)) || !prepare_player(e, &at))
+        return false;
+    m.at = (e->size + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
     mark_put(e->file + at, &m);
     uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
         return result_host(e->err, e->err_size, "out of memory");
     e->file = more;
-    memset(more + end, 0, (size_t)m.at - end);
+    memset(more + e->size, 0, (size_t)m.at - e->size);
     memcpy(more + m.at, e->game, e->game_size);
     e->size = (size_t)m.at + e->game_size;
     return true;
@@ -146,82 +183,51 @@ static void ignore(void *user, const struct plat_file *file)
     (void)file;
 }
 
-#define ENTRY "[Desktop Entry]\nType=Application\n"
-
-static bool is_entry(const uint8_t *head, size_t n)
-{
-    return n >= strlen(ENTRY) && memcmp(head, ENTRY, strlen(ENTRY)) == 0;
-}
-
 static bool is_info(const uint8_t *head, size_t n)
 {
     return n >= strlen(RETRO_INFO_FIRST) && memcmp(head, RETRO_INFO_FIRST, strlen(RETRO_INFO_FIRST)) == 0;
 }
 
-/* May what is written beside the file be? */
-static bool free_beside(struct export *e)
+/* May what is written next to the file be? */
+static bool may_write_companions(struct export *e)
 {
-    char entry[FILES_PATH + 16], icon[FILES_PATH + 16];
-
-    if (e->want->kind == EXPORT_CORE && !output_path_derived(e->want->rom, e->info, is_info, e->err, e->err_size))
-        return false;
-    if (!e->want->desktop)
-        return true;
-    snprintf(entry, sizeof entry, "%s.desktop", e->out);
-    snprintf(icon, sizeof icon, "%s.png", e->out);
-    return output_path_derived(e->want->rom, entry, is_entry, e->err, e->err_size) &&
-           output_path_derived(e->want->rom, icon, png_is_signed, e->err, e->err_size);
+    if (e->kind == EXPORT_LIBRETRO)
+        return output_path_derived(e->want->rom, e->info, is_info, e->err, e->err_size);
+    return !e->want->desktop || desktop_may_write(e->want->rom, e->out, e->err, e->err_size);
 }
 
-/* An entry is lines of text: in a path, what would end one is nothing it can hold. */
-static bool entry_holds(struct export *e)
-{
-    char path[FILES_PATH];
-
-    if (!e->want->desktop || !plat_path(e->out, path, sizeof path))
-        return true;
-    for (const char *p = path, *end = path + strlen(path); p < end;)
-        if (!utf8_may_show(utf8_next(&p, end)))
-            return err_set(e->err, e->err_size,
-                           "--desktop: %s: a desktop entry cannot contain line ends or control characters", e->out);
-    return true;
-}
-
-/* Is it a file that was exported, of the kind that is to be written? */
-static bool is_exported(struct export *e, const uint8_t *file, size_t size)
+/* Is it a file that was exported, of that kind? */
+static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
 {
     struct mark m = { .size = 0 };
     size_t at;
 
-    if (e->want->kind == EXPORT_PAGE)
+    if (kind == EXPORT_ALL)
+        return zip_is_ours(file, size);
+    if (kind == EXPORT_WEB)
         return web_is_page(file, size);
     if (mark_find(file, size, &at))
         mark_read(file + at, &m);
     return m.size > 0;
 }
 
-/* What stands there already is replaced only if it was exported. */
-static bool may_write(struct export *e)
+/* A file that exists is replaced only if it was exported. */
+static bool may_replace(struct export *e, const char *path, enum export_kind kind)
 {
-    static const char *const kinds[] = { "program", "page", "core" };
     uint8_t *there;
     size_t size;
 
-    if (!entry_holds(e))
-        return false;
-    if (plat_size(e->out) < 0 && plat_list(e->out, ignore, NULL) >= 0)
-        return err_set(e->err, e->err_size, "%s: is a folder; name the output file with -o", e->out);
-    if (!free_beside(e))
-        return false;
-    if (plat_size(e->out) < 0)
+    if (plat_size(path) < 0 && plat_list(path, ignore, NULL) >= 0)
+        return err_set(e->err, e->err_size, "%s: is a folder; name the output file with -o", path);
+    if (plat_size(path) < 0)
         return true;
-    if (!files_read(e->out, e->out, PROGRAM, &there, &size, e->err, e->err_size))
+    if (!files_read(path, path, PROGRAM, &there, &size, e->err, e->err_size))
         return false;
-    const bool exported = is_exported(e, there, size);
+    const bool exported = is_exported(kind, there, size);
     free(there);
     return exported ? true
                     : err_set(e->err, e->err_size, "%s: already exists and is not an exported %s; remove it first",
-                              e->out, kinds[e->want->kind]);
+                              path, kinds[kind].noun);
 }
 
 static bool save_info(struct export *e)
@@ -236,69 +242,76 @@ static bool save(struct export *e)
 {
     if (!files_save(e->out, e->file, e->size, e->err, e->err_size))
         return false;
-    if (e->want->kind == EXPORT_PAGE)
-        return true;
-    if (e->want->kind == EXPORT_CORE)
+    if (e->kind == EXPORT_LIBRETRO)
         return save_info(e);
-    return plat_runnable(e->out) ? true : result_host(e->err, e->err_size, "%s: cannot be made executable", e->out);
+    return !kinds[e->kind].runs || plat_runnable(e->out)
+               ? true
+               : result_host(e->err, e->err_size, "%s: cannot be made executable", e->out);
 }
 
-/* A path in double quotes, as the line Exec of an entry wants it: the file's own escapes on top of the shell's. */
-static void quoted(const char *path, char *out, size_t size)
-{
-    size_t n = 0;
+/* ---- a zip of each ---- */
 
-    for (; *path && n + 8 < size; path++) {
-        if (strchr("\"`$\\", *path)) {
-            out[n++] = '\\';
-            out[n++] = '\\';
-            out[n++] = *path == '\\' ? '\\' : *path;
-            if (*path == '\\')
-                out[n++] = '\\';
-            continue;
-        }
-        if (*path == '%')
-            out[n++] = '%';
-        out[n++] = *path;
+static void zip_text(struct zip *z, const char *name, const struct reel *text, bool crlf)
+{
+    struct reel lines = { 0 };
+
+    for (size_t i = 0; i < text->n; i++) {
+        if (crlf && text->bytes[i] == '\n')
+            reel_byte(&lines, '\r');
+        reel_byte(&lines, text->bytes[i]);
     }
-    out[n] = '\0';
+    zip_add(z, name, lines.bytes, lines.n, false);
+    z->bytes.failed |= text->failed || lines.failed;
+    reel_close(&lines);
 }
 
-/* A line of an entry: \ is two of them. */
-static void escaped(const char *line, char *out)
+/* What was made, the texts for players, and what else comes with its kind. */
+static bool make_zip(struct export *e, struct zip *z)
 {
-    for (; *line; line++) {
-        if (*line == '\\')
-            *out++ = '\\';
-        *out++ = *line;
+    const struct kind *kind = &kinds[e->kind];
+    struct reel readme = { 0 }, licences = { 0 };
+    char name[72], info[2048];
+
+    if (!kind->make(e))
+        return false;
+    snprintf(name, sizeof name, "%s%s", e->cart.m.id, kind->ending);
+    zip_add(z, e->kind == EXPORT_WEB ? "index.html" : name, e->file, e->size, kind->runs);
+    free(e->file);
+    e->file = NULL;
+    if (e->kind == EXPORT_LIBRETRO) {
+        retro_info(&e->cart.m, info, sizeof info);
+        snprintf(name, sizeof name, "%s_libretro.info", e->cart.m.id);
+        zip_add(z, name, info, strlen(info), false);
     }
-    *out = '\0';
+    readme_write(&readme, e->kind, &e->cart.m);
+    licences_notices(&licences);
+    zip_text(z, "README.txt", &readme, kind->crlf);
+    zip_text(z, "licences.txt", &licences, kind->crlf);
+    reel_close(&readme);
+    reel_close(&licences);
+    return zip_finish(z) ? true : result_host(e->err, e->err_size, "out of memory");
 }
 
-/* FILE.desktop and FILE.png: an entry of a menu that starts the file where it is now. */
-static bool save_entry(struct export *e)
+static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PATH])
 {
-    char path[FILES_PATH], exec[2 * FILES_PATH], title[2 * sizeof e->cart.m.title];
-    char shown[2 * FILES_PATH], name[FILES_PATH + 16], text[8 * FILES_PATH];
-    uint8_t *png = NULL;
-    size_t size = 0;
+    const int n = snprintf(path, FILES_PATH, "%s/%s-%s.zip", e->out, e->cart.m.id, kinds[kind].option);
 
-    if (!plat_path(e->out, path, sizeof path - sizeof ".desktop"))
-        return err_set(e->err, e->err_size, "%s: path too long", e->out);
-    quoted(path, exec, sizeof exec);
-    clean_line(e->cart.m.title);
-    escaped(e->cart.m.title, title);
-    escaped(path, shown);
-    const bool icon = icon_png(&e->cart, ICON_SAVED, &png, &size) && png_sign(&png, &size);
-    snprintf(text, sizeof text,
-             ENTRY "Name=%s\nExec=\"%s\"\nIcon=%s%s\nTerminal=false\n"
-                   "Categories=Game;ArcadeGame;\n",
-             title, exec, icon ? shown : "applications-games", icon ? ".png" : "");
-    snprintf(name, sizeof name, "%s.desktop", path);
-    bool good = files_save(name, text, strlen(text), e->err, e->err_size);
-    snprintf(name, sizeof name, "%s.png", path);
-    good = good && (!icon || files_save(name, png, size, e->err, e->err_size));
-    free(png);
+    return n < FILES_PATH ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
+}
+
+/* Nothing is written before all are made. */
+static bool export_all(struct export *e)
+{
+    struct zip zips[EXPORT_ALL] = { 0 };
+    char path[FILES_PATH];
+    bool good = true;
+
+    for (e->kind = EXPORT_LINUX; good && e->kind < EXPORT_ALL; e->kind++)
+        good = make_zip(e, &zips[e->kind]) && zip_path(e, e->kind, path) && may_replace(e, path, EXPORT_ALL);
+    for (enum export_kind k = EXPORT_LINUX; good && k < EXPORT_ALL; k++)
+        good = zip_path(e, k, path) && files_save(path, zips[k].bytes.bytes, zips[k].bytes.n, e->err, e->err_size);
+    for (enum export_kind k = EXPORT_LINUX; k < EXPORT_ALL; k++)
+        zip_free(&zips[k]);
     return good;
 }
 
@@ -319,13 +332,13 @@ static const char *program_ending(void)
 /* The names of what is written. */
 static bool name_out(struct export *e)
 {
-    const char *const ends[] = { program_ending(), ".html", "_libretro.so" };
     size_t n;
 
-    snprintf(e->name, sizeof e->name, "%s%s", e->cart.m.id, ends[e->want->kind]);
+    snprintf(e->name, sizeof e->name, "%s%s", e->cart.m.id,
+             e->kind == EXPORT_PROGRAM ? program_ending() : kinds[e->kind].ending);
     e->out = e->want->out ? e->want->out : e->name;
     n = strlen(e->out);
-    if (e->want->kind != EXPORT_CORE)
+    if (e->kind != EXPORT_LIBRETRO)
         return true;
     if (n < 4 || n + 3 > sizeof e->info || strcmp(e->out + n - 3, ".so") != 0)
         return err_set(e->err, e->err_size, "--libretro: expected -o with a name that ends in .so, got \"%s\"", e->out);
@@ -361,26 +374,23 @@ static bool may_export(struct export *e)
     if (own_game()->rom)
         return err_set(e->err, e->err_size, "export: this program is an exported game, %s; export with curtain",
                        own_game()->m.title);
-    if (e->want->kind == EXPORT_PROGRAM && !has_window())
+    if (e->kind == EXPORT_PROGRAM && !has_window())
         return err_set(e->err, e->err_size, "export: this program has no window; use curtain, not curtain-null");
     return true;
 }
 
-/* What is to be written, in e->file. */
-static bool make(struct export *e)
+static bool export_one(struct export *e)
 {
-    if (e->want->kind == EXPORT_PAGE)
-        return make_page(e);
-    return (e->want->kind == EXPORT_CORE ? load_core(e) : load_program(e)) && build(e);
+    return may_replace(e, e->out, e->kind) && may_write_companions(e) && kinds[e->kind].make(e) && save(e) &&
+           (!e->want->desktop || desktop_write(e->out, &e->cart, e->err, e->err_size));
 }
 
 enum result export_run(const struct export_want *want)
 {
     char err[EXPORT_ERR];
-    struct export e = { .want = want, .err = err, .err_size = sizeof err };
+    struct export e = { .want = want, .kind = want->kind, .err = err, .err_size = sizeof err };
 
-    bool good =
-        may_export(&e) && load_game(&e) && may_write(&e) && make(&e) && save(&e) && (!want->desktop || save_entry(&e));
+    const bool good = may_export(&e) && load_game(&e) && (want->kind == EXPORT_ALL ? export_all(&e) : export_one(&e));
     free(e.file);
     free(e.small);
     rom_image_free(&e.image);

@@ -1,11 +1,11 @@
 /*
- * export.h - the command `export`: a game as one file that runs by itself; as a page for browsers; as a core for
- * RetroArch and its like.
+ * export.h - the command `export`: a game as a file that needs no Curtain, for a system; or a zip file for each.
  * floor: cab
  *
- * The file is a copy of this program, without what debuggers read and without the game that is built in, then, at a
- * multiple of ROM_ALIGN, the ROM. The copy's mark (mark.h) says where. A core is the same of curtain_libretro.so
- * (ports/libretro), a page is player.html (ports/web) with the game in it (web.h).
+ * A program or a core is a copy of a player, without what debuggers read, then, at a multiple of ROM_ALIGN, the ROM.
+ * The copy's mark (mark.h) has its place and size, so bytes may follow: a signature. A page is player.html (ports/web)
+ * with the ROM in it (web.h). The table in export.c lists the players; without an option it is this program, without
+ * its built-in game.
  */
 #ifndef CAB_EXPORT_H
 #define CAB_EXPORT_H
@@ -15,11 +15,12 @@
 #include <stdint.h>
 #include "../host/result.h"
 
-enum export_kind { EXPORT_PROGRAM, EXPORT_PAGE, EXPORT_CORE };
+/* EXPORT_PROGRAM: a copy of this program. EXPORT_ALL: all that are between these two, each in a zip file. */
+enum export_kind { EXPORT_PROGRAM, EXPORT_LINUX, EXPORT_WINDOWS, EXPORT_WEB, EXPORT_LIBRETRO, EXPORT_ALL };
 
 struct export_want {
     enum export_kind kind;
-    const char *rom, *out; /* a folder or a ROM; the file, NULL: named by the game's id */
+    const char *rom, *out; /* a folder or a ROM; the file, of EXPORT_ALL a folder; NULL: named by the game's id */
     bool nearest, keys, desktop;
     const uint8_t *builtin; /* the game that is linked into this program */
     size_t builtin_size;

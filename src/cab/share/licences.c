@@ -45,7 +45,6 @@ static const char zlib[] =
     "   software.\n"
     "3. This notice may not be removed or altered from any source distribution.\n";
 
-#ifdef __MINGW32__
 static const char mingw[] =
     "Redistribution and use in source and binary forms, with or without modification, are permitted provided that\n"
     "the following conditions are met:\n"
@@ -85,7 +84,28 @@ static const char mingw[] =
     "INDIRECT OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM LOSS OF USE, DATA OR PROFITS,\n"
     "WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH\n"
     "THE USE OR PERFORMANCE OF THIS SOFTWARE.\n";
-#endif
+
+/* The BSD licence of two clauses, but for the copyright line. */
+static const char bsd[] =
+    "Redistribution and use in source and binary forms, with or without modification, are permitted provided that\n"
+    "the following conditions are met:\n"
+    "\n"
+    "1. Redistributions of source code must retain the above copyright notice, this list of conditions and the\n"
+    "   following disclaimer.\n"
+    "2. Redistributions in binary form must reproduce the above copyright notice, this list of conditions and the\n"
+    "   following disclaimer in the documentation and/or other materials provided with the distribution.\n"
+    "\n"
+    "THIS SOFTWARE IS PROVIDED BY THE AUTHOR AND CONTRIBUTORS \"AS IS\" AND ANY EXPRESS OR IMPLIED WARRANTIES,\n"
+    "INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS FOR A PARTICULAR PURPOSE\n"
+    "ARE DISCLAIMED. IN NO EVENT SHALL THE AUTHOR OR CONTRIBUTORS BE LIABLE FOR ANY DIRECT, INDIRECT, INCIDENTAL,\n"
+    "SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS\n"
+    "OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF\n"
+    "LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY\n"
+    "WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n";
+
+static const char curtain_whose[] = "Copyright (c) The Curtain authors";
+static const char sdl_whose[] = "Copyright (C) Sam Lantinga and others";
+static const char mingw_whose[] = "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies";
 
 static const char nothing[] = "No notice is required.\n";
 #ifndef __MINGW32__
@@ -119,7 +139,7 @@ static bool of_port(struct work *w)
     if (strcmp(about, "no window") == 0)
         return false;
     if (strncmp(about, "SDL ", 4) == 0) {
-        *w = work("SDL", "zlib", "window, sound, controllers", "Copyright (C) Sam Lantinga and others", zlib);
+        *w = work("SDL", "zlib", "window, sound, controllers", sdl_whose, zlib);
         snprintf(w->version, sizeof w->version, "%s", about + 4);
     } else {
         *w = work("port", "unknown", "window and other platform support", "", unknown);
@@ -132,8 +152,7 @@ static int list(struct work all[WORKS])
 {
     int n = 0;
 
-    all[n] =
-        work("Curtain", "MIT", "engine, and the Lua library in every ROM", "Copyright (c) The Curtain authors", mit);
+    all[n] = work("Curtain", "MIT", "engine, and the Lua library in every ROM", curtain_whose, mit);
     snprintf(all[n++].version, sizeof all->version, "%s", CURTAIN_VERSION);
     all[n] = work("Lua", "MIT", "script interpreter", board_lua_copyright(), mit);
     snprintf(all[n++].version, sizeof all->version, "%s", board_lua_release());
@@ -144,8 +163,7 @@ static int list(struct work all[WORKS])
     all[n] = work("glibc", "LGPL 2.1", "system C library", "the GNU C Library", of_system);
     snprintf(all[n++].version, sizeof all->version, "%d.%d", __GLIBC__, __GLIBC_MINOR__);
 #elif defined __MINGW32__ /* parts of it are in the program's file */
-    all[n] = work("mingw-w64", "ZPL 2.1, Lucent", "C library for Windows",
-                  "Copyright (c) 2009-2016 the mingw-w64 project, 1997-2001 Lucent Technologies", mingw);
+    all[n] = work("mingw-w64", "ZPL 2.1, Lucent", "C library for Windows", mingw_whose, mingw);
     snprintf(all[n++].version, sizeof all->version, "%s", __MINGW64_VERSION_STR);
 #else
     all[n++] = work("libc", "its own", "system C library", "the system's C library", of_system);
@@ -160,6 +178,30 @@ static void print_texts(const struct work *all, int n)
         if (all[i].whose[0])
             report_print("%s\n\n", all[i].whose);
         report_print("%s", all[i].text);
+    }
+}
+
+void licences_notices(struct reel *out)
+{
+    const struct {
+        const char *name, *whose, *texts[2];
+    } all[] = {
+        { "Curtain, the engine of the game", curtain_whose, { mit } },
+        { "Lua", board_lua_copyright(), { mit } },
+        { "SDL, in programs for Windows; programs for Linux load the system's", sdl_whose, { zlib } },
+        { "mingw-w64, in programs for Windows", mingw_whose, { mingw } },
+        { "wasi-libc, in web pages",
+          "Copyright (c) 2005-2019 Rich Felker and others (musl: MIT), 1993-2004 Sun Microsystems, Inc. (musl's "
+          "mathematics),\n2015-2017 Nuxi and contributors (cloudlibc: BSD)",
+          { mit, bsd } },
+    };
+
+    reel_print(out, "The game's download contains software by others. Their notices for all systems follow; not every\n"
+                    "part is in every download.\n");
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        reel_print(out, "\n---- %s ----\n\n%s\n", all[i].name, all[i].whose);
+        for (int k = 0; k < 2 && all[i].texts[k]; k++)
+            reel_print(out, "\n%s", all[i].texts[k]);
     }
 }
 

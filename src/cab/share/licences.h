@@ -7,7 +7,11 @@
 #define CAB_LICENCES_H
 
 #include <stdbool.h>
+#include "../film/reel.h"
 #include "../host/result.h"
+
+/* Adds the notices of everything that may be in a download of a game, on any system. */
+void licences_notices(struct reel *out);
 
 /* full: with the texts. */
 enum result licences_run(bool full);

@@ -1,0 +1,18 @@
+/*
+ * desktop.h - an entry for the menu of a desktop, which starts a program where it is now: PROGRAM.desktop, PROGRAM.png.
+ * floor: cab
+ */
+#ifndef CAB_DESKTOP_H
+#define CAB_DESKTOP_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include "../../board/rom/cart.h"
+
+/* Can the path be in an entry, and may both files be written? rom: the game that is read. False and one sentence. */
+bool desktop_may_write(const char *rom, const char *program, char *err, size_t err_size);
+
+/* Writes both; without an icon in the game, the first only. False and one sentence. */
+bool desktop_write(const char *program, const struct cart *cart, char *err, size_t err_size);
+
+#endif

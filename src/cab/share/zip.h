@@ -1,0 +1,26 @@
+/*
+ * zip.h - writes zip archives whose bytes depend on nothing but the files: APPNOTE.TXT 6.3, without ZIP64.
+ * floor: cab
+ */
+#ifndef CAB_ZIP_H
+#define CAB_ZIP_H
+
+#include "../film/reel.h"
+
+/* Zeroes are an empty one. */
+struct zip {
+    struct reel bytes, directory;
+    unsigned n;
+};
+
+/* Adds a file, name in UTF-8. runs: it is a program, which Unix may run after it is unpacked. */
+void zip_add(struct zip *z, const char *name, const void *data, size_t size, bool runs);
+
+/* Completes the archive, which is z->bytes. False: out of memory. Frees the rest; zip_free frees all. */
+bool zip_finish(struct zip *z);
+void zip_free(struct zip *z);
+
+/* Was the archive written here? */
+bool zip_is_ours(const uint8_t *file, size_t size);
+
+#endif
