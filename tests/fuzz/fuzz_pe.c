@@ -1,0 +1,53 @@
+/*
+ * fuzz_pe.c - libFuzzer: any bytes as a program that a game is put into, for Windows or, trimmed, for Linux. A copy has
+ * the same bytes again, and what is cut off is within the file.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../src/cab/share/image.h"
+#include "../../src/cab/share/pe.h"
+
+static void need(bool good)
+{
+    if (!good)
+        abort();
+}
+
+/* A copy with the resources of a game without an icon; false: refused. */
+static bool dress(const uint8_t *data, size_t size, uint8_t **out, size_t *out_size)
+{
+    struct rom rom = { 0 };
+    struct cart cart = { .rom = &rom };
+    char err[256] = "";
+
+    manifest_default(&cart.m);
+    *out = malloc(size + (size == 0)); /* of exactly this size */
+    *out_size = size;
+    need(*out != NULL);
+    if (size)
+        memcpy(*out, data, size);
+    const bool good = pe_dress(out, out_size, &cart, err, sizeof err);
+    need(good == (err[0] == '\0'));
+    return good;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    uint8_t *one, *two, *three;
+    size_t one_size, two_size, three_size;
+
+    if (dress(data, size, &one, &one_size)) {
+        need(dress(data, size, &two, &two_size) && two_size == one_size && memcmp(one, two, one_size) == 0);
+        free(two);
+        dress(one, one_size, &three, &three_size);
+        free(three);
+    } else {
+        need(image_trim(one, one_size) <= one_size);
+    }
+    free(one);
+    return 0;
+}
