@@ -141,7 +141,7 @@ function pattern.picture(args)
   local odd = own.dots:match("[^ -~\n]")
   if odd then sys.fail("pattern.picture", ("dots: expected rows of ASCII characters, got byte %d"):format(odd:byte())) end
   local list, left, right, top, bottom = read_dots(own.dots)
-  if #list == 0 then sys.fail("pattern.picture", "dots: expected a character for each bullet, got only dots and spaces") end
+  if #list == 0 then sys.fail("pattern.picture", 'dots: expected at least one character other than "." and space') end
   local put, col, row = around(own, a, own.turns), (left + right) / 2, (top + bottom) / 2
   for i, p in ipairs(list) do put(i, (p[1] - col) * own.gap, (p[2] - row) * own.gap) end
 end

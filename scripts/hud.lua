@@ -288,7 +288,7 @@ end
 -- Shows lines in the middle of the field, or from a row on, for so many frames; without lines, ends that.
 function hud.banner(lines, over, first)
   if lines and type(lines) ~= "table" then sys.fail("hud.banner", 'lines: expected a list of strings such as { "GO" }') end
-  if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected a number of frames") end
+  if lines and not math.tointeger(over) then sys.fail("hud.banner", "frames: expected a whole number") end
   if banner then text.clear { col = field_col, row = banner.row, w = field_cols, h = banner.h } end
   banner = nil
   if not lines then return end

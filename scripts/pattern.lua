@@ -16,7 +16,7 @@ local function open(name, args, aim)
   own.fire = own.fire or "bullet"
   own.shots = own.fire == "shot"
   if own.fire == "beam" and not a.speed and (own.speed_to or own.sides or own.inner) then
-    sys.fail(name, "fire: this figure sets speeds, and a beam has none")
+    sys.fail(name, "fire: this figure sets speeds, but beams have no speed")
   end
   if not a.speed and (own.speed_to or own.sides or own.inner) then -- with `each`, the bullet's own may be left out
     sys.fail(name, "speed: expected a number of px/frame, got nil")

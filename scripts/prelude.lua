@@ -59,7 +59,9 @@ end
 -- answer; if none was given so far, the answer is the first one given for a harder difficulty.
 local function by_difficulty(values)
   local names, value, reached = sys.difficulties(), nil, false
-  if sys.loading() then sys.fail("by_difficulty", "no difficulty is chosen while scripts load; call it during the game") end
+  if sys.loading() then
+    sys.fail("by_difficulty", "no difficulty is chosen while scripts load; call this function during the game")
+  end
   if type(values) ~= "table" then sys.fail("by_difficulty", "expected a table, got " .. type(values)) end
   if values[1] ~= nil then values = named(values, names) end
   local known = {}

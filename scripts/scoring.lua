@@ -50,7 +50,7 @@ local function number(r, field, p, thing)
   if type(v) == "function" then
     local n = v(p, thing)
     if type(n) ~= "number" or n ~= n then
-      local got = n ~= n and "no number" or type(n)
+      local got = n ~= n and "NaN" or type(n)
       sys.fail(r.api, ("%s: expected the function to return a number, got %s"):format(field, got), r.at)
     end
     return n

@@ -48,7 +48,9 @@ end
 function stage.at(n)
   local frame, s = sys.check("stage.at", n).n, current("stage.at")
   local time = clock(s)
-  if time > frame then sys.fail("stage.at", ("frame %d has passed; the stage is at frame %d"):format(frame, time)) end
+  if time > frame then
+    sys.fail("stage.at", ("frame %d has already passed; the stage is at frame %d"):format(frame, time))
+  end
   if s.skip then
     s.base = s.base - (frame - time)
     sys.music_clock(frame - time)

@@ -49,7 +49,7 @@ local function passed() return stage.skipping() or sys.skipping() end
 local function begin(a)
   if not sys.task() then sys.fail("talk.run", "only a task can talk; start one with task.go") end
   if now and task.alive(now.task) then
-    sys.fail("talk.run", "a talk is already running; call `say` and `choose` in it (a phase { talk = f } runs one)")
+    sys.fail("talk.run", "a talk is already running; call `say` and `choose` in it (a phase { talk = f } runs f as a talk)")
   end
   local t = sys.read("talk/box")(talk.look, a.skip, fire)
   t.task = sys.task()
@@ -112,7 +112,7 @@ function sys.say(who, words, args)
   expect_side("say", a.side)
   local said = text.lang(a.text)
   if talk.look.font and sys.cells(said) > LINE then
-    sys.fail("say", ("text: expected at most %d characters in a font, got %d"):format(LINE, sys.cells(said)))
+    sys.fail("say", ("text: with a font, expected at most %d characters, got %d"):format(LINE, sys.cells(said)))
   end
   within(function(t) t.say(talker, said, a) end)
 end
@@ -127,7 +127,7 @@ function sys.choose(list, args)
   end
   if #a.list == 0 then sys.fail("choose", "list: expected at least one string") end
   for i, item in ipairs(a.list) do
-    if type(item) ~= "string" then sys.fail("choose", ("list: %d: expected a string, got a %s"):format(i, type(item))) end
+    if type(item) ~= "string" then sys.fail("choose", ("list: entry %d: expected a string, got a %s"):format(i, type(item))) end
     items[i] = text.lang(item)
   end
   for _, key in ipairs { "chosen", "back" } do

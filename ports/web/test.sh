@@ -102,7 +102,7 @@ echo a text >text.txt
 want="torn.rom: torn.rom: 400 bytes long, but its header says $(wc -c <testcard.rom). | Glass Tide, Play
 bad.demo: bad.demo: not a demo. | Glass Tide, Play
 text.txt: text.txt: expected a .rom or a .demo. | Glass Tide, Play
-card.demo: card.demo: demo for another game (\"testcard\", this is \"glasstide\"). | Glass Tide, Play
+card.demo: card.demo: demo for another game (\"testcard\"; this game is \"glasstide\"). | Glass Tide, Play
 testcard.rom:  | Test Card, Play
 card.demo:  | Test Card, Recording
 600 $("$curtain" hash testcard.rom --demo "$card" --frames 600 --every 600 | sed -n 's/^600 //p')"

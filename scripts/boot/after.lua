@@ -45,7 +45,7 @@ local function enter_names(a, show, run)
   if type(names) == "string" then names = { names } end
   for i, e in ipairs(entries) do
     e.row.name = type(names) == "table" and names[i] or nil
-    if not e.row.name then sys.fail("boot.run", "screen name: expected a list of names, got " .. type(names)) end
+    if not e.row.name then sys.fail("boot.run", 'screen "name": expected a list of names, got ' .. type(names)) end
     local at = score.enter(run.difficulty, e.row)
     mark = mark and at and math.min(mark, at) or mark or at
     if e.row.ship ~= ship then ship = nil end

@@ -83,7 +83,9 @@ local function choose_mission(a, show, last, choices)
     local name = show("missions", last)
     if name == nil then return nil end
     local m = sys.missions.get(name)
-    if not m then sys.fail("boot.run", ('screen missions: expected a mission, or nil, got "%s"'):format(tostring(name))) end
+    if not m then
+      sys.fail("boot.run", ('screen "missions": expected the name of a mission or nil, got "%s"'):format(tostring(name)))
+    end
     if m.difficulty then board.difficulty(m.difficulty) end
     while m.difficulty or choices.difficulty(a, show) do
       local ships = m.ship and { m.ship } or choices.ships(a, show, 1)

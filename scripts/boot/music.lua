@@ -40,7 +40,7 @@ local function room(list)
   for i = 1, #list do
     local m = list[i]
     if type(m) ~= "table" then
-      sys.fail("boot.run", ('music %d: expected a table such as { name = "tide" }, got a %s'):format(i, type(m)))
+      sys.fail("boot.run", ('music: entry %d: expected a table such as { name = "tide" }, got a %s'):format(i, type(m)))
     end
     rows[i] = sys.check("boot.run music", m)
     rows[i].title = rows[i].title or title[rows[i].name]

@@ -49,11 +49,11 @@ return function(list, find, a)
       any = any or not of_form
     end
     if not needs and not any then
-      sys.fail("boot.run", ("ship %s: forms: expected at least one that needs no unlock"):format(kind))
+      sys.fail("boot.run", ("ship %s: forms: expected at least one form that needs no unlock"):format(kind))
     end
     open = open or not needs
   end
-  if not open then sys.fail("boot.run", "players: expected at least one that needs no unlock") end
+  if not open then sys.fail("boot.run", "players: expected at least one ship that needs no unlock") end
   for _, part in ipairs { a.modes or {}, a.music or {} } do
     for _, m in ipairs(part) do
       if m.needs then find("boot.run", m.needs) end

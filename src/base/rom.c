@@ -45,8 +45,8 @@ static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_si
     if (memcmp(p, magic, sizeof magic) != 0)
         return err_set(err, err_size, "not a Curtain ROM");
     if (bytes_get32(p + 8) != ROM_VERSION)
-        return err_set(err, err_size, "unknown ROM format %" PRIu32 " (this program reads %d)", bytes_get32(p + 8),
-                       ROM_VERSION);
+        return err_set(err, err_size, "unknown ROM format %" PRIu32 " (this program reads format %d)",
+                       bytes_get32(p + 8), ROM_VERSION);
     if (bytes_get32(p + 20) != size)
         return err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
     if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))

@@ -20,7 +20,7 @@ static const struct column core_columns[] = {
     REGISTER(core, frozen),     REGISTER(core, notes),
     REGISTERS(core, extended),  REGISTER(core, over),
     REGISTER(core, since),      REGISTERS(core, continues),
-    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "how far random has gone from the seed"),
+    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "the number of random values drawn since the seed"),
 };
 static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
 
@@ -113,7 +113,7 @@ static uint32_t laser_groups(const struct manifest *m)
 #define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
 #define AS_ONE(chip, name, slots, groups)      +1
 const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
-_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST has PARTS lines");
+_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST must have PARTS lines");
 
 enum { RAM_ALIGN = 64 };
 #ifndef MAX_RAM /* tests lower it */
@@ -291,7 +291,7 @@ static bool practice_fits(const struct practice *p, char *err, size_t err_size)
     if (p->lives < 0 || p->lives > PRACTICE_LIVES)
         snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_LIVES, (int)p->lives);
     else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
-        snprintf(err, err_size, "practice start: registers: expected at most %d, got %d", PRACTICE_REGISTERS,
+        snprintf(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_REGISTERS,
                  (int)p->registers);
     else if (!p->section[0] && (p->lives || p->invincible || p->registers))
         snprintf(err, err_size, "lives, registers and invincibility require a practice start");

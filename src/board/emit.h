@@ -28,7 +28,7 @@ struct emission {
     uint16_t player, shot; /* shot: 1: a shot fires it */
     fx value[MAX_VALUES];  /* of what fires it */
 };
-_Static_assert(sizeof(struct emission) == 48, "snapshots of Lua's heap have these bytes: none is left unset");
+_Static_assert(sizeof(struct emission) == 48, "snapshots of Lua's heap copy this struct, so it must not have padding");
 
 struct emissions {
     struct emission *list; /* NULL: nothing was queued in this frame */

@@ -593,10 +593,10 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCCOLLECT); /* a run begins with what loading left and no more */
     rest(&b->vm);
     if (board_lists(b) && !b->vm.practice_read)
-        vm_fault(L, FAULT_SCRIPT, "practice: no sections to choose from; %s.lua does not call boot.run",
+        vm_fault(L, FAULT_SCRIPT, "practice: no sections to choose from, because %s.lua does not call boot.run",
                  b->cart.m.entry);
     if (b->start.practice.section[0] && !b->vm.practice_read)
-        vm_fault(L, FAULT_SCRIPT, "--stage: cannot start at \"%s\"; %s.lua does not call boot.run",
+        vm_fault(L, FAULT_SCRIPT, "--stage: cannot start at \"%s\", because %s.lua does not call boot.run",
                  b->start.practice.section, b->cart.m.entry);
     return 0;
 }

@@ -51,7 +51,7 @@ enum result command_pack(const struct args *a)
     const char *dir = a->words[0], *out = a->out;
 
     if (plat_size(dir) >= 0)
-        return report_line(RESULT_REFUSED, "%s: is a file; pack takes a game's folder", dir);
+        return report_line(RESULT_REFUSED, "%s: expected a game's folder, got a file", dir);
     progress_begin();
     const bool loaded = rom_image_load_told(dir, a->nearest, warn, NULL, &image, err, sizeof err);
     progress_end();

@@ -104,7 +104,7 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         if (!(w->parts >> i & 1))
             continue;
         if (w->missing >> i & 1)
-            report_print("  %s: unknown part in this build\n", v->demo.part[i]);
+            report_print("  %s: this build does not have this part\n", v->demo.part[i]);
         else if (row)
             report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part[i], (unsigned long long)row[i],
                          here);

@@ -26,15 +26,15 @@ static const struct column columns[] = {
     COLUMN(items, y),
     COLUMN(items, vx),
     COLUMN(items, vy),
-    DERIVED(items, was_x, "written by every move before hits read it"),
-    DERIVED(items, was_y, "written by every move before hits read it"),
+    DERIVED(items, was_x, "written by every move before hit tests read it"),
+    DERIVED(items, was_y, "written by every move before hit tests read it"),
     COLUMN(items, kind),
     COLUMN(items, tag),
     COLUMN(items, born),
     COLUMN(items, pull),
     GROUP_COLUMN(items, frozen, GROUP_FROZEN),
     GROUP_COLUMN(items, stands, GROUP_FROZEN),
-    DERIVED_BLOCKS(items, taken, 1, "nothing is held between frames"),
+    DERIVED_BLOCKS(items, taken, 1, "empty between frames"),
     DERIVED_REGISTER(items, standing, "the number of standing items, counted from the column `stands`"),
 };
 

@@ -222,7 +222,7 @@ static bool track_ok(const struct check *c, int track)
             after = 0;
         }
         if (!ticks_ok(c, &at, &ticks))
-            return bad(c, track, "runs past the end");
+            return bad(c, track, "it runs past the end of the tune");
         after += ticks;
         const uint8_t *p = c->t->data + at;
         if (p[0] >= TUNE_EVENTS || at + 1 + values_of[p[0]] > c->end || !values_ok(c->t, track, p))
@@ -267,7 +267,7 @@ bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
         return err_set(err, err_size, "its header is out of range");
     if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MOST + 4 ||
         marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
-        return err_set(err, err_size, "it is shorter than its header says");
+        return err_set(err, err_size, "shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE))
         return err_set(err, err_size, "its title is not a single line of text");
     if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))

@@ -54,7 +54,7 @@ header|truncated Aseprite file
 bits|the Aseprite file has 24 bits per pixel, expected 8, 16 or 32
 frames|the Aseprite file has 0 frames, expected 1 to 4096
 more_frames|truncated Aseprite file
-size|Aseprite file of 5000x4 pixels, expected 1x1 to 4096x4096
+size|the Aseprite file has 5000x4 pixels, expected 1x1 to 4096x4096
 frame_magic|damaged Aseprite file: frame 1 has no header
 cut|truncated Aseprite file
 chunk_small|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
@@ -62,7 +62,7 @@ chunk_large|damaged Aseprite file: chunk 1 in frame 1 has the wrong size
 chunk_short|damaged Aseprite file: chunk 1 in frame 1 is too short
 layer_kind|damaged Aseprite file: unknown layer type 1
 layer_level|damaged Aseprite file: unknown layer type 1
-cel_layer|damaged Aseprite file: frame 1 has a cel in layer 8 of 1
+cel_layer|damaged Aseprite file: frame 1 has a cel in layer 8, but the last layer is 1
 cel_kind|frame 1, layer "ink": unknown cel type
 cel_size|frame 1, layer "ink": a cel of 0x2 pixels is too small
 cel_huge|frame 1, layer "ink": a cel of 65535x65535 pixels is too large
@@ -70,8 +70,8 @@ cel_zlib|frame 1, layer "ink": damaged pixels
 cel_less|frame 1, layer "ink": damaged pixels
 cel_raw|frame 1, layer "ink": damaged pixels
 cel_twice|damaged Aseprite file: frame 1 has two cels in layer "ink"
-link|frame 1, layer "ink": its cel is linked to frame 1, which has no cel there
-link_none|frame 2, layer "ink": its cel is linked to frame 6, which has no cel there
+link|frame 1, layer "ink": its cel is linked to frame 1, which has no cel in this layer
+link_none|frame 2, layer "ink": its cel is linked to frame 6, which has no cel in this layer
 index|sprite "a": frame 1: layer "ink": index 9, but the palette has 3 colours
 palette|the Aseprite file has a palette of 0 colours, expected 1 to 65536
 palette_large|the Aseprite file has a palette of 65537 colours, expected 1 to 65536
@@ -84,7 +84,7 @@ blend|layer "glow": blend mode "unknown" is not supported: merge the layer with 
 tag|tag "fly" covers frames 1 to 5, but the file ends at frame 1
 tag_back|tag "fly" covers frames 4 to 1, but the file ends at frame 1
 blended|sprite "a": match = "index" needs opaque layers in normal mode
-long|sprite "a": its frame durations add up to 363 pictures, expected at most 256
+long|sprite "a": its frames have different durations and need 363 pictures, expected at most 256
 five|sprite "a": more than 4 slices named "hit"
 two_boxes|sprite "a": slice "box two": too many shapes: expected one box, one capsule, or circles
 mixed|sprite "a": slice "capsule": too many shapes: expected one box, one capsule, or circles
@@ -243,7 +243,7 @@ says_rom() { # NAME SENTENCE SPRITE
 }
 says_rom "a tag that is not there" 'sprite "gone": no tag "fly"; the file has "early", "late"' \
     'sheet = "gone", tag = "fly"'
-says_rom "frames" 'rom.lua: sprites.gone.frames: the frames of an .ase file come from its tag' \
+says_rom "frames" 'rom.lua: sprites.gone.frames: sprites from an .ase file use all its frames' \
     'sheet = "gone", frames = 2'
 says_rom "outside" 'sprite "gone": 4x8 at 6,0 is outside the canvas of 8x8 pixels' 'sheet = "gone", x = 6, w = 4'
 sed 's/art\/gone.ase/art\/gone.png/' written/rom.lua >hits/rom.lua
@@ -273,7 +273,7 @@ python3 "$repo/tests/cli/png_make.py" retint/art/palette.png 16 16 102030 1 3 ff
 indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
 refuse "colours that are not there: the choices" "art/all.png: pixel 1,0: colour #545454 is not in bank 3 (use \
 --nearest for the nearest colour, or match = \"index\" in rom.lua to use the indices" "$curtain" pack retint -o r.rom
-fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (the picture'\''s indices are; use match'
+fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (the picture'\''s indices fit the bank; to use them, set match'
 refuse "check says which one fits" "$fits" "$curtain" check retint
 shades() { "$curtain" unpack retint out && python3 -c 'd = open("out/lumps/gfx/dot", "rb").read()[24:]
 print(*[d[y * 8 + x] for y in range(4) for x in range(4)])'; rm -rf out; }
@@ -321,7 +321,7 @@ drawn_in ', palette = "night"'
 same "its own has it" 53 "$(shade)"
 check "and check says nothing of it" sh -c '! "$1" check two | grep -q all.png' - "$curtain"
 drawn_in ', palette = "dusk"'
-refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not in palettes' \
+refuse "a palette that is none" 'rom.lua: sheets.all.palette: "dusk" is not listed in palettes' \
     "$curtain" pack two -o r.rom
 
 # ---- pixels that vanish ----
@@ -409,7 +409,7 @@ says_palette "too many" "twenty.hex: 20 colours starting in bank 15 would end in
 says_palette "no bank" "palette: expected --bank N, 0 to 15" three.hex -o p.png
 says_palette "no file" "palette: expected -o FILE.png" three.hex --bank 1
 says_palette "a bank that is none" '--bank: expected a whole number from 0 to 15, got "16"' three.hex --bank 16 -o p.png
-says_palette "two lists" "palette: expected a .hex or .gpl and -o FILE.png" three.hex --bank 1 -o three.gpl
+says_palette "two lists" "palette: expected a .hex or .gpl file and -o FILE.png" three.hex --bank 1 -o three.gpl
 says_palette "nothing there" "none.hex: no such file" none.hex --bank 1 -o p.png
 printf 'ff0044\nff004\n' >bad.hex
 says_palette "a short colour" 'bad.hex:2: expected a colour of six hexadecimal digits, got "ff004"' \

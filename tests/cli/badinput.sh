@@ -50,7 +50,7 @@ bad 'empty file' 'zero.rom: too short for a ROM (0 bytes)' hash zero.rom
 bad 'not a ROM' 'g/art/all.png: not a Curtain ROM' hash g/art/all.png
 cp g.rom other.rom
 printf '\143' | dd of=other.rom bs=1 seek=8 conv=notrunc 2>/dev/null
-bad 'ROM of another format' 'other.rom: unknown ROM format 99 (this program reads 1)' hash other.rom
+bad 'ROM of another format' 'other.rom: unknown ROM format 99 (this program reads format 1)' hash other.rom
 cp g.rom damaged.rom
 printf '\1' | dd of=damaged.rom bs=1 seek=5000 conv=notrunc 2>/dev/null
 bad 'damaged ROM' 'damaged.rom: damaged: the checksum does not match' hash damaged.rom
@@ -96,7 +96,7 @@ mkdir -p taken && mkfifo taken/main.lua
 bad 'unpack where a pipe is' 'taken/main.lua: already exists' unpack g.rom taken
 mkdir -p taken2 && : >taken2/lumps
 bad 'unpack where a file is, and a folder would be' \
-    'taken2/lumps: is a file, but lumps/gfx/dart needs a folder there' unpack g.rom taken2
+    'taken2/lumps: a file with this name exists, but lumps/gfx/dart needs a folder there' unpack g.rom taken2
 
 # A game that names nothing of the standard library is a small ROM.
 game small <<<''
@@ -154,7 +154,7 @@ with 'rom.lua gives no table' 'rom.lua: expected `return { ... }`, got 5' 's/.*/
 with 'sprite outside its sheet' \
     'art/all.png: sprite "dot": 1 frames of 99x8 at 0,0 do not fit in the sheet of 16x16 pixels' \
     's/w = 8, h = 8 }/w = 99, h = 8 }/'
-with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not in sheets' \
+with 'sheet that is not there' 'rom.lua: sprites.dart.sheet: "al" is not listed in sheets' \
     's/sheet = "all"/sheet = "al"/g'
 with 'picture that is not there' 'rom.lua:4: art/none.png does not exist' 's/art\/all.png/art\/none.png/'
 with 'picture outside the folder' \
@@ -215,7 +215,7 @@ art 'the operator ^' \
     bash -c 'echo "print(2 ^ 3)" >main.lua'
 art 'script with an odd name' 'my file.lua: expected a name of letters, digits, _ - and . only' cp main.lua \
     'my file.lua'
-bad 'a file is packed' "g.rom: is a file; pack takes a game's folder" pack g.rom
+bad 'a file is packed' "g.rom: expected a game's folder, got a file" pack g.rom
 
 # ---- scripts that fail ----
 
@@ -249,9 +249,9 @@ fault 'unknown sprite' 'main.lua:1: bullet.def: unknown sprite "dto" (did you me
 "$curtain" hash g --frames 200 --record a.demo >/dev/null 2>&1 || not_ok 'a demo is recorded'
 cp -r g else
 sed -i 's/"probe"/"else"/' else/rom.lua
-bad 'demo of another game' 'a.demo: demo for another game ("probe", this is "else")' hash else --demo a.demo
-bad 'demo of another game to play' 'a.demo: demo for another game ("probe", this is "else")' play else --demo a.demo
-bad 'demo of another game to verify' 'a.demo: demo for another game ("probe", this is "else")' verify else a.demo
+bad 'demo of another game' 'a.demo: demo for another game ("probe"; this game is "else")' hash else --demo a.demo
+bad 'demo of another game to play' 'a.demo: demo for another game ("probe"; this game is "else")' play else --demo a.demo
+bad 'demo of another game to verify' 'a.demo: demo for another game ("probe"; this game is "else")' verify else a.demo
 cp -r g later
 echo '-- later' >>later/main.lua
 says 'demo of another build plays' 0 'curtain: a.demo: recorded with another game version; playback may diverge' hash \
@@ -371,7 +371,7 @@ says 'unknown boss' 2 'main.lua:6: boot.run: unknown boss "quene" (did you mean 
     --stage quene/bloom --frames 20
 says 'unknown phase' 2 'main.lua:6: boot.run: unknown phase "bloon" (did you mean "bloom"?)' hash s \
     --stage queen/bloon --frames 20
-says 'a game without stages' 2 '--stage: cannot start at "one"; main.lua does not call boot.run' hash g \
+says 'a game without stages' 2 '--stage: cannot start at "one", because main.lua does not call boot.run' hash g \
     --stage one
 says 'a mark far off' 2 'main.lua:6: stage one: unknown mark "middle" (known: guard)' hash s \
     --stage one:middle --frames 20

@@ -57,7 +57,7 @@ done
 python3 -c 'd = bytearray(open("good3.demo", "rb").read()); d[4] = 9; open("bad13.demo", "wb").write(d)'
 bad bad13.demo 'demo format 9; this build reads 2 to 5'
 id=$(grep -abo probe good3.demo | head -1 | cut -d: -f1)
-patch good3.demo "$id" bad14.demo && bad bad14.demo 'demo for another game ("qrobe", this is "probe")'
+patch good3.demo "$id" bad14.demo && bad bad14.demo 'demo for another game ("qrobe"; this game is "probe")'
 patch good3.demo $(($(record good3.demo 2) - 12)) bad15.demo && bad bad15.demo 'frame 0: ml_params differs'
 seed=$((8 + 8 + 4 + 8 + 8 + 1 + 5 + 1 + $(strings -n 5 good3.demo | grep -om1 '5\.4\.[0-9]*' | tr -d '\n' | wc -c)))
 patch good3.demo $seed bad16.demo && bad bad16.demo 'frame 0: board, sparks differ'
@@ -69,7 +69,7 @@ patch good3.demo "$(pads good3.demo 4)" bad18.demo && bad bad18.demo 'frame 121:
 patch good3.demo "$(pads good3.demo 5)" bad19.demo && bad bad19.demo 'frame 181: input differs'
 core=$("$curtain" version | sed -n "s,.*(core \([0-9]*\).*,\1,p")
 patch good3.demo 16 bad20.demo &&
-    bad bad20.demo "holds, 200 frames (recorded with core version $((core ^ 1)), this is $core)"
+    bad bad20.demo "holds, 200 frames (recorded with core version $((core ^ 1)); this is version $core)"
 
 # A thousand names: each bad one once, between good ones.
 python3 - >names <<'END'

@@ -179,7 +179,7 @@ local title, note = "弾幕 été", "plain"
 print("弾幕", title, note)
 ----
 main.lua:2: no font in the game has a glyph for "A", U+0041: a box is drawn instead
-main.lua:3: note: no font in the game has a glyph for "弾", U+5F3E and 3 more characters; no run shows it
+main.lua:3: note: no font in the game has a glyph for "弾", U+5F3E and 3 more characters; no run shows this text
 1 problem
 LUA
 lua 'titles and spells, which stand in cells' <<'LUA'
@@ -331,7 +331,7 @@ boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
 bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 laser.each(nil, function(l) print(#l, #laser.bolt { kind = "x" }) end)
 ----
-main.lua:2: pairs: bullet.group returns a handle of kind group, not a table (bullet.each visits each of them)
+main.lua:2: pairs: bullet.group returns a handle of kind group, not a table (bullet.each calls a function for each member)
 main.lua:2: bad argument #1 to 'pairs' (table expected, got number)
 main.lua:4: ipairs: shot.fire returns a handle of kind shot, not a table
 main.lua:7: #: player.get returns a handle of kind player, not a table
@@ -436,7 +436,7 @@ stages/my file.lua: expected a name of letters, digits, _ - and . only
 stages/one.lua:1: unexpected symbol near '='
 stages/three.lua:1: expected Lua source, got compiled Lua
 stages/two.lua:3: ')' expected near <eof>
-std/nothing.lua: the standard library has no such script to replace
+std/nothing.lua: the standard library has no script with this name
 9 problems; the game was not run because it cannot be packed
 END
 
@@ -523,7 +523,7 @@ rom.lua:5: sprites.dot.w: expected a whole number from 1 to 1024, got nil
 1 problem$not_run
 END
 art 'a sheet that is not there' 's/sheet = "all"/sheet = "al"/' <<END
-rom.lua:5: sprites.dot.sheet: "al" is not in sheets
+rom.lua:5: sprites.dot.sheet: "al" is not listed in sheets
 1 problem$not_run
 END
 art 'a syntax error in rom.lua' '3s/,$/ ,,/' <<END
@@ -670,20 +670,20 @@ print("dot", "dart", "laser")
 LUA
 sed -i 's/items = 128/values = { bullet = 2 }, frozen = true, hp = true, items = 128/' rooms/rom.lua
 sed 's/1[0-9]* KiB/N KiB/;s/[2-9][0-9]* KiB/N KiB/' >wanted <<'END'
-rom.lua:3: board.sparks: no script uses spark; without it the board needs 15 KiB less
-rom.lua:3: board.motions: no script uses motion; without it the board needs 18 KiB less
-rom.lua:3: board.curve_points: no script uses curve; without it the board needs 17 KiB less
-rom.lua:3: board.options: no script uses option; without it the board needs 8 KiB less
-rom.lua:3: board.hp: no script uses hp; without it the board needs 9 KiB less
-rom.lua:3: board.frozen: no script uses frozen; without it the board needs 9 KiB less
-rom.lua:3: board.bodies: no script uses parts; without it the board needs 9 KiB less
-rom.lua:3: board.pierce: no script uses pierce; without it the board needs 18 KiB less
-rom.lua:3: board.values.bullet: no script uses value; without it the board needs 18 KiB less
+rom.lua:3: board.sparks: no script uses spark; remove this entry from rom.lua to save 15 KiB of RAM
+rom.lua:3: board.motions: no script uses motion; remove this entry from rom.lua to save 18 KiB of RAM
+rom.lua:3: board.curve_points: no script uses curve; remove this entry from rom.lua to save 17 KiB of RAM
+rom.lua:3: board.options: no script uses option; remove this entry from rom.lua to save 8 KiB of RAM
+rom.lua:3: board.hp: no script uses hp; remove this entry from rom.lua to save 9 KiB of RAM
+rom.lua:3: board.frozen: no script uses frozen; remove this entry from rom.lua to save 9 KiB of RAM
+rom.lua:3: board.bodies: no script uses parts; remove this entry from rom.lua to save 9 KiB of RAM
+rom.lua:3: board.pierce: no script uses pierce; remove this entry from rom.lua to save 18 KiB of RAM
+rom.lua:3: board.values.bullet: no script uses value; remove this entry from rom.lua to save 18 KiB of RAM
 9 problems
 END
 rooms() { "$curtain" check rooms | grep -v "$idle" | sed 's/[1-9][0-9]* KiB/N KiB/'; }
 same 'capacities that nobody uses' "$(cat wanted)" "$(rooms)"
-takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*needs \([0-9]*\) KiB less/\1/p"; }
+takes() { "$curtain" check rooms | sed -n "s/.*board.$1:.*save \([0-9]*\) KiB of RAM/\1/p"; }
 before=$(takes sparks)
 sed -i 's/sparks = 64/sparks = 4096/' rooms/rom.lua
 check 'what they take grows with them' test "$(takes sparks)" -gt $((before + 64))
@@ -739,7 +739,7 @@ END
 sed -i 's/"probe"/"other"/' d/rom.lua
 rm d/demos/fire.demo
 finds 'a demo of another game' d <<'END'
-demos/idle.demo: demo for another game ("probe", this is "other")
+demos/idle.demo: demo for another game ("probe"; this game is "other")
 1 problem
 END
 
@@ -874,7 +874,7 @@ cp -R "$repo/examples/first" unstarted
 sed -i '/^boot.run/d' unstarted/main.lua
 line='boot.run { stages = { "one" }, players = { "ship" } }'
 finds 'a game that nobody can start' unstarted <<END
-main.lua: boot.run is not called, so the game cannot be played; end with $line
+main.lua: boot.run is not called, so the game cannot be played; end this script with $line
 1 problem
 END
 echo 'print("dot", "dart", ("x"):rep(3))' | game idle
@@ -889,7 +889,7 @@ echo 'local garcia = require "garcia" print("dot", "dart", garcia.licence)' | ga
 cp garcia.lua unseen/
 got=$("$curtain" check unseen 2>&1)
 same 'text that no run shows is no problem' 0 $?
-check '... but noted' grep -q '^garcia.lua:1: note: no font in the game has a glyph for .*; no run shows it$' \
+check '... but noted' grep -q '^garcia.lua:1: note: no font in the game has a glyph for .*; no run shows this text$' \
     <<<"$got"
 game seen <<'LUA'
 local g = require "garcia" print("dot", "dart")
@@ -905,7 +905,7 @@ END
 
 mkdir empty
 refuses 'no such folder' 'none: no such folder' check none
-refuses 'a file' "d/main.lua: is a file; check takes a game's folder" check d/main.lua
+refuses 'a file' "d/main.lua: expected a game's folder, got a file" check d/main.lua
 refuses 'a folder without rom.lua' "empty: not a game's folder: it has no rom.lua" check empty
 refuses 'no word' 'check: expected DIR (see curtain help check)' check
 refuses 'a word too many' 'check: unexpected argument "d" (see curtain help check)' check d d

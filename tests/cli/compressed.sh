@@ -80,7 +80,7 @@ bomb $size bytes long, but its header says 4294967295 TOO
 wide $size bytes long, but its header says $((size * 1000 + 2000)) TOO
 short damaged: decompressed data has the wrong checksum
 other damaged: decompressed data has the wrong checksum
-format unknown compression format 9 (this program reads 1)
+format unknown compression format 9 (this program reads format 1)
 EOL
 [ ! -e out ] && ok 'and nothing is written' || not_ok 'something was written'
 python3 - <<'PY'

@@ -87,7 +87,7 @@ runs() { # CORE DEMO ROM FRAMES [LIST]
     line=$("$program" verify "$3" "$2")
     code=$?
     echo "$line"
-    [ $code -le 1 ] && grep -qF "(recorded with core version $1, this is $core)" <<<"$line" || return 1
+    [ $code -le 1 ] && grep -qF "(recorded with core version $1; this is version $core)" <<<"$line" || return 1
     cp "$2" "$again"
     line=$("$program" verify --rerecord "$3" "$again" 2>&1)
     code=$?

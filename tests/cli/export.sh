@@ -101,7 +101,7 @@ for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'chec
     says "it does not $command" 2 "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command
 done
-says 'nor plays another game' 2 "lanterns: other.rom: cannot open; this program only $plays (see --help)" ./game \
+says 'nor plays another game' 2 "lanterns: other.rom: cannot open this file; this program only $plays (see --help)" ./game \
     other.rom
 says 'an option that there is not' 2 'lanterns: unknown option --fulscreen (did you mean --fullscreen?)' \
     ./game --fulscreen
@@ -141,7 +141,7 @@ bad 'a game with an error' "lanterns: main.lua:$(($(wc -l <lanterns/main.lua) + 
     export lanterns -o game
 check '... and the program that was there is as it was' is_game ./game
 sed -i '$d' lanterns/main.lua
-bad 'in place of a folder' 'lanterns: is a folder; name the output file with -o' export lanterns
+bad 'in place of a folder' 'lanterns: a folder with this name exists; choose another file with -o' export lanterns
 bad 'in place of a file that is none of its own' \
     'run.demo: already exists and is not an exported program; remove it first' export lanterns -o run.demo
 bad 'nor of curtain itself' 'mine: already exists and is not an exported program; remove it first' \
@@ -221,7 +221,8 @@ bad 'what is none is not' 'mine.html: already exists and is not an exported page
 bad 'nor is a program' 'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
 bad 'a player of another core version' \
-    "$player: has core version $((version + 1)), this program has $version; rebuild it with make players" \
+    "$player has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
+players" \
     export lanterns --web -o new.html
 for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
     printf '%s' "$wrong" >"$player"
@@ -268,7 +269,8 @@ b[b.index(b"<a game may stand behind curtain") + 60] += 1
 open(sys.argv[2], "wb").write(b)
 END
 bad 'a core of another core version' \
-    "$core: has core version $((version + 1)), this program has $version; rebuild it with make players" \
+    "$core has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
+players" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
 while read -r line; do
@@ -391,7 +393,8 @@ cp whole.exe "$exe"
 check 'damaged ones are refused with a sentence' pe spoil "$tool" lanterns "$exe" 100
 pe make "$exe" $((version + 1))
 bad 'one of another core version' \
-    "$exe: has core version $((version + 1)), this program has $version; rebuild it with make players" \
+    "$exe has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
+players" \
     export lanterns --windows -o new.exe
 check '... and nothing was written' test ! -e new.exe
 pe make "$exe" "$version"

@@ -85,13 +85,13 @@ bad() { # NAME CODE LINE ARGUMENT...
     same "$name" "curtain: $line $code" "$("$curtain" "$@" 2>&1) $?"
 }
 again=$(cksum plain/main.lua)
-bad "a folder that has files" 2 'plain: not empty; new creates a folder or fills an empty one' new plain
+bad "a folder that has files" 2 'plain: this folder is not empty; choose a new or empty one' new plain
 mkdir hidden && : >hidden/.keep
-bad "a hidden one is a file too" 2 'hidden: not empty; new creates a folder or fills an empty one' \
+bad "a hidden one is a file too" 2 'hidden: this folder is not empty; choose a new or empty one' \
     new hidden
 same "nothing in it was touched" "$again" "$(cksum plain/main.lua)"
 : >file
-bad "a file" 2 'file: is a file; new creates a folder' new file
+bad "a file" 2 'file: a file with this name exists; choose another name' new file
 bad "below a file" 3 'file/game/README.md: cannot be written (Not a directory)' new file/game
 bad "a folder without a name" 2 'new: "." is not a valid game name; expected a folder to create' new .
 bad "nor is there one above" 2 'new: "a/.." is not a valid game name; expected a folder to create' new a/..

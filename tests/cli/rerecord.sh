@@ -75,7 +75,7 @@ while at < len(data):
 open(target, "wb").write(out)
 PY
 }
-doubt=" (recorded with core version 1, this is $core)"
+doubt=" (recorded with core version 1; this is version $core)"
 says() { # NAME "CODE LINE" COMMAND...
     local got
     got=$("${@:3}" 2>&1)
@@ -214,7 +214,7 @@ check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
-says 'another game' '2 curtain: old.demo: demo for another game ("probe", this is "lanterns")' "$curtain" verify h \
+says 'another game' '2 curtain: old.demo: demo for another game ("probe"; this game is "lanterns")' "$curtain" verify h \
     --rerecord old.demo
 check 'another game: left alone' cmp old.demo old.was
 
@@ -257,7 +257,7 @@ as_they_were old two
 for demo in old two; do
     "$curtain" render g --demo $demo.demo --frames 400 -o $demo >/dev/null 2>$demo.said
     same "render plays an older demo ($demo)" \
-        "0 $(echo "curtain: $demo.demo: recorded with core version 1, this is $core; playback may diverge")" \
+        "0 $(echo "curtain: $demo.demo: recorded with core version 1; this is version $core; playback may diverge")" \
         "$? $(cat $demo.said)"
 done
 finish

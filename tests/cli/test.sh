@@ -405,7 +405,7 @@ same "names choose tests, in whatever form" "ok tests/bomb.lua ok tests/boss.lua
 same "one at a time and eight say the same" "$(said --jobs 1)" "$(said --jobs 8)"
 refuse "no game" "no/such: no such file or folder" "$curtain" test no/such
 "$curtain" pack g -o g.rom
-refuse "a ROM" "g.rom: is a file; test takes a game's folder" "$curtain" test g.rom
+refuse "a ROM" "g.rom: expected a game's folder, got a file" "$curtain" test g.rom
 refuse "no folder" "test: expected DIR [NAME...] (see curtain help test)" "$curtain" test
 refuse "jobs that are none" '--jobs: expected a whole number from 1 to 64, got "0"' "$curtain" test g --jobs 0
 refuse "an option of others" "--seed does not work with test (only with play, render, capture, hash, bench, survive)" \

@@ -164,7 +164,7 @@ open(sys.argv[1], "wb").write(d)
 PY
 { keys 60; } | plays out --resume
 check 'a run of another core version does not go on, which is said' grep -q \
-    'Cannot resume the run: recorded with core version 7, this is 9' err
+    'Cannot resume the run: recorded with core version 7; this is version 9' err
 again
 echo rubbish >$left
 { keys 60; } | plays out
@@ -204,7 +204,7 @@ cp $left later.demo
 exec 3>&-
 wait $first
 same 'two at once: the first says it' \
-    "curtain: Progress is no longer being saved: $scratch/$left: another program has changed it" "$(cat first)"
+    "curtain: Progress is no longer being saved: $scratch/$left: another program has changed the file" "$(cat first)"
 check '... and the file is the second one'"'"'s' cmp later.demo $left
 same '... both are replays, the first also as the second found it' 3 "$(list | wc -l)"
 

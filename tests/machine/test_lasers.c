@@ -884,7 +884,7 @@ static void test_faults(void **state)
         fault(text, want);
     }
     fault("pattern.stack { kind = 'ray', fire = 'beam', x = 1, y = 1, n = 3, speed_to = 3, length = 9, hold = 1 }",
-          "pattern.stack: fire: this figure sets speeds, and a beam has none");
+          "pattern.stack: fire: this figure sets speeds, but beams have no speed");
     fault("print(laser.group().x)", "lasers: x cannot be read from a group (only `count` can)");
 }
 

@@ -767,7 +767,7 @@ static void test_room_mistakes(void **state)
             "main.lua:2: boot.run: unknown music screen \"titel\" (did you mean \"title\"?)");
     refuses(BOOT "{ title = 'tidy' } }", "main.lua:2: boot.run music: unknown music \"tidy\" (did you mean \"tide\"?)");
     refuses(BOOT "{ 'tide' } }",
-            "main.lua:2: boot.run: music 1: expected a table such as { name = \"tide\" }, got a string");
+            "main.lua:2: boot.run: music: entry 1: expected a table such as { name = \"tide\" }, got a string");
     refuses(BOOT "{ { name = 'deap' } } }",
             "main.lua:2: boot.run music: unknown music \"deap\" (did you mean \"deep\"?)");
     refuses(BOOT "{ { nam = 'deep' } } }",

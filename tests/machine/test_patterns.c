@@ -486,7 +486,7 @@ static void test_errors(void **state)
     says("pattern.points {" DOT "list = { { 1, 2 }, { x = 3, y = 4 } } }",
          "main.lua:2: pattern.points: point 2: expected { x, y } in px");
     says("pattern.picture {" DOT "dots = '. .' }",
-         "main.lua:2: pattern.picture: dots: expected a character for each bullet, got only dots and spaces");
+         "main.lua:2: pattern.picture: dots: expected at least one character other than \".\" and space");
     says("pattern.picture {" DOT "dots = 'x\\tx' }",
          "main.lua:2: pattern.picture: dots: expected rows of ASCII characters, got byte 9");
     says("pattern.line { kind = 'dot', speed = 1, n = 3, width = 9, aim = true }",

@@ -232,9 +232,9 @@ static void test_ranges(void **state)
     expect_refusal(&start, "practice start: lives: expected 0 to 99, got 100");
     start.practice.lives = 0;
     start.practice.registers = 17;
-    expect_refusal(&start, "practice start: registers: expected at most 16, got 17");
+    expect_refusal(&start, "practice start: expected at most 16 registers, got 17");
     start.practice.registers = -1;
-    expect_refusal(&start, "practice start: registers: expected at most 16, got -1");
+    expect_refusal(&start, "practice start: expected at most 16 registers, got -1");
     start.practice.registers = 0;
     start.practice.section[0] = 0;
     start.practice.invincible = true;
@@ -585,7 +585,7 @@ static void test_list_of_none(void **state)
     rig_script(&g, NULL, "task.go(function() end)");
     rig_power_any(&r, &g, &start);
     assert_string_equal(rig_fault(&r)->message,
-                        "practice: no sections to choose from; main.lua does not call boot.run");
+                        "practice: no sections to choose from, because main.lua does not call boot.run");
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -778,7 +778,7 @@ static void test_sections_of_the_wrong(void **state)
     rig_game_free(&g);
     rig_script(&g, NULL, "task.go(function() end)");
     sections_list(&p, &g.image.rom, &start, true);
-    assert_string_equal(p.why, "practice: no sections to choose from; main.lua does not call boot.run");
+    assert_string_equal(p.why, "practice: no sections to choose from, because main.lua does not call boot.run");
     assert_int_equal(p.n, 0);
     rig_game_free(&g);
 }

@@ -602,13 +602,13 @@ static void test_errors(void **state)
     says("choose({})", "main.lua:2: choose: list: expected at least one string");
     says("choose { 'A', title = 'T' }",
          "main.lua:2: choose: list: expected strings, got the key \"title\"; options go in a second table");
-    says("choose({ 'A', 2 })", "main.lua:2: choose: list: 2: expected a string, got a number");
+    says("choose({ 'A', 2 })", "main.lua:2: choose: list: entry 2: expected a string, got a number");
     says("choose({ 'A' }, { chosen = 2 })", "main.lua:2: choose: chosen: expected a number from 1 to 1, got 2");
     says("talk.run(function() end, { hold = 'al' })",
          "main.lua:2: talk.run: hold: expected fire, all or none, got \"al\" (did you mean \"all\"?)");
     says("task.go(say, nil, 'A') say(nil, 'B')", ""); /* in one box */
     says("talk.run(function() talk.run(print) end)", "main.lua:2: talk.run: a talk is already running; call `say` and "
-                                                     "`choose` in it (a phase { talk = f } runs one)");
+                                                     "`choose` in it (a phase { talk = f } runs f as a talk)");
     says_at_load("talk.def('a', {})", "main.lua:1: talk.def: name: expected a string, got nil");
     says_at_load("talk.def('a', { name = 'A', faces = { calm = 'dto' } })",
                  "main.lua:1: talk.def face: unknown sprite \"dto\" (did you mean \"dot\"?)");

@@ -152,7 +152,7 @@ static void test_later(void **state)
     SAYS("hud.center(3, 'a')",
          "main.lua:2: attempt to call a nil value (field 'center') (did you mean score.enter or hud.centre?)");
     SAYS("hud.banner('GO', 60)", "main.lua:2: hud.banner: lines: expected a list of strings such as { \"GO\" }");
-    SAYS("hud.banner({ 'GO' })", "main.lua:2: hud.banner: frames: expected a number of frames");
+    SAYS("hud.banner({ 'GO' })", "main.lua:2: hud.banner: frames: expected a whole number");
     SAYS("hud.centre('a', 3)", "main.lua:2: hud.centre: row: expected a whole number, got a");
     SAYS("menu.choose { 'a', 'b' }",
          "main.lua:2: menu.choose: items: expected a list of strings, as in { items = { \"YES\", \"NO\" }, row = 12 }");

@@ -336,7 +336,7 @@ static void test_who_lives(void **state)
         print_trace("b", "w", r.b, UINT64_MAX);
         r.b->bullets.s.used[0] ^= 1ull << slot;
         assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
-        snprintf(want, sizeof want, "first difference: frame 5\n  bullets %u is alive in %s only (generation 1)\n",
+        snprintf(want, sizeof want, "first difference: frame 5\n  bullets %u is alive only in %s (generation 1)\n",
                  (unsigned)slot, file("a"));
         assert_string_equal(out, want);
         assert_int_equal(bisect("b", "a"), RESULT_DIFFERS);

@@ -148,7 +148,7 @@ static void test_refused(void **state)
         p[at] ^= 1;
     }
     bytes_put32(p + 8, 2);
-    refused(p, n, "unknown compression format 2 (this program reads 1)");
+    refused(p, n, "unknown compression format 2 (this program reads format 1)");
     repair_compressed(p, n);
     bytes_put32(p + 28, 1);
     bytes_put32(p + 12, hash_crc32(p + 16, n - 16));

@@ -493,7 +493,7 @@ static void test_nonsense(void **state)
     refused_with(n, second + 11, 0x80, "(pads)"); /* a button that is none */
     refused_with(n, end, 99, "(end mark)");
     refused_with(n, end + 4, FAULT_LOOP + 1, "(end mark)");
-    refused_with(n, end + 4, FAULT_SCRIPT, "the end does not match the track");
+    refused_with(n, end + 4, FAULT_SCRIPT, "the end mark does not match the frames");
     demo_free(&w.demo);
 }
 

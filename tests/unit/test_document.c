@@ -328,7 +328,7 @@ static void test_xml(void **state)
     bad(TOP("<wait>1 < 2</wait>"), "a.xml:3:30: invalid XML (a stray \"<\" or \"&\", or an invalid character)");
     bad(TOP("<wait>&one;</wait>"), "a.xml:3:27: <wait>, which starts in line 3: undefined entity");
     bad("<!DOCTYPE bulletml SYSTEM \"x.dtd\">\n<bulletml>&one;</bulletml>",
-        "a.xml:2:11: &one; is not a character that XML defines");
+        "a.xml:2:11: &one; is not an entity that XML defines");
     bad(TOP("<wait>\xff</wait>"), "a.xml:3:27: byte 0xff is not valid UTF-8; save the document as UTF-8, or name its "
                                   "encoding in the first line");
     bad(HEAD "<!-- caf\xe9 -->" TAIL,
@@ -363,7 +363,7 @@ static void test_told(void **state)
 {
     (void)state;
     tells_of(TOP("<repeat><times>0</times><action/></repeat>"),
-             "a.xml:3:21: <repeat>: times 0: a repeat runs at least once\n");
+             "a.xml:3:21: <repeat>: times is 0, but a repeat runs at least once\n");
     tells_of(TOP("<repeat><times>1-$rank</times><action/></repeat>"), "");
     tells_of(TOP("<wait>0.9</wait><wait>0</wait>"),
              "a.xml:3:21: <wait>: a wait of 0.9 frames has no effect: the action continues immediately\n");

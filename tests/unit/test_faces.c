@@ -142,9 +142,9 @@ static void test_bdf_refused(void **state)
     refused(HEAD "STARTCHAR A\nENCODING 65\nBBX 1 1 0 0\nBITMAP\n80\n",
             "line 13: U+0041 has no DWIDTH, and the header has none");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH -4 0\nBBX 1 1 0 0\nBITMAP\n80\n",
-            "line 14: U+0041: DWIDTH -4 0; expected 0 to 128, and 0");
+            "line 14: U+0041: DWIDTH -4 0; expected a width of 0 to 128 and a height of 0");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 1\nBBX 1 1 0 0\nBITMAP\n80\n",
-            "line 14: U+0041: DWIDTH 4 1; expected 0 to 128, and 0");
+            "line 14: U+0041: DWIDTH 4 1; expected a width of 0 to 128 and a height of 0");
     refused(HEAD "STARTCHAR A\nENCODING 65\nDWIDTH 4 0\nENDCHAR\n", "line 13: character without BITMAP");
 }
 
@@ -342,7 +342,7 @@ static void test_lump(void **state)
     spoilt(2, 1, "its header is out of range");
     spoilt(4, 9, "its header is out of range");
     spoilt(7, 9, "its header is out of range");
-    spoilt(8, 66, "glyph 1 is not in ascending order");
+    spoilt(8, 66, "glyph 1 is out of order (expected ascending codes)");
     spoilt(12, 39, "glyph 0 is out of range");
     spoilt(12, 72, "glyph 0 is out of range");
     spoilt(15, 1, "glyph 0 is out of range");

@@ -563,10 +563,10 @@ static void labels(void **state)
     static const struct {
         const char *name, *label[PLAT_KINDS];
     } rows[] = {
-        { "pad.south", { "lower button", "A", "A", "cross", "cross", "cross", "B" } },
+        { "pad.south", { "bottom button", "A", "A", "cross", "cross", "cross", "B" } },
         { "pad2.east", { "right button", "B", "B", "circle", "circle", "circle", "A" } },
         { "pad.west", { "left button", "X", "X", "square", "square", "square", "Y" } },
-        { "pad.north", { "upper button", "Y", "Y", "triangle", "triangle", "triangle", "X" } },
+        { "pad.north", { "top button", "Y", "Y", "triangle", "triangle", "triangle", "X" } },
         { "pad.r1", { "R1", "RB", "RB", "R1", "R1", "R1", "R" } },
         { "pad.l2", { "L2", "LT", "LT", "L2", "L2", "L2", "ZL" } },
         { "pad.start", { "Start", "Menu", "Start", "Start", "Options", "Options", "+" } },

@@ -144,7 +144,7 @@ static void test_lump(void **state)
     }
     memcpy(bad, lump, size);
     bytes_put32(bad + 12, bytes_get32(bad + 4));
-    lump_refused(bad, size, "translation 1 is not in byte order");
+    lump_refused(bad, size, "translation 1 is out of order (expected byte order)");
     free(bad);
     free(lump);
     lang_close(&l);

@@ -364,10 +364,10 @@ static void test_numbers(void **state)
                   "sprites.a.sizes[1]: expected a whole number from 1 to 1000, got 1001");
     entry_refused(
         "sheets = { s = { file = 'a' } }, sprites = { a = { sheet = 's', w = 1, h = 1, sizes = { 50, 50 } } }",
-        "sprites: two sprites are named a_50; one of these names comes from the sprite's size");
+        "sprites: two sprites are named a_50; one of them gets this name from `sizes`");
     entry_refused("sheets = { s = { file = 'a' } }, sprites = { a_7 = { sheet = 's', w = 1, h = 1 },\n"
                   "  a = { sheet = 's', w = 1, h = 1, sizes = { 7 } } }",
-                  "sprites: two sprites are named a_7; one of these names comes from the sprite's size");
+                  "sprites: two sprites are named a_7; one of them gets this name from `sizes`");
     entry_refused("players = 1.5", "players: expected a whole number from 1 to 2, got 1.5");
     entry_refused("players = '2'", "players: expected a whole number from 1 to 2, got \"2\"");
     entry_refused("players = {}", "players: expected a whole number from 1 to 2, got a table");
@@ -409,7 +409,8 @@ static void test_lists(void **state)
     entry_refused("difficulties = { 1 }", "difficulties[1]: expected a word, got 1");
     entry_refused("difficulties = { 'abcdefghijklmnop' }",
                   "difficulties[1]: expected a word of at most 15 bytes, got \"abcdefghijklmnop\"");
-    entry_refused("difficulties = { 'easy' }, difficulty = 'hard'", "difficulty: \"hard\" is not in difficulties");
+    entry_refused("difficulties = { 'easy' }, difficulty = 'hard'",
+                  "difficulty: \"hard\" is not listed in difficulties");
 }
 
 static void test_dip_errors(void **state)
@@ -443,7 +444,7 @@ static void test_art_errors(void **state)
     entry_refused("font = '/etc/font.png'",
                   "font: expected a file inside the folder (letters, digits, _ - . /), got \"/etc/font.png\"");
     entry_refused("icon = 3", "icon: expected a file or a sprite's name, got 3");
-    entry_refused("icon = 'ship'", "icon: expected a .png or the name of a sprite, got \"ship\"");
+    entry_refused("icon = 'ship'", "icon: expected a .png file or the name of a sprite, got \"ship\"");
     entry_refused("icon = '../a.png'",
                   "icon: expected a file inside the folder (letters, digits, _ - . /), got \"../a.png\"");
     entry_refused("palettes = { a = 'x/../y' }",
@@ -470,7 +471,7 @@ static void test_art_errors(void **state)
     entry_refused("sheets = { a = { file = 'x.png', bank = 16 } }",
                   "sheets.a.bank: expected a whole number from 0 to 15, got 16");
     entry_refused("sprites = { a = { w = 1, h = 1 } }", "sprites.a.sheet: expected the name of a sheet, got nil");
-    entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not in sheets");
+    entry_refused("sprites = { a = { sheet = 'b', w = 1, h = 1 } }", "sprites.a.sheet: \"b\" is not listed in sheets");
     entry_refused("sheets = { s = { file = 'x.png' } }, sprites = { a = { sheet = 's', h = 1 } }",
                   "sprites.a.w: expected a whole number from 1 to 1024, got nil");
     entry_refused(
@@ -528,7 +529,7 @@ static void test_palette_of_a_sheet(void **state)
     assert_string_equal(r->art.maps[0].palette, "dusk");
     free(r);
     entry_refused("palettes = { dusk = 'd.png' }, sheets = { a = { file = 'a.png', palette = 'dawn' } }",
-                  "sheets.a.palette: \"dawn\" is not in palettes");
+                  "sheets.a.palette: \"dawn\" is not listed in palettes");
     entry_refused("maps = { m = { tiles = 't.png', palette = 3, rows = { { 1 } } } }",
                   "maps.m.palette: expected a palette's name, got 3");
 }
@@ -670,9 +671,9 @@ static void test_maps(void **state)
         { "sea = { tiles = 'a.png', file = 'b.csv', rows = { { 1 } } }",
           "rom.lua: maps.sea: expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }" },
         { "sea = { tiles = 'a.png', file = 'b.txt' }",
-          "rom.lua: maps.sea: file: expected a .csv or a .tmx, got \"b.txt\"" },
+          "rom.lua: maps.sea: file: expected a .csv or .tmx file, got \"b.txt\"" },
         { "sea = { tiles = 'a.png', file = 'b.csv', layer = 'x' }",
-          "rom.lua: maps.sea: layer: only a .tmx has layers" },
+          "rom.lua: maps.sea: layer: only a .tmx map has layers" },
         { "sea = { tiles = 'a.png', size = 12, rows = { { 1 } } }",
           "rom.lua: maps.sea.size: expected 8, 16 or 32, got 12" },
         { "sea = { tiles = 'a.png', row = { { 1 } } }", "rom.lua: maps.sea.row: unknown key (did you mean \"rows\"?)" },
@@ -811,8 +812,8 @@ static void test_check(void **state)
     SPOILED(m.n_difficulties = 4, words);
     SPOILED(m.n_difficulties = 2, words);
     SPOILED(memcpy(m.difficulties[1], m.difficulties[0], MAX_WORD), words);
-    SPOILED(m.difficulty = 3, "difficulty: not in difficulties");
-    SPOILED(m.difficulty = -1, "difficulty: not in difficulties");
+    SPOILED(m.difficulty = 3, "difficulty: not listed in difficulties");
+    SPOILED(m.difficulty = -1, "difficulty: not listed in difficulties");
     SPOILED(m.n_dips = 17, "dip: expected at most 16 switches");
     SPOILED(m.n_dips = -1, "dip: expected at most 16 switches");
     SPOILED(m.n_dips = 4, "dip: expected names of 1 to 15 letters, digits, _ or -");

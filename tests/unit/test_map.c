@@ -108,7 +108,7 @@ static void test_csv_bad(void **state)
         { "", 1, "m.csv: expected lines of numbers, got an empty file" },
         { "\n\n", 1, "m.csv: expected lines of numbers, got an empty file" },
         { "1,2\n3\n", 1, "m.csv:2: 1 tiles, expected 2, as in the first line" },
-        { "1,2\n\n3,4\n", 1, "m.csv:2: blank line between other lines" },
+        { "1,2\n\n3,4\n", 1, "m.csv:2: blank line between rows" },
         { "1;2\n", 1, "m.csv:1: expected a comma, got byte 59" },
         { "1,x\n", 1, "m.csv:1: expected an integer, got byte 120" },
         { "1,,2\n", 1, "m.csv:1: expected an integer, got byte 44" },

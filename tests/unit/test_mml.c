@@ -173,7 +173,7 @@ static void test_mistakes(void **state)
         { "_M2 c", "x.mml:1:1: unknown command \"_M\" (\"K\" transposes)" },
         { "o9 c+4 b+", "x.mml:1:8: the note is too high" },
         { "x4", "x.mml:1:1: x repeats the previous note, but there is none" },
-        { "{cd}4,2 {c}4", "x.mml:1:1: its slide ends after the note" },
+        { "{cd}4,2 {c}4", "x.mml:1:1: the slide ends after its note" },
         { "{{c[d]2}}4", "x.mml:1:4: {{ }} can only contain notes, rests and octaves" },
         { "{{cde 4", "x.mml:1:1: {{ without }}" },
         { "c L", "x.mml:1:3: nothing to repeat after L" },
@@ -184,7 +184,7 @@ static void test_mistakes(void **state)
         { "A \"drop", "x.mml:1:3: \" without a closing \"" },
         { "A E5,5 c", "x.mml:1:7: expected E attack,decay,sustain,release: milliseconds, and percent for sustain" },
         { "A ~r c", "x.mml:1:3: expected a note after ~, as in ~c16 d4" },
-        { "A ~c4 d4", "x.mml:1:7: its grace notes are as long as the note" },
+        { "A ~c4 d4", "x.mml:1:7: the grace notes are as long as their note" },
         { "A c4 ~d r4", "x.mml:1:9: grace note before a rest" },
         { "A c4 ~d", "x.mml:1:8: grace note without a note after it" },
         { "A S2 c", "x.mml:1:5: expected S semitones,length, as in S2,16, or S0" },
@@ -209,7 +209,7 @@ static void test_mistakes(void **state)
         { "@b fm op3=1\nA c", "x.mml:1:7: this instrument has 2 operators" },
         { "@b fm algorithm=1\nA c", "x.mml:1:7: only fm4 has an algorithm" },
         { "@b fm4 op1=2 algorithm=1\nA c",
-          "x.mml:1:24: expected the algorithm before the operators: it decides which are audible" },
+          "x.mml:1:24: expected the algorithm before the operators: it decides which of them are audible" },
         { "@b fm4 op1=1,101\nA c",
           "x.mml:1:14: expected percent (for an audible operator) from 0 to 100, got \"101\"" },
         { "@b saw arpeggio=2\nA c",
@@ -220,7 +220,7 @@ static void test_mistakes(void **state)
         { "#echo B:A\nA c",
           "x.mml:1:8: expected #echo B=A,8,-3: track B is track A an eighth note later and 3 steps softer" },
         { "[[[[[[[[[c]2", "x.mml:1:9: loops nested deeper than 8" },
-        { "[[[[[c%1]255]255]255]255]255", "x.mml:1:6: more than 262144 notes and settings (loops expanded)" },
+        { "[[[[[c%1]255]255]255]255]255", "x.mml:1:6: more than 262144 notes and settings (with loops expanded)" },
     };
 
     (void)state;
@@ -255,9 +255,8 @@ static void test_warnings(void **state)
     (void)state;
     assert_string_equal(warnings("A c4 d%16 e4"), "");
     assert_string_equal(warnings("A c%15 d4"), "");
-    assert_string_equal(
-        warnings("A c4\nA [d%15 e4]3"),
-        "x.mml:2:9: starts within one frame (1/60 s) of the previous note in this track and cuts it off|");
+    assert_string_equal(warnings("A c4\nA [d%15 e4]3"), "x.mml:2:9: this note starts within one frame (1/60 s) of the "
+                                                        "previous note in its track and cuts that note off|");
     assert_string_equal(warnings("A c4 t60 d%15 e4"), "");
 }
 

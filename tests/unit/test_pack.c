@@ -375,7 +375,7 @@ static void test_std(void **state)
     assert_string_equal(modules_of("return 1"), "menu path prelude");
     assert_string_equal(modules_of("return pattern.arc"), "menu path pattern prelude");
     put_text("std/nonesuch.lua", "return 1");
-    refused("std/nonesuch.lua: the standard library has no such script to replace");
+    refused("std/nonesuch.lua: the standard library has no script with this name");
 }
 
 /* A piece is in the ROM with its module, and the game's own in its stead; a game without the module has none. */
@@ -398,7 +398,7 @@ static void test_pieces(void **state)
     assert_lump(&image.rom, "script/@std/boot/list.lua", "return 'mine'");
     rom_image_free(&image);
     put_text("std/boot/lists.lua", "return 1");
-    refused("std/boot/lists.lua: the standard library has no such script to replace");
+    refused("std/boot/lists.lua: the standard library has no script with this name");
 }
 
 /* The library's files are the modules that the board knows and their pieces. */
@@ -778,7 +778,7 @@ static void test_maps(void **state)
     put_text("maps/m.tmx", MAP_OF("<tileset firstgid='1' source='../sets/three.tsx'/>", "1,0"));
     refused("maps/m.tmx:2: sets/three.tsx does not exist");
     put_game("return { maps = { m = { tiles = { 'a.png', 'b.png' }, rows = { { 1 } } } } }");
-    refused("rom.lua: maps.m: tiles: only a .tmx can use tiles from several pictures");
+    refused("rom.lua: maps.m: tiles: only a .tmx map can use tiles from several pictures");
 }
 
 static uint8_t at(const struct sprite *s, int i, int x, int y)
@@ -1191,7 +1191,7 @@ static void test_unpack_refuses(void **state)
         struct lump lumps[] = { { "aaa", (const uint8_t *)"x", 1 }, { names[i], (const uint8_t *)"x", 1 } };
         struct rom_image image = loose(lumps, 2);
         assert_false(pack_unpack(&image.rom, out, err, sizeof err));
-        assert_non_null(strstr(err, "\" is not a file name inside a folder"));
+        assert_non_null(strstr(err, "\" is not a valid file name"));
         assert_int_equal(plat_size(in_dir("out/lumps/aaa")), -1); /* nothing was written */
         rom_image_free(&image);
     }

@@ -157,7 +157,7 @@ static void test_wav(void **state)
     test_wav_lengths(p, n);
     wav_refuses(p, 36, "no chunk \"data\"");
     p[20] = 2;
-    wav_refuses(p, n, "expected PCM samples (format 1, or 3: floats), got format 2");
+    wav_refuses(p, n, "expected PCM samples (format 1: integers, or format 3: floats), got format 2");
     n = make_wav(p, 3, 16, 44100, 600);
     wav_refuses(p, n, "expected one or two channels, got 3");
     make_wav(p, 1, 12, 44100, 600);

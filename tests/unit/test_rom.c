@@ -217,7 +217,7 @@ static void test_header(void **state)
     }
     b = make_small();
     bytes_put32(b.p + 8, 2);
-    refused(b, "unknown ROM format 2 (this program reads 1)");
+    refused(b, "unknown ROM format 2 (this program reads format 1)");
     b = make_small();
     b.p[13] ^= 1;
     refused(b, "damaged: the checksum does not match");
@@ -463,7 +463,7 @@ static void test_cart_blends(void **state)
     assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
     free(b.p);
     assert_false(open_blends(&f, 4, CART_BLEND, &cart, &rom, &b, err, sizeof err));
-    assert_string_equal(err, "4 lumps \"blend/...\", expected at most 3");
+    assert_string_equal(err, "4 lumps named \"blend/...\", expected at most 3");
     free(b.p);
     assert_false(open_blends(&f, 2, CART_BLEND - 1, &cart, &rom, &b, err, sizeof err));
     assert_string_equal(err, "lump \"blend/b\": 65535 bytes long, expected 65536");
@@ -571,7 +571,7 @@ static void test_cart_hits(void **state)
         hit_refused(wrong[i], "hit/orb", CART_HIT, bad);
     hit_refused(good[0], "hit/orb", CART_HIT - 1, bad);
     hit_refused(good[0], "hit/orb", CART_HIT + 1, bad);
-    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": no such sprite");
+    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": no sprite has this name");
 }
 
 static void test_cart_without_font(void **state)
@@ -604,9 +604,9 @@ static void test_cart_lumps(void **state)
     full_refused(&f, -1, "lump \"palette/main\": 767 bytes long, expected 768");
     full_init(&f);
     f.lumps[1].size--;
-    full_refused(&f, -1, "lump \"font\": 127 bytes long, expected 64 for each of 1 to 224 characters");
+    full_refused(&f, -1, "lump \"font\": 127 bytes long, expected 64 bytes for each of 1 to 224 characters");
     f.lumps[1].size = 0;
-    full_refused(&f, -1, "lump \"font\": 0 bytes long, expected 64 for each of 1 to 224 characters");
+    full_refused(&f, -1, "lump \"font\": 0 bytes long, expected 64 bytes for each of 1 to 224 characters");
     full_init(&f);
     f.font[100] = 16;
     full_refused(&f, -1, "lump \"font\": shade 16 in character 33, expected 0 to 15");
@@ -657,11 +657,11 @@ static void test_sprite_pixels(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         full_init(&f);
         f.gfx[wrong[i][0]] = wrong[i][1];
-        full_refused(&f, -1, "lump \"gfx/a\": row 0 has a pixel outside bank 3 or the picture");
+        full_refused(&f, -1, "lump \"gfx/a\": row 0 has a pixel beyond its width or with a colour outside bank 3");
     }
     full_init(&f);
     f.gfx[GFX - 1] = 0x31;
-    full_refused(&f, -1, "lump \"gfx/a\": row 3 has a pixel outside bank 3 or the picture");
+    full_refused(&f, -1, "lump \"gfx/a\": row 3 has a pixel beyond its width or with a colour outside bank 3");
 }
 
 /* Reads all that an opened ROM offers; returns something that depends on every byte. */

@@ -434,7 +434,7 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
         rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
 }
 
-static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "one table for each dim level except none");
+static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
 
 /* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
 static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)

@@ -107,7 +107,7 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
 
     c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
     if (c->blends > CART_MAX_BLENDS)
-        return err_set(err, err_size, "%d lumps \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
+        return err_set(err, err_size, "%d lumps named \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
     for (int i = 0; i < c->blends; i++) {
         rom_lump(c->rom, c->first_blend + i, &l);
         if (!sized(&l, CART_BLEND, err, err_size))
@@ -151,7 +151,7 @@ static bool open_looks(struct cart *c, char *err, size_t err_size)
     range(c->rom, "blends/", "blends0", &blends);
     c->has_looks = shades + blends > 0;
     if (c->has_looks && c->palettes > CART_MAX_LOOKS)
-        return err_set(err, err_size, "%d lumps \"palette/...\" with shade or blend tables, expected at most %d",
+        return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
                        c->palettes, CART_MAX_LOOKS);
     for (int i = 0; i < c->palettes && c->has_looks; i++)
         if (!open_look(c, i, err, err_size))
@@ -167,7 +167,7 @@ static bool open_faces(struct cart *c, char *err, size_t err_size)
 
     c->first_face = range(c->rom, "fonts/", "fonts0", &c->faces);
     if (c->faces > CART_MAX_FACES)
-        return err_set(err, err_size, "%d lumps \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
+        return err_set(err, err_size, "%d lumps named \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
     for (int i = 0; i < c->faces; i++) {
         rom_lump(c->rom, c->first_face + i, &l);
         if (!face_open(&face, l.data, l.size, why, sizeof why))
@@ -204,8 +204,8 @@ static bool open_font(struct cart *c, char *err, size_t err_size)
         return true;
     if (l.size == 0 || l.size % CART_GLYPH != 0 || l.size / CART_GLYPH > CART_MAX_GLYPHS)
         return err_set(err, err_size,
-                       "lump \"font\": %" PRIu32 " bytes long, expected %d for each of 1 to %d characters", l.size,
-                       CART_GLYPH, CART_MAX_GLYPHS);
+                       "lump \"font\": %" PRIu32 " bytes long, expected %d bytes for each of 1 to %d characters",
+                       l.size, CART_GLYPH, CART_MAX_GLYPHS);
     for (uint32_t i = 0; i < l.size; i++)
         if (l.data[i] > 15)
             return err_set(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15",
@@ -277,7 +277,8 @@ static bool check_sprite(const struct lump *l, char *err, size_t err_size)
                        CART_GFX_HEADER + rows * s.pitch);
     for (uint64_t y = 0; y < rows; y++)
         if (!row_ok(s.pix + y * s.pitch, &s))
-            return err_set(err, err_size, "lump \"%s\": row %" PRIu64 " has a pixel outside bank %d or the picture",
+            return err_set(err, err_size,
+                           "lump \"%s\": row %" PRIu64 " has a pixel beyond its width or with a colour outside bank %d",
                            l->name, y, s.bank);
     return true;
 }
@@ -356,7 +357,7 @@ static bool open_hits(struct cart *c, char *err, size_t err_size)
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
         if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
-            return err_set(err, err_size, "lump \"%s\": no such sprite", l.name);
+            return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
         if (l.size == CART_HIT)
             read_hit(l.data, &h);
         if (l.size != CART_HIT || !hit_ok(&h))
@@ -447,7 +448,7 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
 
     c->first_map = range(c->rom, "map/", "map0", &c->maps);
     if (c->maps > CART_MAX_MAPS)
-        return err_set(err, err_size, "%d lumps \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
+        return err_set(err, err_size, "%d lumps named \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
     for (int i = 0; i < c->maps; i++) {
         rom_lump(c->rom, c->first_map + i, &l);
         if (!check_map(&l, err, err_size))
@@ -463,7 +464,7 @@ static bool open_bulletml(struct cart *c, char *err, size_t err_size)
 
     c->first_bulletml = range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
     if (c->bulletmls > CART_MAX_BULLETML)
-        return err_set(err, err_size, "%d lumps \"bulletml/...\", expected at most %d", c->bulletmls,
+        return err_set(err, err_size, "%d lumps named \"bulletml/...\", expected at most %d", c->bulletmls,
                        CART_MAX_BULLETML);
     for (int i = 0; i < c->bulletmls; i++) {
         rom_lump(c->rom, c->first_bulletml + i, &l);

@@ -28,8 +28,8 @@ size_t compressed_size(const void *data, size_t size, char *err, size_t err_size
     }
     const uint32_t plain = bytes_get32(p + 16);
     if (bytes_get32(p + 8) != FORMAT)
-        err_set(err, err_size, "unknown compression format %" PRIu32 " (this program reads %d)", bytes_get32(p + 8),
-                FORMAT);
+        err_set(err, err_size, "unknown compression format %" PRIu32 " (this program reads format %d)",
+                bytes_get32(p + 8), FORMAT);
     else if (bytes_get32(p + 20) != size)
         err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
     else if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))

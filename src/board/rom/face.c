@@ -66,7 +66,7 @@ bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size
         return err_set(err, err_size, "its header is out of range");
     for (uint32_t i = 0; i < f->n; i++) {
         if (i > 0 && code_at(f, i) <= code_at(f, i - 1))
-            return err_set(err, err_size, "glyph %" PRIu32 " is not in ascending order", i);
+            return err_set(err, err_size, "glyph %" PRIu32 " is out of order (expected ascending codes)", i);
         if (!glyph_ok(f, i, size))
             return err_set(err, err_size, "glyph %" PRIu32 " is out of range", i);
     }

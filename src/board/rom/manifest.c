@@ -222,7 +222,7 @@ static bool check_difficulties(const struct manifest *m, char *err, size_t err_s
         return err_set(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
                        MAX_DIFFICULTIES, MAX_WORD - 1);
     if (m->difficulty < 0 || m->difficulty >= n)
-        return err_set(err, err_size, "difficulty: not in difficulties");
+        return err_set(err, err_size, "difficulty: not listed in difficulties");
     return true;
 }
 

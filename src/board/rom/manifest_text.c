@@ -448,7 +448,7 @@ static void read_difficulties(const struct at *root, struct manifest *m)
     bool given = get_text(root, "difficulty", "a word", word, sizeof word);
     m->difficulty = word_index((const char(*)[MAX_WORD])m->difficulties, m->n_difficulties, word);
     if (m->difficulty < 0 && given)
-        bad(root->lua, "difficulty", "\"%s\" is not in difficulties", word);
+        bad(root->lua, "difficulty", "\"%s\" is not listed in difficulties", word);
     if (m->difficulty < 0)
         m->difficulty = 0;
 }
@@ -607,7 +607,7 @@ static void get_palette(const struct at *a, const struct art *art, char name[ART
     for (int i = 0; i < art->n_palettes; i++)
         if (strcmp(art->palettes[i].name, name) == 0)
             return;
-    bad(a->lua, path, "\"%s\" is not in palettes", name);
+    bad(a->lua, path, "\"%s\" is not listed in palettes", name);
 }
 
 /* cell = { w, h }, and what stands in the cells. */
@@ -688,7 +688,7 @@ static int32_t sheet_index(const struct at *a, const struct art *art)
     for (int i = 0; i < art->n_sheets; i++)
         if (strcmp(art->sheets[i].name, name) == 0)
             return i;
-    bad(a->lua, path, "\"%s\" is not in sheets", name);
+    bad(a->lua, path, "\"%s\" is not listed in sheets", name);
 }
 
 static void read_origin(const struct at *a, struct art_sprite *s)
@@ -723,8 +723,7 @@ static void read_tagged(const struct at *a, struct art_sprite *s)
     get_text(a, "tag", "a tag's name", s->tag, sizeof s->tag);
     if (get(a, "frames")) {
         path_of(a, "frames", path);
-        bad(a->lua, path,
-            "the frames of an .ase file come from its tag (add tag = \"NAME\"; without a tag, all frames are used)");
+        bad(a->lua, path, "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
     }
     s->frames = s->every = 0;
     get_whole(a, "w", 1, 1024, &s->w);
@@ -803,7 +802,7 @@ static void sort_sprites(lua_State *lua, struct art *art, int first)
             s[at] = s[at - 1];
         s[at] = one;
         if (at > 0 && strcmp(s[at - 1].name, one.name) == 0)
-            bad(lua, "sprites", "two sprites are named %s; one of these names comes from the sprite's size", one.name);
+            bad(lua, "sprites", "two sprites are named %s; one of them gets this name from `sizes`", one.name);
     }
 }
 
@@ -915,11 +914,11 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     get_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
     const bool file = get_file(a, "file", map->file), tmx = ends(map->file, ".tmx");
     if (file && !tmx && !ends(map->file, ".csv"))
-        bad(a->lua, a->path, "file: expected a .csv or a .tmx, got \"%s\"", map->file);
+        bad(a->lua, a->path, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
     if (map->n_tiles > 1 && !tmx)
-        bad(a->lua, a->path, "tiles: only a .tmx can use tiles from several pictures");
+        bad(a->lua, a->path, "tiles: only a .tmx map can use tiles from several pictures");
     if (map->layer[0] != '\0' && !tmx)
-        bad(a->lua, a->path, "layer: only a .tmx has layers");
+        bad(a->lua, a->path, "layer: only a .tmx map has layers");
     if (map->size == 0 && !tmx)
         map->size = 16;
     if (map->size != 0 && map->size != 8 && map->size != 16 && map->size != 32)
@@ -945,7 +944,7 @@ static void read_icon(const struct at *root, struct art *art)
     while (i < art->n_sprites && strcmp(art->sprites[i].name, art->icon) != 0)
         i++;
     if (i == art->n_sprites)
-        bad(root->lua, "icon", "expected a .png or the name of a sprite, got \"%s\"", art->icon);
+        bad(root->lua, "icon", "expected a .png file or the name of a sprite, got \"%s\"", art->icon);
 }
 
 /* Maps alone switch backgrounds on. */

@@ -38,7 +38,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
             !string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry + 4)))
             return err_set(err, err_size, "translation %" PRIu32 " is missing", i);
         if (i > 0 && strcmp(words_entry(w, i - 1, NULL), words_entry(w, i, NULL)) >= 0)
-            return err_set(err, err_size, "translation %" PRIu32 " is not in byte order", i);
+            return err_set(err, err_size, "translation %" PRIu32 " is out of order (expected byte order)", i);
     }
     return true;
 }

@@ -135,7 +135,8 @@ static void silence_music(struct board *b)
     b->voices.gain0 = (uint16_t)((int32_t)b->music.level * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
-_Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE, "each piece of music set aside has a place for its voices");
+_Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE,
+               "each piece of music that is set aside needs a place for its voices");
 
 static void keep_music(struct board *b)
 {

@@ -10,7 +10,7 @@ static const struct {
     lua_CFunction call; /* NULL: a field */
 } entries[] = {
     { { "test.run", "options: test.options?", "run",
-        "starts a run and plays options.frames frames, or a demo to its end; without options, starts at the title" },
+        "starts a run and plays options.frames frames or a whole demo; without options, the run starts at the title" },
       trial_test_run },
     { { "test.expect", "value: any, what: string?", "boolean",
         "fails the test if `value` is false or nil, but the script continues; returns whether the check passed" },
@@ -20,7 +20,7 @@ static const struct {
         "values" },
       trial_test_equal },
     { { "test.shot", "name: string, run: run?", "boolean",
-        "compares the frame with tests/golden/NAME.png, pixel by pixel; default: the newest run" },
+        "compares the run's frame with tests/golden/NAME.png, pixel by pixel; default: the newest run" },
       trial_test_shot },
     { { "test.hash", "name: string, run: run?", "boolean",
         "compares the state of every part with tests/golden/NAME.hash; reports the parts that differ" },
@@ -37,7 +37,7 @@ static const struct {
         "buttons to hold: \"fire,left@60:90\", as in --press (2.fire for player 2); or a function called before each "
         "frame" },
       NULL },
-    { { "options.demo", "", "string?", "take the start and buttons from a demo in the game, \"demos/run.demo\"" },
+    { { "options.demo", "", "string?", "take the start and buttons from a demo in the game: \"demos/run.demo\"" },
       NULL },
     { { "options.lang", "", "string?", "the game's language, from lang/NAME.txt" }, NULL },
     { { "options.lives", "", "integer?", "with stage: number of lives, 1 to 99" }, NULL },
@@ -55,10 +55,10 @@ static const struct {
         "line of the game's Lua or a function" },
       trial_run_wait },
     { { "run:press", "pads: (string|fun(run: run): string?)?", "",
-        "buttons to hold from now on, like options.pads; frames count from the start of the run; nil: none" },
+        "buttons to hold from now on, like options.pads; frames count from the start of the run; nil: no buttons" },
       trial_run_press },
     { { "run:eval", "line: string", "any",
-        "runs a line of Lua in the game, as the console does, returns its values and undoes its changes" },
+        "like the console: runs a line of Lua in the game, returns its values and undoes its changes" },
       trial_run_eval },
     { { "run:exec", "line: string", "any", "like run:eval, but keeps the changes" }, trial_run_exec },
     { { "run:live", "part: string", "integer", "number of live entities in a part: \"bullets\", \"enemies\"" },
@@ -69,7 +69,7 @@ static const struct {
     { { "run:heard", "sound: string", "integer", "number of times that the sound was started" }, trial_run_heard },
     { { "run:printed", "words: string", "boolean", "true if a printed line contains these words" }, trial_run_printed },
     { { "run:moment", "kind: string, name: string?", "test.moment?",
-        "the first moment of this kind, and with this name if given; nil if there is none" },
+        "the first moment of this kind (and with this name, if given), or nil" },
       trial_run_moment },
     { { "run.frame", "", "integer", "frames since power-on" }, NULL },
     { { "run.score", "", "integer", "points of player 1" }, NULL },
@@ -80,8 +80,8 @@ static const struct {
     { { "run.difficulty", "", "string?", "the run's difficulty" }, NULL },
     { { "run.log", "", "string[]", "the lines that the game has printed" }, NULL },
     { { "run.moments", "", "test.moment[]",
-        "stages, bosses, deaths and so on, so far: { frame, kind, name, of, title, value }; kinds: stage mark wave "
-        "boss phase death clear won lost start game over row" },
+        "all moments so far (stages, bosses, deaths and so on): { frame, kind, name, of, title, value }; kinds: stage "
+        "mark wave boss phase death clear won lost start game over row" },
       NULL },
 };
 enum { ENTRIES = sizeof entries / sizeof *entries };

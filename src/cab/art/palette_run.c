@@ -106,15 +106,14 @@ static enum result export(const char *from, int bank, const char *out) {
 enum result art_run_palette(const char *from, int bank, const char *out)
 {
     if (!out)
-        return report_line(
-            RESULT_REFUSED,
-            "palette: expected -o FILE.png, the palette to write to; or, to export a .png, -o FILE.gpl or FILE.hex");
+        return report_line(RESULT_REFUSED, "palette: expected -o FILE.png to change a palette, or -o FILE.gpl or "
+                                           "-o FILE.hex to export one of its banks");
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
     if (is_list(from) && ends_in(out, ".png"))
         return import(from, bank, out);
     if (ends_in(from, ".png") && is_list(out))
         return export(from, bank, out);
-    return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl and -o FILE.png, or a .png and -o FILE.gpl or "
-                                       "FILE.hex");
+    return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl file and -o FILE.png, or a .png file and "
+                                       "-o FILE.gpl or -o FILE.hex");
 }

@@ -228,8 +228,8 @@ static bool find_link(struct reader *r, int layer, int frame, int *image)
                 *image = a->cels[a->frames[frame].first_cel + i].image;
                 return true;
             }
-    return refuse(r, "frame %d, layer \"%s\": its cel is linked to frame %d, which has no cel there", a->n_frames,
-                  a->layers[layer].name, frame + 1);
+    return refuse(r, "frame %d, layer \"%s\": its cel is linked to frame %d, which has no cel in this layer",
+                  a->n_frames, a->layers[layer].name, frame + 1);
 }
 
 static bool read_cel(struct reader *r)
@@ -248,8 +248,8 @@ static bool read_cel(struct reader *r)
     if (r->past)
         return true;
     if (c.layer >= a->n_layers)
-        return refuse(r, "damaged Aseprite file: frame %d has a cel in layer %d of %d", a->n_frames, c.layer + 1,
-                      a->n_layers);
+        return refuse(r, "damaged Aseprite file: frame %d has a cel in layer %d, but the last layer is %d", a->n_frames,
+                      c.layer + 1, a->n_layers);
     if (type == TILES)
         return true; /* of a layer that is not shown */
     if (type > TILES)
@@ -469,7 +469,7 @@ static bool read_header(struct reader *r, const uint8_t *p, size_t n, int *frame
     if (*frames < 1 || *frames > ASE_MAX_FRAMES)
         return refuse(r, "the Aseprite file has %d frames, expected 1 to %d", *frames, ASE_MAX_FRAMES);
     if (a->w < 1 || a->h < 1 || a->w > ASE_MAX_SIDE || a->h > ASE_MAX_SIDE)
-        return refuse(r, "Aseprite file of %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
+        return refuse(r, "the Aseprite file has %dx%d pixels, expected 1x1 to %dx%d", a->w, a->h, ASE_MAX_SIDE,
                       ASE_MAX_SIDE);
     a->depth = bits / 8;
     a->clear = a->depth == 1 ? p[28] : 0;

@@ -61,7 +61,7 @@ static void look_at_repeat(struct document_reader *r, int32_t node, struct searc
     if (!constant(d, document_child(d, node, NODE_TIMES), &times))
         return;
     if (times < 1)
-        document_told(r, node, "times %g: a repeat runs at least once", times);
+        document_told(r, node, "times is %g, but a repeat runs at least once", times);
     s->now++;
     if (times >= MANY && s->budget > 0 && !may_wait(d, node, s))
         document_told(r, node, "%.0f times without a wait: too many for one frame", times);

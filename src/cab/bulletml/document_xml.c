@@ -304,7 +304,7 @@ static void on_skipped(void *user, const XML_Char *name, int parameter)
 
     if (parameter)
         return;
-    document_bad(x->r, line_of(x), column_of(x), "&%.40s; is not a character that XML defines", name);
+    document_bad(x->r, line_of(x), column_of(x), "&%.40s; is not an entity that XML defines", name);
     go_on(x);
 }
 

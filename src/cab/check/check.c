@@ -116,7 +116,7 @@ static bool open_folder(struct check *c, enum result *result)
 
     *result = RESULT_REFUSED;
     if (files_size(c->dir) >= 0)
-        report_line(*result, "%s: is a file; check takes a game's folder", c->dir);
+        report_line(*result, "%s: expected a game's folder, got a file", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
         report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))

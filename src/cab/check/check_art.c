@@ -85,7 +85,7 @@ static const uint8_t *colours_of(const struct check *c, const struct colours *co
 /* What would do for a picture whose palette was changed. */
 static const char *remedy(const struct art_strays *s)
 {
-    return s->fits ? " (the picture's indices are; use match = \"index\" in rom.lua)" : "";
+    return s->fits ? " (the picture's indices fit the bank; to use them, set match = \"index\" in rom.lua)" : "";
 }
 
 static void note_strays(struct check *c, const char *file, int bank, const struct art_picture *picture,

@@ -71,7 +71,7 @@ static void read_script(struct check *c, const char *path)
         return;
     }
     if (strncmp(path, "std/", 4) == 0 && !pack_is_std(path)) {
-        refuse(c, path, "the standard library has no such script to replace");
+        refuse(c, path, "the standard library has no script with this name");
         return;
     }
     *s = (struct check_script){ .path = path };
@@ -291,7 +291,7 @@ static void judge_walk(struct check *c, const char *path, const struct symbol_wa
     else
         diagnostics_add(&c->found, path, w->line, "%s: %s%s%s returns a handle of kind %s, not a table%s%s%s", w->how,
                         space, dot, w->of.name, handle, group ? " (" : "", group ? space : "",
-                        group ? ".each visits each of them)" : "");
+                        group ? ".each calls a function for each member)" : "");
 }
 
 static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)

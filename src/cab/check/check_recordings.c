@@ -29,7 +29,7 @@ static void say_loop(struct check *c, const struct art_sound *s, const struct pc
     if (f->clicks)
         diagnostics_add(&c->found, s->file, 0,
                         "its loop clicks: from the loop's end (%.3f s) to its start (%.3f s), the signal jumps by "
-                        "%.1f %% of full scale, but between other neighbouring frames by at most %.1f %%",
+                        "%.1f %% of full scale; elsewhere, it jumps by at most %.1f %%",
                         (double)p->n / p->rate, (double)p->loop / p->rate, f->jump * 100, f->usual * 100);
     if (p->loop < 0 || s->tempo == 0)
         return;

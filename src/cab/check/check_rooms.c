@@ -99,8 +99,8 @@ void check_rooms(struct check *c, const struct cart *cart)
         if (asked(&c->m, room) == 0 || asked(&c->m, room) == asked(&plain, room) || may_use(c, room->words))
             continue;
         diagnostics_add(&c->found, "rom.lua", symbols_line(&c->rom, room->path),
-                        "%s%s%s.%s: no script uses %.*s; without it the board needs %llu KiB less", room->path[0],
-                        room->path[2] ? "." : "", room->path[2] ? room->path[1] : "",
+                        "%s%s%s.%s: no script uses %.*s; remove this entry from rom.lua to save %llu KiB of RAM",
+                        room->path[0], room->path[2] ? "." : "", room->path[2] ? room->path[1] : "",
                         room->path[2] ? room->path[2] : room->path[1], (int)strcspn(room->words, " "), room->words,
                         saved(cart, room));
     }

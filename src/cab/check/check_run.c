@@ -201,10 +201,11 @@ static void judge_boot(struct run *r)
     snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
     const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
     if (stages || (ships && idle))
-        diagnostics_add(&r->c->found, entry, 0,
-                        "boot.run is not called, so the game cannot be played; end with boot.run { stages = { \"%s\" "
-                        "}, players = { \"%s\" } }",
-                        stage != NULL ? stage : "one", ship != NULL ? ship : "ship");
+        diagnostics_add(
+            &r->c->found, entry, 0,
+            "boot.run is not called, so the game cannot be played; end this script with boot.run { stages = "
+            "{ \"%s\" }, players = { \"%s\" } }",
+            stage != NULL ? stage : "one", ship != NULL ? ship : "ship");
     else if (idle)
         diagnostics_note(&r->c->found, entry, 0,
                          "boot.run is not called and no task is started, so nothing will happen");

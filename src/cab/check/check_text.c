@@ -83,7 +83,7 @@ static void judge(struct check *c, const struct cart *cart, const char *path, in
              cart_has_glyph(cart, code) ? "text cells cannot hold" : "no font in the game has a glyph for",
              bytes[0] != '\0' ? "\"" : "", bytes, bytes[0] != '\0' ? "\", " : "", (unsigned)code, more);
     if (!place.sure && !any_shown(c, cart, s, place))
-        diagnostics_note(&c->found, path, line, "%s; no run shows it", what);
+        diagnostics_note(&c->found, path, line, "%s; no run shows this text", what);
     else
         diagnostics_add(&c->found, path, line, "%s: a box is drawn instead%s", what,
                         cart_has_glyph(cart, code) ? " (add wide = true to board in rom.lua)" : "");

@@ -283,7 +283,7 @@ static void compare_alone(struct bisect *s, const struct side *f)
     if (!found(s, f->frame))
         return;
     name_slot(f);
-    report_print(" is alive in %s only (generation %s)\n", f->path, f->gen);
+    report_print(" is alive only in %s (generation %s)\n", f->path, f->gen);
 }
 
 /* ---- traces ---- */
@@ -297,10 +297,12 @@ static bool apart(struct bisect *s)
                        "%s ends in frame %u; %s is longer, and the two are equal up to that frame",
                        (a->end ? a : b)->path, (unsigned)s->frame, (a->end ? b : a)->path);
     if (a->frame == b->frame)
-        return err_set(s->err, sizeof s->err, "%s:%lu has part %s, %s:%lu part %s: the traces cover different parts",
-                       a->path, a->line, a->part, b->path, b->line, b->part);
-    return err_set(s->err, sizeof s->err, "%s:%lu has frame %u, %s:%lu frame %u: the traces cover different frames",
-                   a->path, a->line, (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
+        return err_set(s->err, sizeof s->err,
+                       "%s:%lu has part %s, but %s:%lu has part %s: the traces cover different parts", a->path, a->line,
+                       a->part, b->path, b->line, b->part);
+    return err_set(s->err, sizeof s->err,
+                   "%s:%lu has frame %u, but %s:%lu has frame %u: the traces cover different frames", a->path, a->line,
+                   (unsigned)a->frame, b->path, b->line, (unsigned)b->frame);
 }
 
 /* A slot's line, and the other file's next one belongs to a later slot, part or frame. */

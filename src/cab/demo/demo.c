@@ -215,7 +215,7 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
     int dip = bad_dip(d, m);
 
     if (strcmp(d->id, m->id) != 0)
-        snprintf(err, err_size, "demo for another game (\"%s\", this is \"%s\")", d->id, m->id);
+        snprintf(err, err_size, "demo for another game (\"%s\"; this game is \"%s\")", d->id, m->id);
     else if (d->start.difficulty >= m->n_difficulties)
         snprintf(err, err_size, "difficulty %d is out of range: this game has %d difficulties",
                  (int)d->start.difficulty, (int)m->n_difficulties);
@@ -230,7 +230,7 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
 const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size)
 {
     if (d->core != CORE_VERSION)
-        snprintf(buf, size, "recorded with core version %u, this is %d", (unsigned)d->core, CORE_VERSION);
+        snprintf(buf, size, "recorded with core version %u; this is version %d", (unsigned)d->core, CORE_VERSION);
     else if (d->game_hash != rom_game_hash(cart->rom))
         snprintf(buf, size, "recorded with another game version");
     else

@@ -386,10 +386,10 @@ static bool read_end(struct parse *p, struct source *s)
     if (frames != d->frames || fault > FAULT_LOOP)
         return damaged(p, "end mark");
     if (fault == FAULT_NONE ? p->unhashed || d->seconds == 0 : frames ? !p->unhashed : d->seconds != 0)
-        return damaged(p, "the end does not match the track");
+        return damaged(p, "the end mark does not match the frames");
     d->fault = (enum board_fault_kind)fault;
     if (demo_end_has_row(d) && !take_last_row(s, d))
-        return damaged(p, "the end does not match the track");
+        return damaged(p, "the end mark does not match the frames");
     d->complete = true;
     return true;
 }

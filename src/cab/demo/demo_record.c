@@ -51,7 +51,7 @@ static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, 
     if (good)
         good = (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
     else
-        snprintf(err, DEMO_ERR, "%s: another program has changed it", files_shown(f->path, shown));
+        snprintf(err, DEMO_ERR, "%s: another program has changed the file", files_shown(f->path, shown));
     if (good)
         f->size = (whole ? 0 : f->size) + s->n;
     else if (ours)
@@ -273,7 +273,7 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
     if (!w->on)
         return true;
     if (d->frames >= DEMO_MAX_FRAMES) {
-        snprintf(w->err, sizeof w->err, "recording stopped: a demo holds at most %d frames", DEMO_MAX_FRAMES);
+        snprintf(w->err, sizeof w->err, "recording stopped: a demo can have at most %d frames", DEMO_MAX_FRAMES);
         stop(w);
         return false;
     }

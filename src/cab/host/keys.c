@@ -60,9 +60,9 @@ static const struct action {
     { "help", "Key Bindings", "f1", "list all keys and what they do" },
     { "log", "Log", "f8", "show script output and errors" },
     { "shapes", "Show Hitboxes", "h", "show hitboxes and graze rings over the picture" },
-    { "gauges", "Pool Usage", "g", "show how full each pool is, and Lua memory" },
+    { "gauges", "Pool Usage", "g", "show how full each pool is and how much Lua memory is used" },
     { "split", "Frame Times", "v", "show how each frame's time is spent" },
-    { "tasks", "Tasks", "n", "show tasks with their current lines, and random numbers drawn" },
+    { "tasks", "Tasks", "n", "show tasks with their current lines and the count of random numbers" },
     { "mixer", "Mixer", "f3", "show voices, levels and the position in the music" },
     { "console", "Console", "backquote", "run a line of Lua while the game is paused" },
 };

@@ -75,7 +75,8 @@ static bool check_sound(const struct args *a, char *err, size_t err_size)
     if (a->command != COMMAND_SOUND || !(a->out || a->wav || a->play || a->notes))
         return true;
     if (a->n_words < 2)
-        return err_set(err, err_size, "%s needs the name of a sound or a piece of music (curtain help sound)", first);
+        return err_set(err, err_size, "%s needs the name of a sound or a piece of music (see curtain help sound)",
+                       first);
     if (a->wav && a->out)
         return err_set(err, err_size, "--wav cannot be combined with -o: both name the output file");
     if (a->play && (a->out || a->wav))

@@ -44,7 +44,7 @@ const struct command_row args_commands[COMMANDS] = {
                       "picture" },
     [COMMAND_PALETTE] = { "palette", "FILE", 1, 1,
                           "copy the colours of a .hex or .gpl file into a bank of the palette that -o names; or export "
-                          "a bank as such a file" },
+                          "a bank to a .hex or .gpl file" },
     [COMMAND_BULLETML] = { "bulletml", "FILE...", 1, 1 << 20,
                            "check BulletML documents and describe them; or convert one to Lua" },
     [COMMAND_HELP] = { "help", "[COMMAND | config | lua [NAME | WORD]]", 0, 2,
@@ -134,7 +134,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, NUMBER(every, 1, ARGS_MAX_FRAME), "print only every Nth frame" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, SWITCH(parts), "also print the hash of each part" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH, NAMES(traces, n_traces),
-                       "print the contents of these parts, one line per slot: bullets,player or all; repeatable" },
+                       "print the contents of these parts (bullets,player or all), one line per slot; repeatable" },
     [OPTION_DIM] = { "--dim", "WORD", FOR_VIEW, WORD(dim, views_dim),
                      "darken backgrounds: none, quarter, half, most (three quarters)" },
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, WORD(flashes, views_flashes),
@@ -144,8 +144,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_SHEET] = { "--sheet", "F.png", FOR_RENDER, TEXT(sheet),
                        "put all frames in one picture, each with its number" },
     [OPTION_WAV] = { "--wav", "F.wav", FOR_RENDER | FOR_SOUND, TEXT(wav),
-                     "render: write the sound of all frames up to the last one in --frames; sound: write NAME, like "
-                     "-o" },
+                     "render: write the sound of all frames up to the last one in --frames; sound: same as -o" },
     [OPTION_NOTES] = { "--notes", NULL, FOR_SOUND, SWITCH(notes),
                        "print the notes and settings of NAME, one per line (docs/measured/music.md)" },
     [OPTION_PLAY] = { "--play", NULL, FOR_SOUND, SWITCH(play),
@@ -200,7 +199,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_REPLAYS] = { "--replays", NULL, FOR_LIST, SWITCH(replays),
                          "print the game's saved runs: file, date, length, ship, difficulty, points, how they ended" },
     [OPTION_NULL] = { "--null", NULL, FOR_VERIFY, SWITCH(null),
-                      "verify ROM -: each name ends in a NUL byte (also -0)" },
+                      "verify ROM -: each name on standard input ends in a NUL byte (also -0)" },
     [OPTION_UPDATE] = { "--update", NULL, FOR_TEST, SWITCH(update),
                         "save the current pictures and hashes in tests/golden; check the pictures first" },
     [OPTION_TAP] = { "--tap", NULL, FOR_TEST, SWITCH(tap),
@@ -232,7 +231,7 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full),
                       "also print the licence texts, which must accompany the program" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
-                     "print an equivalent script with motion programs and tasks" },
+                     "print an equivalent Lua script with motion programs and tasks" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script error; play: also print sound latency; verify: also "
                          "print where in the game a demo differs, the hashes there, and the buttons held (also -v, "

@@ -52,7 +52,7 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
         t->room = room;
     }
     if (++m->events > MML_EVENTS)
-        mml_bad(m, m->now, "more than %d notes and settings (loops expanded)", (int)MML_EVENTS);
+        mml_bad(m, m->now, "more than %d notes and settings (with loops expanded)", (int)MML_EVENTS);
     t->events[t->n] = (struct mml_event){ tick, t->n, m->now, (uint8_t)event, (uint16_t)value, (uint16_t)more };
     t->n++;
 }
@@ -221,7 +221,7 @@ static void read_lines(struct mml *m)
 static void put(struct mml *m, char c, uint32_t from)
 {
     if (m->line.n == MML_WIDE)
-        mml_bad(m, from, "track longer than %d characters (macros expanded)", (int)MML_WIDE);
+        mml_bad(m, from, "track longer than %d characters (with macros expanded)", (int)MML_WIDE);
     m->line.text[m->line.n] = c;
     m->line.from[m->line.n++] = from;
 }
@@ -441,7 +441,7 @@ static void warn_near(const struct mml *m, const struct mml_about *about, uint32
     write_place(m, from, sentence, sizeof sentence);
     const size_t n = strlen(sentence);
     snprintf(sentence + n, sizeof sentence - n,
-             "starts within one frame (1/60 s) of the previous note in this track and cuts it off");
+             "this note starts within one frame (1/60 s) of the previous note in its track and cuts that note off");
     about->warn(about->context, sentence);
 }
 

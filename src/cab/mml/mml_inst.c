@@ -240,7 +240,7 @@ static void read_algorithm(struct setting *s)
         const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
-            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which are audible");
+            mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are audible");
         s->i->ops[k].level = heard ? 32767 : 652;
     }
 }

@@ -279,7 +279,7 @@ static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
         BAD(r, from, "grace note inside a slur");
     for (int i = 0; i < r->graces; i++) {
         if (r->grace_ticks[i] >= ticks)
-            BAD(r, from, "its grace notes are as long as the note");
+            BAD(r, from, "the grace notes are as long as their note");
         event(r, r->tick, TUNE_NOTE, r->grace[i], 0);
         r->tick += r->grace_ticks[i];
         event(r, r->tick, TUNE_OFF, 0, 0);
@@ -324,7 +324,7 @@ static void play(struct reader *r, int v, uint32_t ticks, int to, uint32_t delay
     use_inst(r, from);
     ticks = play_graces(r, ticks, from);
     if (delay >= ticks)
-        BAD(r, from, "its slide ends after the note");
+        BAD(r, from, "the slide ends after its note");
     if (r->slurred)
         event(r, r->tick, TUNE_SLUR, v, 0);
     else if (to >= 0)

@@ -20,7 +20,7 @@ static void add_byte(struct bytes *b, uint8_t v)
         uint8_t *more = realloc(b->p, room);
         if (more == NULL || b->n > TUNE_MOST - 64) {
             free(more ? more : b->p);
-            mml_bad(b->m, 0, "longer than %d bytes (loops expanded)", (int)TUNE_MOST);
+            mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MOST);
         }
         b->p = more;
         b->room = room;

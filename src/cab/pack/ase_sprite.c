@@ -91,8 +91,8 @@ static bool spread(const struct ase *a, uint16_t *order, int *n, int32_t *every,
                 shown[all] = order[i];
     if (all > CART_MAX_FRAMES)
         return err_set(err, err_size,
-                       "its frame durations add up to %d pictures, expected at most %d (set `every` in rom.lua to give "
-                       "every frame the same duration)",
+                       "its frames have different durations and need %d pictures, expected at most %d (set `every` in "
+                       "rom.lua to give every frame the same duration)",
                        all, CART_MAX_FRAMES);
     memcpy(order, shown, (size_t)all * sizeof *shown);
     *n = all;

@@ -331,8 +331,8 @@ static bool check_letter(const struct reader *r, const struct letter *l, const s
     if (!l->has_advance)
         return refuse(r, "U+%04X has no DWIDTH, and the header has none", (unsigned)l->code);
     if (l->rise != 0 || l->advance < 0 || l->advance > FACE_HEIGHT)
-        return refuse(r, "U+%04X: DWIDTH %d %d; expected 0 to %d, and 0", (unsigned)l->code, l->advance, l->rise,
-                      FACE_HEIGHT);
+        return refuse(r, "U+%04X: DWIDTH %d %d; expected a width of 0 to %d and a height of 0", (unsigned)l->code,
+                      l->advance, l->rise, FACE_HEIGHT);
     if (l->w > FACE_SIDE || l->h > FACE_SIDE)
         return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_SIDE);
     if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))

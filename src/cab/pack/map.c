@@ -335,7 +335,7 @@ static bool csv_lines(struct csv *c)
         skip_blanks(c);
         if (c->at < c->end && *c->at != '\n') {
             if (empty)
-                return err_set(c->err, c->err_size, "%s:%d: blank line between other lines", c->file, empty);
+                return err_set(c->err, c->err_size, "%s:%d: blank line between rows", c->file, empty);
             if (!csv_line(c))
                 return false;
         } else if (!empty)

@@ -801,7 +801,7 @@ static bool add_script(struct packer *p, const char *path)
     size_t size;
 
     if (std && !pack_is_std(path))
-        return err_set(p->err, p->err_size, "%s: the standard library has no such script to replace", path);
+        return err_set(p->err, p->err_size, "%s: the standard library has no script with this name", path);
     if (!load_text(p, path, TREE_SCRIPT, &text, &size))
         return false;
     snprintf(chunk, sizeof chunk, "@%s", path);
@@ -1203,7 +1203,7 @@ static bool folders_free(const struct tree *files, const char *name, const char 
         if (tree_has(files, folder))
             return err_set(err, err_size, "%s would be both a file and a folder (for %s)", folder, name);
         if (tree_join(path, dir, folder) && plat_size(path) >= 0)
-            return err_set(err, err_size, "%s: is a file, but %s needs a folder there", path, name);
+            return err_set(err, err_size, "%s: a file with this name exists, but %s needs a folder there", path, name);
     }
     return true;
 }
@@ -1218,7 +1218,7 @@ static bool may_unpack(const struct tree *files, const char *dir, char *err, siz
         if (!tree_join(path, dir, name))
             return err_set(err, err_size, "%s: path too long", name);
         if (!manifest_path_ok(name))
-            return err_set(err, err_size, "\"%s\" is not a file name inside a folder", name);
+            return err_set(err, err_size, "\"%s\" is not a valid file name", name);
         if (i > 0 && strcmp(files->name[i - 1], name) == 0)
             return err_set(err, err_size, "two lumps would be written to %s", name);
         if (plat_size(path) >= 0)

@@ -36,7 +36,7 @@ uint16_t switch_code(const char *name);
 /* The spelling that switch_code reads as this code; "none" for 0. SWITCH_NAME bytes hold any. */
 void switch_name(unsigned code, char *out, size_t size);
 
-/* What is printed on it: "cross", "RB", "D-pad up"; on a controller of no known kind, where it is: "lower button". Of
+/* What is printed on it: "cross", "RB", "D-pad up"; on a controller of no known kind, where it is: "bottom button". Of
  * which controller is not said. Of a key what its layout has there, if the port knows that and the canvas has it, else
  * the spelling: "w" for "z" on a French keyboard. SWITCH_NAME bytes hold any. */
 void switch_label(unsigned code, enum plat_kind kind, char *out, size_t size);

@@ -151,7 +151,8 @@ static bool prepare_player(struct export *e, size_t *at)
     mark_read(e->file + *at, &m);
     if (m.core == CORE_VERSION)
         return true;
-    return err_set(e->err, e->err_size, "%s: has core version %u, this program has %d; rebuild it with make players",
+    return err_set(e->err, e->err_size,
+                   "%s has core version %u, but this program has core version %d; rebuild the file with make players",
                    e->from, (unsigned)m.core, CORE_VERSION);
 }
 
@@ -218,7 +219,7 @@ static bool may_replace(struct export *e, const char *path, enum export_kind kin
     size_t size;
 
     if (plat_size(path) < 0 && plat_list(path, ignore, NULL) >= 0)
-        return err_set(e->err, e->err_size, "%s: is a folder; name the output file with -o", path);
+        return err_set(e->err, e->err_size, "%s: a folder with this name exists; choose another file with -o", path);
     if (plat_size(path) < 0)
         return true;
     if (!files_read(path, path, PROGRAM, &there, &size, e->err, e->err_size))

@@ -46,7 +46,7 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
     }
     rom_lump(&rom, rom_find(&rom, "manifest"), &lump);
     if (!manifest_unpack(lump.data, lump.size, &own.m, why, sizeof why)) {
-        err_set(err, err_size, "%s: its game: manifest: %s", itself, why);
+        err_set(err, err_size, "%s: the game in it has an invalid manifest: %s", itself, why);
         return RESULT_REFUSED;
     }
     own.rom = file;
@@ -95,7 +95,7 @@ const char *own_refuses_command(const char *command, char *err, size_t err_size)
 
 const char *own_refuses_game(const char *path, char *err, size_t err_size)
 {
-    err_set(err, err_size, "%s: cannot open; this program only plays %s (see --help)", path, own.m.title);
+    err_set(err, err_size, "%s: cannot open this file; this program only plays %s (see --help)", path, own.m.title);
     return err;
 }
 

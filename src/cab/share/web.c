@@ -102,7 +102,8 @@ static bool is_player(const uint8_t *player, size_t size, const char *name, char
     if (core == 0 || count(player, size, rom_mark) != 1 || count(player, size, title_mark) < 1)
         return err_set(err, err_size, "%s: not a player that can hold a game; build one with make players", name);
     if (core != CORE_VERSION)
-        return err_set(err, err_size, "%s: has core version %u, this program has %d; rebuild it with make players",
+        return err_set(err, err_size,
+                       "%s has core version %u, but this program has core version %d; rebuild the file with make players",
                        name, core, CORE_VERSION);
     return true;
 }

@@ -123,7 +123,7 @@ bool module_read(const uint8_t *data, size_t n, bool loops, struct pcm *out, cha
         return library_missing(LIBRARY_OPENMPT, err, err_size);
     openmpt_module *module = f.open(data, n, NULL, NULL, ignore, NULL, NULL, NULL, ctls);
     if (!module)
-        return err_set(err, err_size, "libopenmpt does not recognise it, or it is damaged");
+        return err_set(err, err_size, "libopenmpt does not recognise this file, or the file is damaged");
     const bool good = decode(&f, module, loops, out, err, err_size);
     f.close(module);
     if (!good)

@@ -113,8 +113,8 @@ static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t pro
     if (f->error(file) != 0)
         return err_set(err, err_size, "damaged after frame %" PRIu32 " (%s)", out->n, f->say(file));
     if (promised != LENGTH_UNKNOWN && out->n != promised)
-        return err_set(err, err_size, "its header says %" PRId64 " frames, but it has %" PRIu32, (int64_t)promised,
-                       out->n);
+        return err_set(err, err_size, "its header says %" PRId64 " frames, but the file has %" PRIu32,
+                       (int64_t)promised, out->n);
     return true;
 }
 

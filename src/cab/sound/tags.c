@@ -130,8 +130,7 @@ bool tags_flac(const uint8_t *data, size_t n, struct tags *out, char *err, size_
         const int kind = data[at] & 127;
         last = data[at] >> 7;
         if (size > n - at - 4)
-            return err_set(err, err_size, "block %d, of %zu bytes, at byte %zu is longer than the file", kind, size,
-                           at);
+            return err_set(err, err_size, "block %d (%zu bytes, at byte %zu) is longer than the file", kind, size, at);
         if (kind == 0 && size == STREAMINFO_BYTES)
             open = !states_length(data + at + 4);
         if (kind == 4 && !read_comments(data + at + 4, size, out, err, err_size))

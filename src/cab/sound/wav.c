@@ -28,7 +28,8 @@ static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, 
     const int format = n >= 16 ? bytes_get16(p) : 0, real = format == 0xfffe && n >= 26 ? bytes_get16(p + 24) : format;
 
     if (real != INTEGERS && real != FLOATS)
-        return err_set(err, err_size, "expected PCM samples (format 1, or 3: floats), got format %d", real);
+        return err_set(err, err_size, "expected PCM samples (format 1: integers, or format 3: floats), got format %d",
+                       real);
     w->format = real;
     w->channels = bytes_get16(p + 2);
     w->rate = bytes_get32(p + 4);

@@ -239,10 +239,10 @@ enum result start_new(const char *dir, const char *from)
         return report_line(RESULT_REFUSED, "new: \"%s\" is not a valid game name; expected a folder to create", dir);
     christen_id(s.name, s.id);
     if (files_size(dir) >= 0)
-        return report_line(RESULT_REFUSED, "%s: is a file; new creates a folder", dir);
+        return report_line(RESULT_REFUSED, "%s: a file with this name exists; choose another name", dir);
     int files = plat_list(dir, ignore_file, NULL);
     if (files > 0)
-        return report_line(RESULT_REFUSED, "%s: not empty; new creates a folder or fills an empty one", dir);
+        return report_line(RESULT_REFUSED, "%s: this folder is not empty; choose a new or empty one", dir);
     if (!save_all(&s, err, sizeof err)) {
         take_back(&s, files == 0);
         return report_line(RESULT_HOST, "%s", err);

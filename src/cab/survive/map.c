@@ -96,7 +96,7 @@ static const int leads_colour[3] = { 0x20, 0xd0, 0x50 }, dead_colour[3] = { 0x30
 static void legend(const struct atlas *m)
 {
     static const char *const words[KEYS] = { "reachable, and leads to the end", "reachable, but a dead end",
-                                             "the ship in the run found" };
+                                             "the ship in the run that was found" };
     const int *const colours[KEYS] = { leads_colour, dead_colour, NULL };
 
     for (int k = 0; k < KEYS; k++) {

@@ -181,7 +181,7 @@ static enum result compare(const struct survive *s, const struct section_run *ea
     if (s->a->bots)
         bots_compare(&easier->measure.bots, &harder->measure.bots, why, sizeof why);
     else if (!section_survived(easier) && section_survived(harder))
-        snprintf(why, sizeof why, "no way was found, but one was found at the next difficulty");
+        snprintf(why, sizeof why, "no way was found, but one was found at the next harder difficulty");
     else
         measure_compare(&easier->measure, &harder->measure, why, sizeof why);
     if (!why[0])

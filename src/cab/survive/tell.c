@@ -43,8 +43,9 @@ static void tell_cannot(const struct seek *s)
 {
     report_print("proved unavoidable: by frame %u the ship is hit, whatever buttons are pressed, unless it bombs\n",
                  (unsigned)s->last);
-    report_print("  covered: every position the ship can reach from frame %u on, rounded up; hitboxes rounded down\n",
-                 (unsigned)s->begin);
+    report_print(
+        "  covered: every position the ship can reach from frame %u on (rounded up), with hitboxes rounded down\n",
+        (unsigned)s->begin);
     report_print("  valid for these bullets; they flew identically in %u more runs with different buttons, with and "
                  "without fire. Not\n  valid if a script reads player positions that none of these runs reached, or if "
                  "a bomb saves the ship\n",
@@ -82,8 +83,8 @@ static void tell_measure(const struct measure *m, bool survived)
                  (unsigned)(measure_per_second(m) / 100), (unsigned)(measure_per_second(m) / 10 % 10),
                  (unsigned)m->most);
     if (m->aimed)
-        report_print("  reaction           %d frames: a tenth of the %d bullets on course for the ship leave no more "
-                     "time than that\n",
+        report_print("  reaction           %d frames: a tenth of the %d bullets on course for the ship leave at most "
+                     "this much time\n",
                      m->reaction, m->aimed);
     else
         report_print("  reaction           no bullet was on course for the ship\n");

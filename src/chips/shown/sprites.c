@@ -12,7 +12,8 @@ static const struct column columns[] = {
     COLUMN(sprites, flags),
     COLUMN(sprites, born),
     COLUMN(sprites, owner),
-    DERIVED_REGISTER(sprites, following, "at least the number of sprites that follow a thing, from the column flags"),
+    DERIVED_REGISTER(sprites, following,
+                     "an upper bound for the number of sprites that follow a thing, computed from flags"),
 };
 
 const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };
