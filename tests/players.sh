@@ -53,7 +53,7 @@ PY
 [ -s hashes ] && [ -x first ] || { not_ok 'this machine plays the demo, and exports a game'; finish; }
 
 # ---- in each release ----
-missing='SDL 2.0.10 or later is not installed; install the package libsdl2-2.0-0 (Debian, Ubuntu), SDL2'
+missing='SDL 2.0.10 or later is required; install the package libsdl2-2.0-0 (Debian, Ubuntu), SDL2'
 missing+=' (Fedora) or sdl2 (Arch)'
 run_here() { inside env -C /game SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy HOME=/game "$@"; }
 plays() { # the exported game, its demo to the end

@@ -558,9 +558,9 @@ number of different sections.
 * The peak of a piece is at most {peak:g} dB.
 * At most {round:g} % of the samples of a piece are in the curved part of the limiter.
 * The mean of the samples is at most {dc:g} of full scale.
-* There is no click where the piece loops. To check this, the piece is rendered without drums. The largest second
-  difference (the change in slope from sample to sample) within 10 ms of the loop point must not exceed the largest one
-  in the rest of the four seconds before and after that point.
+* There is no click where the piece loops. To check this, the piece is rendered without drums. The *second
+  difference* is the change in slope from sample to sample. Its maximum within 10 ms of the loop point must not exceed
+  its maximum in the rest of the eight seconds around the loop point.
 
 {levels}
 
@@ -632,7 +632,7 @@ def page(curtain, game):
 
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
-Rendering the sound of a frame takes this many instructions:
+Rendering the sound for one frame takes this many instructions:
 
 * on the title screen: 0.68 million
 * in a stage while the ship fires: 1.35 million

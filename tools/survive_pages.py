@@ -261,17 +261,17 @@ stage sections between them.
 
 ![Hits per minute over the sections of the game, one curve per difficulty](../images/game-curve.svg)
 
-**Each number is hits per minute**, averaged over the 32 simple bots of `curtain survive --bots 32`. The bots fly each
+**The numbers are hits per minute**, averaged over the 32 simple bots of `curtain survive --bots 32`. The bots fly each
 section to its end. Eight bots stand still, twelve wander, and twelve dodge with a reaction time of a fifth of a second.
 A bot flies on after a hit, and hits in the next 90 frames are ignored. Numbers in parentheses are for the dodging bots
 alone. `one:wreck` is a section of stage one; `crab/pincers` is a phase of the boss `crab`.
 
-The result shows how much of the field is dangerous, and how often. It is stable because it averages hundreds of hits.
-The other measures in [survive.md](survive.md) show less:
+The numbers show how much of the field is dangerous, and how often. They are stable because each averages hundreds of
+hits. The other measures in [survive.md](survive.md) show less:
 
-* The sixteen bots stop at their first hit, so they test only the first seconds of a section.
+* The sixteen bots in survive.md stop at their first hit, so they test only the first seconds of a section.
 * The narrowest gap shows how exact a path must be, but not how often it must be that exact.
-* Bullets per second don't show where the bullets fly.
+* The number of bullets per second does not show where the bullets fly.
 
 Bots don't have to read a pattern, so a pattern that is hard to read is easier for them than for you. They don't learn a
 pattern either.

@@ -273,7 +273,8 @@ python3 "$repo/tests/cli/png_make.py" retint/art/palette.png 16 16 102030 1 3 ff
 indexed retint/art/all.png 4 4 16 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15
 refuse "colours that are not there: the choices" "art/all.png: pixel 1,0: colour #545454 is not in bank 3 (use \
 --nearest for the nearest colour, or match = \"index\" in rom.lua to use the indices" "$curtain" pack retint -o r.rom
-fits='pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (the picture'\''s indices fit the bank; to use them, set match'
+fits="pixel 1,0: colour #545454 is not in bank 3; 15 such pixels in total (the picture's indices fit the bank; \
+to use them, set match"
 refuse "check says which one fits" "$fits" "$curtain" check retint
 shades() { "$curtain" unpack retint out && python3 -c 'd = open("out/lumps/gfx/dot", "rb").read()[24:]
 print(*[d[y * 8 + x] for y in range(4) for x in range(4)])'; rm -rf out; }

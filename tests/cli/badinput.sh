@@ -250,7 +250,8 @@ fault 'unknown sprite' 'main.lua:1: bullet.def: unknown sprite "dto" (did you me
 cp -r g else
 sed -i 's/"probe"/"else"/' else/rom.lua
 bad 'demo of another game' 'a.demo: demo for another game ("probe"; this game is "else")' hash else --demo a.demo
-bad 'demo of another game to play' 'a.demo: demo for another game ("probe"; this game is "else")' play else --demo a.demo
+bad 'demo of another game to play' 'a.demo: demo for another game ("probe"; this game is "else")' \
+    play else --demo a.demo
 bad 'demo of another game to verify' 'a.demo: demo for another game ("probe"; this game is "else")' verify else a.demo
 cp -r g later
 echo '-- later' >>later/main.lua

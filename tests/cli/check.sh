@@ -331,7 +331,7 @@ boss.def("b", { title = "B", kind = "e", x = 1, y = 1,
 bullet.meet("x", "y", { on_meet = function(_, b) print(#b) end })
 laser.each(nil, function(l) print(#l, #laser.bolt { kind = "x" }) end)
 ----
-main.lua:2: pairs: bullet.group returns a handle of kind group, not a table (bullet.each calls a function for each member)
+main.lua:2: pairs: bullet.group returns a handle of kind group, not a table (bullet.each visits each member)
 main.lua:2: bad argument #1 to 'pairs' (table expected, got number)
 main.lua:4: ipairs: shot.fire returns a handle of kind shot, not a table
 main.lua:7: #: player.get returns a handle of kind player, not a table

@@ -120,11 +120,12 @@ bisect 'the same, first' 2 'curtain: short ends in frame 99; whole is longer, an
 bisect 'a shorter trace' 2 \
     'curtain: short ends in frame 2199; trace is longer, and the two are equal up to that frame' trace short
 sed 1d whole >other
-bisect 'other frames' 2 'curtain: whole:1 has frame 0, but other:1 has frame 1: the traces cover different frames' whole other
+bisect 'other frames' 2 'curtain: whole:1 has frame 0, but other:1 has frame 1: the traces cover different frames' \
+    whole other
 "$curtain" hash game.rom --demo run.demo --frames 2198:2200 --trace input,pal >other 2>/dev/null
 line=$(grep -nm1 ' player ' trace | cut -d: -f1)
-bisect 'other parts' 2 "curtain: trace:$line has part player, but other:$line has part pal: the traces cover different parts" \
-    trace other
+bisect 'other parts' 2 "curtain: trace:$line has part player, but other:$line has part pal: the \
+traces cover different parts" trace other
 bisect 'a track and a trace' 2 'curtain: whole is a track, trace a trace' whole trace
 : >empty
 bisect 'an empty file' 2 'curtain: empty: empty' whole empty

@@ -101,7 +101,7 @@ for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'chec
     says "it does not $command" 2 "lanterns: ${command%% *}: not available; this program only $plays (see --help)" \
         ./game $command
 done
-says 'nor plays another game' 2 "lanterns: other.rom: cannot open this file; this program only $plays (see --help)" ./game \
+says 'nor plays another game' 2 "lanterns: other.rom: cannot be opened; this program only $plays (see --help)" ./game \
     other.rom
 says 'an option that there is not' 2 'lanterns: unknown option --fulscreen (did you mean --fullscreen?)' \
     ./game --fulscreen
@@ -122,8 +122,16 @@ for at in 1 $((rom / 2)) $((rom - 1)); do
     printf 'X' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
     cmp -s game spoiled && printf 'Y' | dd of=spoiled bs=1 seek=$((size - at)) conv=notrunc 2>/dev/null
     says "a byte is another, $at before its end" 2 \
-        "curtain: $itself is damaged: the game in it has changed" ./spoiled
+        "curtain: $itself is damaged: the game in it is corrupt" ./spoiled
 done
+python3 - game spoiled <<'END'
+import sys
+b = bytearray(open(sys.argv[1], "rb").read())
+b[b.index(b"<a game may stand behind curtain") + 56] ^= 1
+open(sys.argv[2], "wb").write(b)
+END
+says 'the game is another than the one that was exported' 2 "curtain: $itself is damaged: the game in it is corrupt" \
+    ./spoiled version
 cp game unreadable
 chmod 111 unreadable
 as_other() { "$@"; }
@@ -150,9 +158,10 @@ says 'in place of an older one' 0 '' "$curtain" export lanterns -o game
 says 'where nothing can be written' 3 'curtain: /proc/none/game: cannot be written (No such file or directory)' \
     "$curtain" export lanterns -o /proc/none/game
 says 'by an exported program' 2 \
-    'lanterns: export: this program is an exported game, Paper \ Lanterns; export with curtain' ./keys export lanterns
+    'lanterns: export: this program is the exported game Paper \ Lanterns; use curtain to export games' \
+    ./keys export lanterns
 says 'by a program without a window' 2 \
-    'curtain: export: this program has no window; use curtain, not curtain-null' \
+    'curtain: export: a copy of this program would have no window; use curtain, or add --linux or --windows' \
     "$null" export lanterns -o game
 bad 'an option of it elsewhere' '--keys does not work with pack (only with export)' pack lanterns --keys
 bad 'another one' '--desktop does not work with play (only with export)' play lanterns --desktop
@@ -189,8 +198,8 @@ bad() { # NAME LINE ARGUMENT...: of that program
     says "$name" 2 "curtain: $line" "$tool" "$@"
 }
 while read -r option player; do
-    bad "no player: $option" "export: $player is not in the folder players next to this program or in its installed \
-share/curtain/players; run \`make players\` in Curtain's source tree" export lanterns "--$option" -o "new.so"
+    bad "no player: $option" "export: cannot find the player $player in players or ../share/curtain/players, relative \
+to this program's folder; run \`make players\` in Curtain's source tree" export lanterns "--$option" -o "new.so"
 done <<'END'
 linux curtain-linux
 windows curtain.exe
@@ -221,12 +230,11 @@ bad 'what is none is not' 'mine.html: already exists and is not an exported page
 bad 'nor is a program' 'game: already exists and is not an exported page; remove it first' export lanterns --web -o game
 page $((version + 1)) >"$player"
 bad 'a player of another core version' \
-    "$player has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
-players" \
+    "$player: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --web -o new.html
 for wrong in "$(page "$version" '')" "$(page "$version" '@ROM@@ROM@')" "$(page x)" ''; do
     printf '%s' "$wrong" >"$player"
-    bad "what is no player: ${#wrong} bytes" "$player: not a player that can hold a game; build one with make players" \
+    bad "what is no player: ${#wrong} bytes" "$player: not a valid player; rebuild it with \`make players\`" \
         export lanterns --web -o new.html
 done
 check '... and nothing was written' test ! -e new.html
@@ -257,10 +265,10 @@ bad 'beside files of somebody' 'mine.info: already exists; remove it, or choose 
     export lanterns --libretro -o mine.so
 bad 'what is none is not replaced' 'run.demo.so: already exists and is not an exported core; remove it first' \
     export lanterns --libretro -o "$(cp run.demo run.demo.so && echo run.demo.so)"
-bad 'a name that front ends pass over' '--libretro: expected -o with a name that ends in .so, got "lanterns.core"' \
+bad 'a name that front ends pass over' '--libretro: expected a file name ending in .so after -o, got "lanterns.core"' \
     export lanterns --libretro -o lanterns.core
 head -c 5000 "$OUT/curtain_libretro.so" >"$core"
-bad 'a core that is none' "$core: not a player that can hold a game; build one with make players" \
+bad 'a core that is none' "$core: not a valid player; rebuild it with \`make players\`" \
     export lanterns --libretro -o new.so
 python3 - "$OUT/curtain_libretro.so" "$core" <<'END'
 import sys
@@ -269,8 +277,7 @@ b[b.index(b"<a game may stand behind curtain") + 60] += 1
 open(sys.argv[2], "wb").write(b)
 END
 bad 'a core of another core version' \
-    "$core has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
-players" \
+    "$core: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --libretro -o new.so
 check '... and nothing was written' test ! -e new.so -a ! -e new.info
 while read -r line; do
@@ -312,7 +319,7 @@ check 'with --desktop an entry' desktop-file-validate full.desktop
 mkdir tree/bin/players
 cp "$player" tree/bin/players/curtain-linux
 bad 'a player next to the program is the one used' \
-    "$PWD/tree/bin/players/curtain-linux: not a player that can hold a game; build one with make players" \
+    "$PWD/tree/bin/players/curtain-linux: not a valid player; rebuild it with \`make players\`" \
     export lanterns --linux -o new
 rm -r tree/bin/players
 
@@ -379,7 +386,7 @@ END
 for fault in time:'has a time' memory:'size in memory' checksum:'a checksum' signature:'a signature' resources:''; do
     refuse "planted: ${fault%%:*}" "${fault#*:}" pe read "spoiled-${fault%%:*}.exe"
 done
-not_windows='not a program for Windows on x86-64 with room for another section'
+not_windows='expected an x86-64 Windows program with space for another section'
 echo MZ >spoiled && head -c 100 /dev/zero >>spoiled && cp "$exe" whole.exe && cp spoiled "$exe"
 bad 'a player that is no program' "$exe: $not_windows" export lanterns --windows -o new.exe
 python3 - whole.exe "$exe" <<'END'
@@ -393,8 +400,7 @@ cp whole.exe "$exe"
 check 'damaged ones are refused with a sentence' pe spoil "$tool" lanterns "$exe" 100
 pe make "$exe" $((version + 1))
 bad 'one of another core version' \
-    "$exe has core version $((version + 1)), but this program has core version $version; rebuild the file with make \
-players" \
+    "$exe: expected core version $version, got $((version + 1)); rebuild it with \`make players\`" \
     export lanterns --windows -o new.exe
 check '... and nothing was written' test ! -e new.exe
 pe make "$exe" "$version"
@@ -404,8 +410,9 @@ pe make "$exe" "$version"
 cp "$OUT/curtain_libretro.so" "$core"
 sed -i 's/title = "[^"]*"/title = "Paper \\\\ Lanterns"/' lanterns/rom.lua
 mv "$player" away
-bad 'a zip of each, and a player is missing' "export: player.html is not in the folder players next to this program or \
-in its installed share/curtain/players; run \`make players\` in Curtain's source tree" export lanterns --all
+bad 'a zip of each, and a player is missing' "export: cannot find the player player.html in players or \
+../share/curtain/players, relative to this program's folder; run \`make players\` in Curtain's source tree" \
+    export lanterns --all
 check '... and nothing was written' test ! -e lanterns-exports
 mv away "$player"
 says 'a zip of each' 0 '' "$tool" export lanterns --all

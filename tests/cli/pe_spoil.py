@@ -31,9 +31,9 @@ def main(curtain, game, player, flips=150):
         if run.returncode != 2 or not sentence or os.path.exists(out):
             sys.exit("%s: exit code %d, %r" % (what, run.returncode, run.stderr[-400:]))
 
-    whole_end = whole.index(b"moves") + 20  # the last section's data; what is behind may be missing
+    end = whole.index(b"signature, names")  # of the last section; what is behind may be missing
     for n in range(0, len(whole), 97):
-        attempt("truncated to %d bytes" % n, whole[:n], n >= whole_end)
+        attempt("truncated to %d bytes" % n, whole[:n], n >= end)
     rng = random.Random(1)
     used = [i for i, byte in enumerate(whole) if byte or 60 <= i < 560]
     for _ in range(int(flips)):

@@ -51,7 +51,8 @@ bad "a file that was cut off" 'music/cut.ogg: the page at byte ' "a = { file = '
 head -c 2000 "$seeds/loop.flac" >g/music/cut.flac
 bad "and one of FLAC" 'music/cut.flac: its header says ' "a = { file = 'music/cut.flac' }"
 echo hello >g/music/text.xm
-bad "no module" 'music/text.xm: libopenmpt does not recognise this file, or the file is damaged' "a = { file = 'music/text.xm' }"
+bad "no module" 'music/text.xm: libopenmpt does not recognise this file, or the file is damaged' \
+    "a = { file = 'music/text.xm' }"
 bad "a loop that is not in it" "music/loop.flac: the loop from frame 100 to 3100 is not inside its 2400 frames" \
     "a = { file = 'music/loop.flac', loop = { start = 100, length = 3000 } }"
 bad "a marker behind the end" 'music/loop.flac: marker "drop", at beat 4, is after the end, at beat 0.40' \

@@ -214,8 +214,8 @@ check 'short: left alone' cmp short.demo short.was
 cp -r g h
 sed -i 's/"probe"/"lanterns"/' h/rom.lua
 as_they_were old
-says 'another game' '2 curtain: old.demo: demo for another game ("probe"; this game is "lanterns")' "$curtain" verify h \
-    --rerecord old.demo
+says 'another game' '2 curtain: old.demo: demo for another game ("probe"; this game is "lanterns")' \
+    "$curtain" verify h --rerecord old.demo
 check 'another game: left alone' cmp old.demo old.was
 
 # ---- many, and hosts that fail ----

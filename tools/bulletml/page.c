@@ -18,15 +18,15 @@ static const char ABOUT[] =
     "packages\n"
     "in Curtain and in libbulletml 0.0.6, the library that the games in these packages use. Both get the same random "
     "numbers,\n"
-    "the same rank and the same player, who circles the lower half of a field of 320 x 240 px.\n"
+    "the same rank and the same player, who moves around in the lower half of a field of 320 x 240 px.\n"
     "\n"
     "Every bullet is compared in each of 1,500 frames, at ranks 0, 0.35, 0.5 and 1. It must appear and vanish in the "
     "same\n"
-    "frames as in libbulletml, and stay within 1/16 px of its position there; otherwise the command fails. BulletML "
-    "documents\n"
-    "do not define the borders of the field. The comparison therefore removes a bullet from both sides when its "
-    "position in\n"
-    "libbulletml is more than 192.4 px horizontally or 152.4 px vertically from the centre.\n"
+    "frames in both programs, and its two positions may differ by at most 1/16 px; otherwise the command fails. "
+    "BulletML\n"
+    "documents do not define the borders of the field. The comparison therefore removes a bullet from both sides when "
+    "its\n"
+    "position in libbulletml is more than 192.4 px horizontally or 152.4 px vertically from the centre.\n"
     "\n"
     "The list of documents is `tools/bulletml/documents.list`; the tool is in the same folder. `tests/bulletml` has\n"
     "libbulletml's results for single elements, which `make test` compares with Curtain's.\n"
@@ -134,7 +134,7 @@ static void section_documents(void)
     }
     failed |= s.listed > TOOL_EXCEPTIONS_MOST;
     conclude("documents within 1/16 px", report_string("%d of %d", s.alike, s.documents));
-    conclude("documents excused because they [depend on the last bit](#decided-by-the-last-bit) of a double",
+    conclude("documents allowed to differ because they [depend on the last bit](#decided-by-the-last-bit) of a double",
              report_string("%d", s.listed));
     conclude("bullets compared", report_count(s.bullets));
     conclude("positions compared (one bullet in one frame)", report_count(s.places));
@@ -166,9 +166,9 @@ static void section_loop(void)
         add(&s, &r[i]);
     report_section("Restarted");
     report_text("Most documents end within 1,500 frames. With `loop = true`, a document restarts when it ends, as in "
-                "the boss fights of these games. In this mode, %d of %d documents stay within 1/16 px. The comparison "
-                "covers %s positions of %s bullets. The greatest distance in these documents is %.5f px.",
-                s.alike, s.documents, report_count(s.places), report_count(s.bullets), s.greatest);
+                "the boss fights of these games. The comparison covers %s positions of %s bullets. In this mode, %d of "
+                "%d documents stay within 1/16 px; the greatest distance in these documents is %.5f px.",
+                report_count(s.places), report_count(s.bullets), s.alike, s.documents, s.greatest);
     if (s.alike < s.documents) {
         report_text(
             "When a bullet aims at the player from less than a pixel away, a rounding error of a few ten-thousandths "
@@ -216,11 +216,12 @@ static void section_rounding(void)
         "BulletML does not say how numbers are rounded. Doubles normally round to nearest, but rounding down, up or "
         "towards zero is equally valid. The documents below behave differently in libbulletml itself when the rounding "
         "mode changes, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
-        "documents like these may differ from libbulletml, and only if they are listed in `%s`.",
+        "documents like these may differ from libbulletml, and only if they are listed in `%s`.\n"
+        "\n"
+        "Each document runs twice in libbulletml: the first run rounds to nearest, and the second run rounds as the "
+        "column *rounding* says.",
         TOOL_EXCEPTIONS);
-    report_table(
-        NULL,
-        "document|rank>|rounding|first difference; the first run rounds to nearest, the second run as in this row");
+    report_table(NULL, "document|rank>|rounding|first difference");
     for (int i = 0; i < documents.n; i++) {
         bool any = false;
         for (int k = 0; k < ALL_RANKS; k++)

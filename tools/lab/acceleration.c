@@ -289,7 +289,7 @@ static void plot_flights(void)
         .x_name = "frames",
         .y_name = "distance from the continuous motion, px",
         .described = "Error over time: an acceleration rounded to Q15.16 is 39 px off after a minute, an interpolated "
-                     "speed 1 px, the closed form a hundred-thousandth of a pixel",
+                     "speed is 1 px off, and the closed form is a hundred-thousandth of a pixel off",
     });
     for (int i = 0; i < SAMPLES; i++)
         x[i] = SAMPLE[i];

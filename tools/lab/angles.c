@@ -240,9 +240,10 @@ static void print_formats(const struct lab_rival *rivals)
 
 static void print_rings(void)
 {
-    report_table("Rings of n shots: widest minus narrowest gap, first if shot i is placed at i/n of a turn, then if a "
-                 "rounded step is added repeatedly",
-                 "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
+    report_table(
+        "Rings of n shots: difference between the widest and the narrowest gap, with shot i placed at i/n of a "
+        "turn (first value) and with a rounded step added repeatedly (second value)",
+        "n> | 8 bits> | 16 bits> | 32 bits (engine)>");
     for (int r = 0; r < RINGS; r++) {
         const char *cells[3];
         for (int k = 0; k < 3; k++)

@@ -723,10 +723,10 @@ void section_broad(void)
                       lab_about(worth_from(&results[2], GRID, GRID_QUERY))),
         "none", lab_exact() || scan_wins());
     lab_conclude("shots against enemies", "a grid of the enemies' positions, searched from the shot outwards",
-                 report_string("%s µs of the %s µs in a frame with 256 shots and 64 enemies, and %s µs with %s shots "
-                               "and %s enemies when a tenth of all pairs overlap",
-                               lab_about(crowds[3].times[0].ns), report_count(FRAME_US),
-                               lab_about(crowds[8].times[0].ns), report_count(CROWD[8][0]), report_count(CROWD[8][1])),
+                 report_string("256 shots and 64 enemies take %s µs of the %s µs in a frame; %s shots and %s enemies "
+                               "take %s µs if a tenth of all pairs overlap",
+                               lab_about(crowds[3].times[0].ns), report_count(FRAME_US), report_count(CROWD[8][0]),
+                               report_count(CROWD[8][1]), lab_about(crowds[8].times[0].ns)),
                  "scan all enemies: less code, and no grid to build in every frame",
                  lab_exact() || (crowds[3].times[1].ratio > 1 && crowds[8].times[1].ratio > 4));
 }

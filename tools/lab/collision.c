@@ -463,8 +463,9 @@ static void print_rivals(const struct lab_rival *far, const struct lab_rival *ne
                    RIVALS[i].who, NULL);
     }
     report_table_end();
-    report_table(NULL, "test | crossings missed, r = 4 px at 16 px/frame> | false hits> | time per pair, near> | time, "
-                       "far> | ratio, far>");
+    report_table(NULL,
+                 "test | crossings missed at r = 4 px and 16 px/frame> | false hits> | time per pair, near> | time, "
+                 "far> | ratio, far>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(i), RIVALS[i].name, report_percent(wrong[i][r4][s16].missed),
                    report_percent(wrong[i][r4][s16].false_hits), lab_ns(&near[i]), lab_ns(&far[i]), lab_ratio(&far[i]),
@@ -550,8 +551,8 @@ static void plot_areas(void)
         .x_name = "radius, px",
         .y_name = "area of false hits and misses, px²",
         .described =
-            "Wrongly judged area by radius: the area grows with the square of the radius for boxes and with the radius "
-            "for whole pixels; squares in Q15.16 are wrong far from every bullet; the engine is never wrong",
+            "Area of false hits and misses by radius: for boxes, it grows with the square of the radius; for whole "
+            "pixels, it grows with the radius; squares in Q15.16 also fail at long distances; the engine has no errors",
     });
     for (int r = 0; r < RADII; r++)
         x[r] = RADIUS[r];
@@ -607,8 +608,7 @@ void section_collision(void)
     print_rivals(far, near);
     print_shapes();
     plot_misses();
-    print_grid("Crossings missed by a circle tested at the end of each frame, with 2 substeps, and with 4 substeps",
-               triple);
+    print_grid("Crossings missed by a circle tested once per frame, with 2 substeps, and with 4 substeps", triple);
     report_text(
         "The miss rate depends on how far the bullet moves per frame, compared with r. A circle tested at the end of "
         "each frame\n"
@@ -636,8 +636,8 @@ void section_collision(void)
                                "end of each frame misses %s of the hits at r = 4 px and 16 px/frame",
                                report_count((int64_t)RADII * SPEEDS * TRIALS),
                                report_percent(wrong[CIRCLE][r4][s16].missed)),
-                 "use `hit = { box = ... }` for objects drawn as boxes; use `swept = false` for bullets whose missed "
-                 "hits do not matter, or that move less than half the sum of both radii per frame",
+                 "use `hit = { box = ... }` for objects drawn as boxes; use `swept = false` where missed hits do "
+                 "not matter, or for bullets that move less than half the sum of both radii per frame",
                  is_standard(SWEPT) && exact(SWEPT) &&
                      (lab_exact() || (far[SWEPT].ns < far[TWO].ns && far[SWEPT].ns < 3 * far[CIRCLE].ns)));
 }

@@ -113,7 +113,7 @@ void leaving_report(void)
 
     report_table("Bullets that fly towards a player 8 px above the field's lower edge and then leave the field",
                  "margin> | speed> | touches> | touches in the frame in which the bullet leaves the field> | touches "
-                 "the engine misses or reports in a different frame> | touches reported out of slot order>");
+                 "that the engine misses or reports in the wrong frame> | touches reported out of slot order>");
     for (int m = 0; m < MARGINS; m++)
         for (int s = 0; s < SPEEDS; s++) {
             struct tally *t = &tallies[m][s];

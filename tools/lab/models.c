@@ -87,7 +87,7 @@ static void print_choices(void)
     for (int i = 0; i < N_CHOICES; i++)
         rivals[i] = (struct lab_rival){ .run = run_hits, .data = close_crowd(&CHOICES[i], CLOSE), .ops = CLOSE };
     lab_time(rivals, N_CHOICES, 0);
-    report_table("Options in `bullet.def`, `shot.def` and `enemy.def`, except that `enemy.def` has no `graze`",
+    report_table("Options of `bullet.def`, `shot.def` and `enemy.def` (`enemy.def` has no `graze`)",
                  "choice | loss | time per bullet close to a player> | ratio> | use");
     for (int i = 0; i < N_CHOICES; i++) {
         const char *loses = i != SQUARE ? CHOICES[i].loses
@@ -204,8 +204,8 @@ static void print_flights(void)
     }
     report_table_end();
     lab_conclude("fine motion", "off",
-                 report_string("%s px of drift in 36,000 frames instead of %s px, but slower", report_figure(fine),
-                               report_figure(plain)),
+                 report_string("`fine = true` drifts by %s px in 36,000 frames instead of %s px, but is slower",
+                               report_figure(fine), report_figure(plain)),
                  "use `fine = true` for slow bullets that live for minutes",
                  fine < 1e-5 && plain > 0.1 && (lab_exact() || rivals[2].ratio > 2));
 }

@@ -447,10 +447,10 @@ static const char *drift_cell(const struct drift *d, int speed)
 static void print_speeds(void)
 {
     report_text("The next table shows the largest drift by speed, in px, after 600, 36,000 and 1,000,000 frames. "
-                "Without `fine`, fixed\n"
-                "point drifts by about the same distance at every speed: less than one unit in the last place per "
-                "frame. The drift of\n"
-                "float32 grows with the distance covered.");
+                "Without `fine`,\n"
+                "fixed-point positions drift by about the same distance at every speed: less than one unit in the last "
+                "place per frame.\n"
+                "The drift of float32 grows with the distance covered.");
     report_table(NULL, "format | 0.002 px/frame> | 0.1 px/frame> | 3 px/frame> | 20 px/frame> | 64 px/frame>");
     for (int i = 0; i < COUNT; i++)
         report_row(is_standard(&FORMATS[i]), FORMATS[i].name, drift_cell(&drifts[i], 0), drift_cell(&drifts[i], 2),
@@ -539,11 +539,12 @@ void section_positions(void)
     plot_drift();
     print_speeds();
     const struct drift *d = &drifts[me];
-    report_text("A bullet takes 10 to 30 seconds to cross the field. In 30 seconds (1,800 frames), Q15.16 drifts by at "
-                "most %s px, so\n"
-                "Q11.20 and Q31.32 would bring no visible gain. In fixed point, a pattern is also the same wherever it "
-                "is fired.",
-                report_figure(3 * d->worst[AT_600]));
+    report_text(
+        "A bullet takes 10 to 30 seconds to cross the field. In 30 seconds (1,800 frames), Q15.16 drifts by at "
+        "most %s px, so\n"
+        "Q11.20 and Q31.32 would make no visible difference. In fixed point, a pattern is also the same wherever "
+        "it is fired.",
+        report_figure(3 * d->worst[AT_600]));
     lab_claim(me >= 0, "a row of the table is the engine's format");
     lab_conclude("position format", FORMATS[me].name,
                  report_string("%s px of drift in 600 frames and %s px in 36,000 frames, the same at every position",

@@ -291,7 +291,7 @@ static void judge_walk(struct check *c, const char *path, const struct symbol_wa
     else
         diagnostics_add(&c->found, path, w->line, "%s: %s%s%s returns a handle of kind %s, not a table%s%s%s", w->how,
                         space, dot, w->of.name, handle, group ? " (" : "", group ? space : "",
-                        group ? ".each calls a function for each member)" : "");
+                        group ? ".each visits each member)" : "");
 }
 
 static void judge_zero(struct check *c, const char *path, const struct symbol_zero *z)

@@ -27,7 +27,8 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_UNPACK] = { "unpack", "ROM DIR", 2, 2, "write every lump of a ROM to a file in DIR" },
     [COMMAND_NEW] = { "new", "DIR", 1, 1, "create a folder with a complete game that you can change" },
     [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
-                         "make a standalone program, a web page or a RetroArch core from a game" },
+                         "turn a game into a standalone program for this system; options choose another system, a web "
+                         "page or a RetroArch core" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "find mistakes in a game's folder: scripts, art, missing and unused files, Lua memory" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
@@ -159,9 +160,9 @@ const struct option_row args_options[OPTIONS] = {
                      "--all, a folder for both; sound: WAV file; palette: a palette (.png) or one bank (.gpl, .hex)" },
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship can be, frame by frame" },
     [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE | FOR_EXPORT, SWITCH(all),
-                     "export: write the folder ID-exports with a zip file for each of --linux, --windows, --web and "
-                     "--libretro, with licences and a README for players; survive: search every stage and boss phase "
-                     "at every difficulty, print a line for each, and report those "
+                     "export: write a zip file for each of --linux, --windows, --web and --libretro to the folder "
+                     "ID-exports; each contains the licences and a README for players; survive: search every stage and "
+                     "boss phase at every difficulty, print a line for each, and report those "
                      "that are harder at an easier difficulty; --stage and --difficulty limit the search" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
@@ -215,19 +216,19 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_LUACHECK] = { "--luacheck", NULL, FOR_HELP, SWITCH(luacheck),
                           "help lua: print the API's names as a .luacheckrc, the settings file of luacheck" },
     [OPTION_KEYS] = { "--keys", NULL, FOR_EXPORT, SWITCH(keys),
-                      "include the developer keys (rewind, frame steps, console, panels) and commands (verify, "
-                      "render)" },
+                      "include the developer keys (rewind, frame advance, console, panels) and the developer commands "
+                      "(such as verify and render)" },
     [OPTION_DESKTOP] = { "--desktop", NULL, FOR_EXPORT, SWITCH(desktop),
-                         "also write a desktop menu entry, FILE.desktop and FILE.png" },
+                         "also write a desktop menu entry, FILE.desktop, and its icon, FILE.png" },
     [OPTION_LINUX] = { "--linux", NULL, FOR_EXPORT, CHOICE(export, EXPORT_LINUX),
-                       "write a program for x86-64 Linux, ID, whatever this system is" },
+                       "write ID, a program for x86-64 Linux" },
     [OPTION_WINDOWS] = { "--windows", NULL, FOR_EXPORT, CHOICE(export, EXPORT_WINDOWS),
-                         "write a program for 64-bit Windows, ID.exe" },
+                         "write ID.exe, a program for 64-bit Windows" },
     [OPTION_WEB] = { "--web", NULL, FOR_EXPORT, CHOICE(export, EXPORT_WEB),
-                     "write an HTML file that plays the game in browsers, ID.html" },
+                     "write ID.html, a page that plays the game in a browser" },
     [OPTION_LIBRETRO] = { "--libretro", NULL, FOR_EXPORT, CHOICE(export, EXPORT_LIBRETRO),
-                          "write a core that contains the game, for RetroArch and other libretro players: "
-                          "ID_libretro.so and ID_libretro.info" },
+                          "write ID_libretro.so, a core for RetroArch and other libretro front ends, and "
+                          "ID_libretro.info, its description" },
     [OPTION_FULL] = { "--full", NULL, FOR_LICENCES, SWITCH(full),
                       "also print the licence texts, which must accompany the program" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),

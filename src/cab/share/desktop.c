@@ -30,7 +30,7 @@ bool desktop_may_write(const char *rom, const char *program, char *err, size_t e
         for (const char *p = path, *end = path + strlen(path); p < end;)
             if (!utf8_may_show(utf8_next(&p, end)))
                 return err_set(err, err_size,
-                               "--desktop: %s: a desktop entry cannot contain line ends or control characters",
+                               "--desktop: %s: the program's path must not contain line breaks or control characters",
                                program);
     snprintf(path, sizeof path, "%s.desktop", program);
     if (!output_path_derived(rom, path, is_entry, err, err_size))

@@ -110,8 +110,8 @@ static bool load_player(struct export *e)
             return files_read(e->from, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
     }
     return err_set(e->err, e->err_size,
-                   "export: %s is not in the folder players next to this program or in its installed "
-                   "share/curtain/players; run `make players` in Curtain's source tree",
+                   "export: cannot find the player %s in players or ../share/curtain/players, relative to this "
+                   "program's folder; run `make players` in Curtain's source tree",
                    player);
 }
 
@@ -145,15 +145,14 @@ static bool prepare_player(struct export *e, size_t *at)
     e->size = image_trim(e->file, e->size);
     if (!mark_find(e->file, e->size, at))
         return err_set(e->err, e->err_size,
-                       player ? "%s: not a player that can hold a game; build one with make players"
-                              : "%s is not the running program",
+                       player ? "%s: not a valid player; rebuild it with `make players`"
+                              : "%s does not match the running program",
                        e->from);
     mark_read(e->file + *at, &m);
     if (m.core == CORE_VERSION)
         return true;
-    return err_set(e->err, e->err_size,
-                   "%s has core version %u, but this program has core version %d; rebuild the file with make players",
-                   e->from, (unsigned)m.core, CORE_VERSION);
+    return err_set(e->err, e->err_size, "%s: expected core version %d, got %u; rebuild it with `make players`", e->from,
+                   CORE_VERSION, (unsigned)m.core);
 }
 
 /* The player, its mark, and the game behind. */
@@ -342,7 +341,8 @@ static bool name_out(struct export *e)
     if (e->kind != EXPORT_LIBRETRO)
         return true;
     if (n < 4 || n + 3 > sizeof e->info || strcmp(e->out + n - 3, ".so") != 0)
-        return err_set(e->err, e->err_size, "--libretro: expected -o with a name that ends in .so, got \"%s\"", e->out);
+        return err_set(e->err, e->err_size, "--libretro: expected a file name ending in .so after -o, got \"%s\"",
+                       e->out);
     snprintf(e->info, sizeof e->info, "%.*s.info", (int)(n - 3), e->out);
     return true;
 }
@@ -373,10 +373,11 @@ static bool has_window(void)
 static bool may_export(struct export *e)
 {
     if (own_game()->rom)
-        return err_set(e->err, e->err_size, "export: this program is an exported game, %s; export with curtain",
+        return err_set(e->err, e->err_size, "export: this program is the exported game %s; use curtain to export games",
                        own_game()->m.title);
     if (e->kind == EXPORT_PROGRAM && !has_window())
-        return err_set(e->err, e->err_size, "export: this program has no window; use curtain, not curtain-null");
+        return err_set(e->err, e->err_size,
+                       "export: a copy of this program would have no window; use curtain, or add --linux or --windows");
     return true;
 }
 

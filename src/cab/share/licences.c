@@ -71,7 +71,7 @@ static const char mingw[] =
     "ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE)\n"
     "ARISING IN ANY WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.\n"
     "\n"
-    "The conversion of numbers, by Lucent Technologies:\n"
+    "Number conversion, by Lucent Technologies:\n"
     "\n"
     "Permission to use, copy, modify, and distribute this software and its documentation for any purpose and\n"
     "without fee is hereby granted, provided that the above copyright notice appear in all copies and that both\n"
@@ -110,9 +110,9 @@ static const char mingw_whose[] = "Copyright (c) 2009-2016 the mingw-w64 project
 static const char nothing[] = "No notice is required.\n";
 #ifndef __MINGW32__
 static const char of_system[] =
-    "It is part of the operating system, not of this program's file: no notice is required.\n";
+    "It belongs to the operating system and is not in this program's file, so no notice is required.\n";
 #endif
-static const char unknown[] = "Its licence is unknown: ask the author of this port of Curtain.\n";
+static const char unknown[] = "Its licence is unknown; ask the author of this port of Curtain.\n";
 
 struct work {
     char name[32], version[128];
@@ -186,18 +186,19 @@ void licences_notices(struct reel *out)
     const struct {
         const char *name, *whose, *texts[2];
     } all[] = {
-        { "Curtain, the engine of the game", curtain_whose, { mit } },
+        { "Curtain, the game engine", curtain_whose, { mit } },
         { "Lua", board_lua_copyright(), { mit } },
-        { "SDL, in programs for Windows; programs for Linux load the system's", sdl_whose, { zlib } },
-        { "mingw-w64, in programs for Windows", mingw_whose, { mingw } },
+        { "SDL, in Windows programs (Linux programs use the SDL that is installed)", sdl_whose, { zlib } },
+        { "mingw-w64, in Windows programs", mingw_whose, { mingw } },
         { "wasi-libc, in web pages",
           "Copyright (c) 2005-2019 Rich Felker and others (musl: MIT), 1993-2004 Sun Microsystems, Inc. (musl's "
           "mathematics),\n2015-2017 Nuxi and contributors (cloudlibc: BSD)",
           { mit, bsd } },
     };
 
-    reel_print(out, "The game's download contains software by others. Their notices for all systems follow; not every\n"
-                    "part is in every download.\n");
+    reel_print(out,
+               "This game contains software by others. The notices below are for the downloads for all systems. Your\n"
+               "download may contain only some of this software.\n");
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         reel_print(out, "\n---- %s ----\n\n%s\n", all[i].name, all[i].whose);
         for (int k = 0; k < 2 && all[i].texts[k]; k++)
@@ -212,13 +213,14 @@ enum result licences_run(bool full)
     const struct own *own = own_game();
 
     if (own->rom)
-        report_print("%s is by %s. Also in this program:\n", own->m.title,
-                     own->m.author[0] ? own->m.author : "its author");
+        report_print("%s is by %s. This program also contains:\n", own->m.title,
+                     own->m.author[0] ? own->m.author : "an unnamed author");
     for (int i = 0; i < n; i++)
         report_print("%-8s %-8s %-14s %s\n", all[i].name, all[i].version[0] ? all[i].version : "-", all[i].licence,
                      all[i].what);
-    puts("When packing, the program loads libsndfile (LGPL 2.1 or later) and libopenmpt (BSD) for samples and music,");
-    puts("and libexpat (MIT) for BulletML, if installed. Playing a game needs none of them.");
+    puts("To pack a game, this program also loads these libraries if they are installed:");
+    puts("libsndfile (LGPL 2.1 or later) for OGG and FLAC, libopenmpt (BSD) for tracker modules,");
+    puts("and libexpat (MIT) for BulletML. Playing a game needs none of them.");
     if (full)
         print_texts(all, n);
     else

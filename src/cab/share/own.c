@@ -41,12 +41,12 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
     file = *in;
     if (!whole || !rom_open(&rom, file, own.size, why, sizeof why) || rom.crc != m->crc ||
         rom_find(&rom, "manifest") < 0) {
-        err_set(err, err_size, "%s is damaged: the game in it has changed", itself);
+        err_set(err, err_size, "%s is damaged: the game in it is corrupt", itself);
         return RESULT_REFUSED;
     }
     rom_lump(&rom, rom_find(&rom, "manifest"), &lump);
     if (!manifest_unpack(lump.data, lump.size, &own.m, why, sizeof why)) {
-        err_set(err, err_size, "%s: the game in it has an invalid manifest: %s", itself, why);
+        err_set(err, err_size, "%s: invalid game manifest: %s", itself, why);
         return RESULT_REFUSED;
     }
     own.rom = file;
@@ -95,7 +95,7 @@ const char *own_refuses_command(const char *command, char *err, size_t err_size)
 
 const char *own_refuses_game(const char *path, char *err, size_t err_size)
 {
-    err_set(err, err_size, "%s: cannot open this file; this program only plays %s (see --help)", path, own.m.title);
+    err_set(err, err_size, "%s: cannot be opened; this program only plays %s (see --help)", path, own.m.title);
     return err;
 }
 
@@ -110,7 +110,7 @@ void own_help(void (*line)(const char *))
     line("");
     line("  licences [--full]     print the authors and licences of the included software");
     line("  version               print the version and build");
-    line("  help [config]         print this help, or the settings and their file");
+    line("  help [config]         print this help, or help for the settings and their file");
     line("");
     line("Options:");
 }

@@ -438,9 +438,9 @@ bool pe_dress(uint8_t **file, size_t *size, const struct cart *cart, char *err, 
     uint32_t sizes[ICONS], at = 0;
 
     if (!pe_is(*file, *size) || *size > INT32_MAX || !read_header(&pe) || !read_sections(&pe))
-        return err_set(err, err_size, "not a program for Windows on x86-64 with room for another section");
+        return err_set(err, err_size, "expected an x86-64 Windows program with space for another section");
     if (!read_directory(&pe, 0, 0, (struct resource){ 0 }))
-        return err_set(err, err_size, "its resources are damaged");
+        return err_set(err, err_size, "the program's resources are damaged");
     const bool icon = make_icons(cart, &pictures, sizes, &group);
     make_version(&version, &cart->m);
     for (int i = 0; i < pe.n_old; i++)

@@ -13,45 +13,50 @@ static const struct {
     const char *start, *saves, *remove;
     bool keys, window; /* with the players' keys; and with the window's */
 } texts[] = {
-    [EXPORT_LINUX] = { "Double-click the file @, or run ./@ in a terminal in this folder. If it does not start, make "
-                       "it\n"
-                       "executable: chmod +x @\n"
-                       "\n"
-                       "It needs Linux on x86-64 and the library SDL 2, which many systems already have. To install "
-                       "it:\n"
-                       "\n"
-                       "  Debian, Ubuntu, Mint    sudo apt install libsdl2-2.0-0\n"
-                       "  Fedora                  sudo dnf install SDL2\n"
-                       "  Arch                    sudo pacman -S sdl2\n"
-                       "  openSUSE                sudo zypper install libSDL2-2_0-0\n",
-                       "They are in the folder ~/.local/share/curtain-@. Screenshots and clips are in the folder @ in "
-                       "your\n"
-                       "pictures folder.\n",
-                       "Delete the file @ and the folder ~/.local/share/curtain-@.\n", true, true },
-    [EXPORT_WINDOWS] = { "Double-click @.exe. It needs Windows 10 or 11 with 64 bits, and installs nothing.\n"
-                         "\n"
-                         "The first time, Windows may show \"Windows protected your PC\", because it does not know "
-                         "the\n"
-                         "program yet. Click \"More info\", then \"Run anyway\".\n",
-                         "They are in the folder %APPDATA%\\curtain-@; Explorer opens it when you paste this into its "
-                         "address\n"
-                         "bar. Screenshots and clips are in the folder @ in your pictures folder.\n",
-                         "Delete @.exe and the folder %APPDATA%\\curtain-@.\n", true, true },
-    [EXPORT_WEB] = { "Open index.html in a browser: Chrome, Edge, Firefox or Safari from 2023 or later. It needs no "
-                     "server\n"
-                     "and no connection. On a phone, drag a finger to move. \"More\" on the page lists all keys.\n",
-                     "The browser stores scores and settings of the page. To save a recording of a run, choose "
-                     "\"More\" and\n"
-                     "\"Save Recording\".\n",
-                     "Delete the files. The browser's settings for stored data of sites delete scores and settings.\n",
-                     true, false },
-    [EXPORT_LIBRETRO] = { "This is a core for RetroArch on Linux, x86-64. Copy @_libretro.so into RetroArch's cores "
-                          "folder and\n"
-                          "@_libretro.info into its core info folder (Settings > Directory shows where they are). Then "
-                          "choose\n"
-                          "Load Core, the game, and Start Core. RetroArch's menu Controls lists the buttons.\n",
-                          "RetroArch stores scores and states in its folders for save files and save states.\n",
-                          "Delete the two files, and the save files and states with the game's name.\n", false, false },
+    [EXPORT_LINUX] = {
+        "Double-click the file \"@\", or run ./@ in a terminal in this folder. If the game does not start,\n"
+        "make the file executable: chmod +x @\n"
+        "\n"
+        "The game needs Linux on x86-64 and the SDL 2 library, which many systems already have. To install SDL 2:\n"
+        "\n"
+        "  Debian, Ubuntu, Mint    sudo apt install libsdl2-2.0-0\n"
+        "  Fedora                  sudo dnf install SDL2\n"
+        "  Arch                    sudo pacman -S sdl2\n"
+        "  openSUSE                sudo zypper install libSDL2-2_0-0\n",
+        "Scores, replays and settings are in the folder ~/.local/share/curtain-@.\n"
+        "Screenshots and clips are in the folder \"@\" inside your pictures folder.\n",
+        "Delete the file \"@\" and the folder ~/.local/share/curtain-@.\n",
+        true, true,
+    },
+    [EXPORT_WINDOWS] = {
+        "Double-click @.exe. The game needs 64-bit Windows 10 or 11. It does not install anything.\n"
+        "\n"
+        "When you start the game for the first time, Windows may show \"Windows protected your PC\", because it\n"
+        "does not know the program yet. Click \"More info\", then \"Run anyway\".\n",
+        "Scores, replays and settings are in the folder %APPDATA%\\curtain-@.\n"
+        "To open this folder, paste its path into the address bar of Explorer.\n"
+        "Screenshots and clips are in the folder \"@\" inside your pictures folder.\n",
+        "Delete @.exe and the folder %APPDATA%\\curtain-@.\n",
+        true, true,
+    },
+    [EXPORT_WEB] = {
+        "Open index.html in Chrome, Edge, Firefox or Safari. The browser's version must be from 2023 or later.\n"
+        "The game needs no server and no internet connection. On a phone, drag a finger to move. To list all keys,\n"
+        "choose \"More\" on the page.\n",
+        "The browser stores the scores and settings. To save a recording of a run, choose \"More\", then\n"
+        "\"Save Recording\".\n",
+        "Delete the files. To delete the scores and settings too, delete the data of this page in the browser's\n"
+        "settings.\n",
+        true, false,
+    },
+    [EXPORT_LIBRETRO] = {
+        "This is a core for RetroArch on Linux (x86-64). Copy @_libretro.so into RetroArch's cores folder\n"
+        "and @_libretro.info into its core info folder. Settings > Directory shows where these folders are.\n"
+        "Then choose Load Core, select the game, and choose Start Core. RetroArch's Controls menu lists the buttons.\n",
+        "RetroArch stores scores in its folder for save files, and save states in its folder for save states.\n",
+        "Delete the two files, and the save files and save states that are named after the game.\n",
+        false, false,
+    },
 };
 
 static void put_text(struct reel *out, const char *text, const char *id)
@@ -109,7 +114,7 @@ static void put_all_keys(struct reel *out, const struct manifest *m, bool window
     for (size_t i = 0; window && i < sizeof shown / sizeof *shown; i++)
         put_keys(out, &k, PADS * PAD_BUTTONS + (int)shown[i], 1);
     reel_print(out, "%sControllers work too.%s\n\n", window ? "\n" : "",
-               window ? " The settings change keys and buttons." : "");
+               window ? " You can change keys and buttons in the settings." : "");
 }
 
 void readme_write(struct reel *out, enum export_kind kind, const struct manifest *m)
@@ -132,5 +137,6 @@ void readme_write(struct reel *out, enum export_kind kind, const struct manifest
     put_text(out, texts[kind].saves, m->id);
     reel_print(out, "\nREMOVE\n\n");
     put_text(out, texts[kind].remove, m->id);
-    reel_print(out, "\nMade with Curtain %s. licences.txt has the licences of the software in it.\n", CURTAIN_VERSION);
+    reel_print(out, "\nMade with Curtain %s. licences.txt contains the licences of the included software.\n",
+               CURTAIN_VERSION);
 }

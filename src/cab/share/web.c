@@ -100,11 +100,10 @@ static bool is_player(const uint8_t *player, size_t size, const char *name, char
     const unsigned core = core_of(player, size);
 
     if (core == 0 || count(player, size, rom_mark) != 1 || count(player, size, title_mark) < 1)
-        return err_set(err, err_size, "%s: not a player that can hold a game; build one with make players", name);
+        return err_set(err, err_size, "%s: not a valid player; rebuild it with `make players`", name);
     if (core != CORE_VERSION)
-        return err_set(err, err_size,
-                       "%s has core version %u, but this program has core version %d; rebuild the file with make players",
-                       name, core, CORE_VERSION);
+        return err_set(err, err_size, "%s: expected core version %d, got %u; rebuild it with `make players`", name,
+                       CORE_VERSION, core);
     return true;
 }
 

@@ -83,8 +83,8 @@ static void tell_measure(const struct measure *m, bool survived)
                  (unsigned)(measure_per_second(m) / 100), (unsigned)(measure_per_second(m) / 10 % 10),
                  (unsigned)m->most);
     if (m->aimed)
-        report_print("  reaction           %d frames: a tenth of the %d bullets on course for the ship leave at most "
-                     "this much time\n",
+        report_print("  reaction           %d frames from firing to impact (10th percentile of %d bullets on course "
+                     "for the ship)\n",
                      m->reaction, m->aimed);
     else
         report_print("  reaction           no bullet was on course for the ship\n");
