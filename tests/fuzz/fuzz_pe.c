@@ -28,7 +28,7 @@ static bool dress(const uint8_t *data, size_t size, uint8_t **out, size_t *out_s
     need(*out != NULL);
     if (size)
         memcpy(*out, data, size);
-    const bool good = pe_dress(out, out_size, &cart, err, sizeof err);
+    const bool good = pe_set_resources(out, out_size, &cart, err, sizeof err);
     need(good == (err[0] == '\0'));
     return good;
 }

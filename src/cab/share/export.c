@@ -52,13 +52,13 @@ static bool append_game(struct export *e);
 static bool make_page(struct export *e);
 
 static const struct kind {
-    const char *option;             /* without --; names the zip, too. NULL: none */
+    const char *option;             /* without --; also in the name of the zip. NULL: none */
     const char *noun;               /* as messages call it */
-    const char *ending;             /* of its name, behind the game's id */
-    const char *player;             /* the file that the game is put into; NULL: this program */
+    const char *ending;             /* of the file name, after the game's id */
+    const char *player;             /* file that the game is added to; NULL: this program */
     bool (*make)(struct export *e); /* into e->file */
-    bool runs;                      /* it is made executable */
-    bool crlf;                      /* lines of texts that come with it end in CR LF */
+    bool runs;                      /* the file is made executable */
+    bool crlf;                      /* text files in the zip use CR LF */
 } kinds[] = {
     [EXPORT_PROGRAM] = { NULL, "program", "", NULL, append_game, true, false },
     [EXPORT_LINUX] = { "linux", "program", "", "curtain-linux", append_game, true, false },
@@ -70,7 +70,7 @@ static const struct kind {
 
 /* ---- a game in its player ---- */
 
-/* A game that is built in is not given along: zeroes are, which any archive makes nothing of. */
+/* Overwrites this program's built-in game with zeroes: an export has its own game, and zeroes compress well. */
 static void blank_builtin(const struct export_want *w, uint8_t *file, size_t size)
 {
     if (!w->builtin_size)
@@ -97,7 +97,7 @@ static bool load_program(struct export *e)
     return files_read(name, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
 }
 
-/* The players are next to the program, where it was built, or in its installation. */
+/* Finds the player next to a built program or in the installation, and loads it. */
 static bool load_player(struct export *e)
 {
     static const char *const folders[] = { "players", "../share/curtain/players" };
@@ -131,7 +131,7 @@ static bool make_page(struct export *e)
     return good;
 }
 
-/* Cuts the player down to what is loaded; its mark is then at *at. */
+/* Trims the player to what the system loads, and finds its mark: *at. */
 static bool prepare_player(struct export *e, size_t *at)
 {
     const char *player = kinds[e->kind].player;
@@ -140,7 +140,7 @@ static bool prepare_player(struct export *e, size_t *at)
 
     if (!player)
         blank_builtin(e->want, e->file, e->size);
-    if (pe_is(e->file, e->size) && !pe_dress(&e->file, &e->size, &e->cart, why, sizeof why))
+    if (pe_is(e->file, e->size) && !pe_set_resources(&e->file, &e->size, &e->cart, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->from, why);
     e->size = image_trim(e->file, e->size);
     if (!mark_find(e->file, e->size, at))
@@ -155,7 +155,7 @@ static bool prepare_player(struct export *e, size_t *at)
                    CORE_VERSION, (unsigned)m.core);
 }
 
-/* The player, its mark, and the game behind. */
+/* Makes the player with its mark filled in and the game appended. */
 static bool append_game(struct export *e)
 {
     struct mark m = { .flags = e->want->keys ? MARK_KEYS : 0, .crc = e->image.rom.crc, .size = e->game_size };
@@ -188,7 +188,7 @@ static bool is_info(const uint8_t *head, size_t n)
     return n >= strlen(RETRO_INFO_FIRST) && memcmp(head, RETRO_INFO_FIRST, strlen(RETRO_INFO_FIRST)) == 0;
 }
 
-/* May what is written next to the file be? */
+/* May the files that accompany the export be written? */
 static bool may_write_companions(struct export *e)
 {
     if (e->kind == EXPORT_LIBRETRO)
@@ -196,7 +196,7 @@ static bool may_write_companions(struct export *e)
     return !e->want->desktop || desktop_may_write(e->want->rom, e->out, e->err, e->err_size);
 }
 
-/* Is it a file that was exported, of that kind? */
+/* Is it an export of that kind? */
 static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
 {
     struct mark m = { .size = 0 };
@@ -211,7 +211,7 @@ static bool is_exported(enum export_kind kind, const uint8_t *file, size_t size)
     return m.size > 0;
 }
 
-/* A file that exists is replaced only if it was exported. */
+/* An existing file is replaced only if it is an export. */
 static bool may_replace(struct export *e, const char *path, enum export_kind kind)
 {
     uint8_t *there;
@@ -265,7 +265,7 @@ static void zip_text(struct zip *z, const char *name, const struct reel *text, b
     reel_close(&lines);
 }
 
-/* What was made, the texts for players, and what else comes with its kind. */
+/* Zips the export, the text files for players and, for a core, its .info. */
 static bool make_zip(struct export *e, struct zip *z)
 {
     const struct kind *kind = &kinds[e->kind];
@@ -299,7 +299,7 @@ static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PA
     return n < FILES_PATH ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
 }
 
-/* Nothing is written before all are made. */
+/* Writes nothing until all zips are made. */
 static bool export_all(struct export *e)
 {
     struct zip zips[EXPORT_ALL] = { 0 };
@@ -317,7 +317,7 @@ static bool export_all(struct export *e)
 
 /* ---- the command ---- */
 
-/* A program is a copy of this one, and ends as it does: Windows runs what ends in .exe. */
+/* The ending of a copy of this program: .exe on Windows, which runs no others. */
 static const char *program_ending(void)
 {
     static const char exe[] = ".exe";
@@ -329,7 +329,7 @@ static const char *program_ending(void)
     return n > strlen(exe) && strcmp(name + n - strlen(exe), exe) == 0 ? exe : "";
 }
 
-/* The names of what is written. */
+/* Chooses the names of the output files. */
 static bool name_out(struct export *e)
 {
     size_t n;

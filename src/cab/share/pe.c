@@ -1,8 +1,8 @@
 /*
  * pe.c - see pe.h. Microsoft's "PE Format" has the layout of the file, "VS_VERSIONINFO" and "Icons" that of resources.
  *
- * A new section with all resources is added behind the others, and the header leads to it; the bytes of the old ones
- * become zeroes.
+ * All resources are written to a new section at the end, and the header points to it. The bytes of the old resources
+ * are overwritten with zeroes.
  */
 #include "pe.h"
 
@@ -18,7 +18,7 @@
 #include "../host/version.h"
 #include "../pack/icon.h"
 
-enum {                   /* offsets in the optional header, and sizes */
+enum {                   /* sizes, and offsets in the optional header */
        FILE_HEADER = 24, /* with the signature PE\0\0 */
        SECTION = 40,
        INITIALIZED = 8,
@@ -29,7 +29,7 @@ enum {                   /* offsets in the optional header, and sizes */
        CHECKSUM = 64,
        RESOURCES = 128, /* the directory's address and size */
        SIGNATURE = 144,
-       OPTIONAL_HEADER = 152 /* up to the end of those */
+       OPTIONAL_HEADER = 152 /* up to the end of SIGNATURE */
 };
 
 enum { RT_ICON = 3, RT_GROUP_ICON = 14, RT_VERSION = 16, ENGLISH = 0x409, MAX_RESOURCES = 64 };
@@ -43,8 +43,8 @@ struct resource {
 struct pe {
     uint8_t *file, *header, *optional, *sections;
     uint32_t size, n_sections;
-    uint32_t address_end, file_end;                         /* of the last section, in memory and in the file */
-    struct resource old[MAX_RESOURCES], all[MAX_RESOURCES]; /* those of the file; of the copy */
+    uint32_t address_end, file_end;                         /* of the last section: in memory, in the file */
+    struct resource old[MAX_RESOURCES], all[MAX_RESOURCES]; /* of the input; of the output */
     int n_old, n;
 };
 
@@ -92,7 +92,7 @@ static bool read_sections(struct pe *pe)
     return pe->file_end >= bytes_get32(pe->optional + HEADERS_SIZE);
 }
 
-/* The n bytes that are loaded at an address; NULL: they are not in one section. */
+/* The n bytes loaded at an address, or NULL if they are not all in one section. */
 static uint8_t *at_address(const struct pe *pe, uint32_t address, uint32_t n)
 {
     for (uint32_t i = 0; i < pe->n_sections; i++) {
@@ -104,7 +104,7 @@ static uint8_t *at_address(const struct pe *pe, uint32_t address, uint32_t n)
     return NULL;
 }
 
-/* Reads the directory at `at`, from the first one on: types, then numbers, then languages. */
+/* Reads the resource directory at `at` and those below it. Levels: 0 types, 1 ids, 2 languages. */
 static bool read_directory(struct pe *pe, uint32_t at, int level, struct resource r)
 {
     const uint32_t base = bytes_get32(pe->optional + RESOURCES), size = bytes_get32(pe->optional + RESOURCES + 4);
@@ -149,12 +149,12 @@ static void put32(struct reel *r, uint32_t v)
     put16(r, v >> 16);
 }
 
-/* A bitmap: 32 bits a pixel, rows from the bottom, and a mask of what is transparent, which is in the alpha too. */
+/* Writes a bitmap: 32 bits per pixel, bottom row first, then a 1-bit mask of the transparent pixels. */
 static void put_bitmap(struct reel *r, const uint8_t *rgba, int side)
 {
     put32(r, 40);
     put32(r, (uint32_t)side);
-    put32(r, 2 * (uint32_t)side); /* with the mask */
+    put32(r, 2 * (uint32_t)side); /* mask included */
     put16(r, 1);
     put16(r, 32);
     for (int i = 0; i < 6; i++)
@@ -173,8 +173,8 @@ static void put_bitmap(struct reel *r, const uint8_t *rgba, int side)
 
 enum { ICONS = 4 };
 
-/* The pictures of the icon, on end, the size of each, and the group that lists them. False: the game has no icon, or
- * there is no memory. */
+/* Writes the icon's pictures one after another, the size of each, and the group that lists them. False if the game has
+ * no icon or memory runs out. */
 static bool make_icons(const struct cart *cart, struct reel *pictures, uint32_t sizes[ICONS], struct reel *group)
 {
     static const int sides[ICONS] = { 16, 32, 48, 256 };
@@ -187,7 +187,7 @@ static bool make_icons(const struct cart *cart, struct reel *pictures, uint32_t 
         uint8_t *rgba = icon_fit(cart, sides[i]), *png = NULL;
         size_t n;
         bool good = rgba != NULL;
-        if (good && sides[i] < 256) /* as every version of Windows can read it */
+        if (good && sides[i] < 256) /* PNG is allowed at 256 only */
             put_bitmap(pictures, rgba, sides[i]);
         else if (good && (good = icon_png(rgba, sides[i], &png, &n)))
             reel_put(pictures, png, n);
@@ -196,7 +196,7 @@ static bool make_icons(const struct cart *cart, struct reel *pictures, uint32_t 
         if (!good)
             return false;
         sizes[i] = (uint32_t)(pictures->n - from);
-        put16(group, (unsigned)(sides[i] & 255) * 257); /* width and height, 0: 256 */
+        put16(group, (unsigned)(sides[i] & 255) * 257); /* width and height; 0 means 256 */
         put16(group, 0);
         put16(group, 1);
         put16(group, 32);
@@ -214,7 +214,7 @@ static void pad(struct reel *r, size_t to)
         reel_byte(r, 0);
 }
 
-/* UTF-16 with a 0 behind it; returns its units. */
+/* Writes UTF-16 with a terminating 0; returns the number of units, the 0 included. */
 static unsigned put_text(struct reel *r, const char *text)
 {
     const char *end = text + strlen(text);
@@ -230,7 +230,7 @@ static unsigned put_text(struct reel *r, const char *text)
     return (unsigned)(r->n - from) / 2;
 }
 
-/* Starts a block of a version resource and returns where; its length is written by close_block. */
+/* Starts a block of a version resource and returns its offset; close_block writes its length. */
 static size_t open_block(struct reel *r, const char *key, unsigned value_length, bool is_text)
 {
     pad(r, 4);
@@ -278,8 +278,8 @@ static void make_version(struct reel *r, const struct manifest *m)
     put32(r, 0);
     put32(r, 0x3f);
     put32(r, 0);
-    put32(r, 0x40004); /* for Windows NT, 32 bits and more */
-    put32(r, 1);       /* a program */
+    put32(r, 0x40004); /* VOS_NT_WINDOWS32 */
+    put32(r, 1);       /* VFT_APP */
     for (int i = 0; i < 3; i++)
         put32(r, 0);
     const size_t strings = open_block(r, "StringFileInfo", 0, true), table = open_block(r, "040904B0", 0, true);
@@ -309,7 +309,7 @@ static void add(struct pe *pe, struct resource r)
         pe->all[pe->n++] = r;
 }
 
-/* By type and number, as a directory wants them. */
+/* Orders by type, then by id, as a directory requires. */
 static int compare(const void *a, const void *b)
 {
     const struct resource *x = a, *y = b;
@@ -327,7 +327,7 @@ static void put_directory(struct reel *r, unsigned n)
     put16(r, n);
 }
 
-/* The tree of the resources, which are sorted, and their data; address: where it is loaded. */
+/* Writes the directory tree of the sorted resources, and their data. address: where the tree is loaded. */
 static void put_tree(const struct pe *pe, struct reel *r, uint32_t address)
 {
     const struct resource *all = pe->all;
@@ -374,7 +374,7 @@ static void put_tree(const struct pe *pe, struct reel *r, uint32_t address)
     }
 }
 
-/* The header of the new section, and what of the file's follows from it. */
+/* Writes the header of the new section and updates the file's header. */
 static void put_section(struct pe *pe, uint32_t address, uint32_t from, uint32_t size, uint32_t raw)
 {
     uint8_t *s = pe->sections + pe->n_sections * SECTION, *o = pe->optional;
@@ -388,9 +388,9 @@ static void put_section(struct pe *pe, uint32_t address, uint32_t from, uint32_t
     bytes_put32(s + 12, address);
     bytes_put32(s + 16, raw);
     bytes_put32(s + 20, from);
-    bytes_put32(s + 36, 0x40000040); /* data, to be read */
+    bytes_put32(s + 36, 0x40000040); /* initialized data, readable */
     bytes_put16(pe->header + 6, (uint16_t)(pe->n_sections + 1));
-    memset(pe->header + 8, 0, 12); /* time, and the table of symbols */
+    memset(pe->header + 8, 0, 12); /* time stamp and symbol table */
     bytes_put32(o + INITIALIZED, bytes_get32(o + INITIALIZED) + raw);
     bytes_put32(o + IMAGE_SIZE, align(address + size, bytes_get32(o + SECTION_ALIGN)));
     bytes_put32(o + CHECKSUM, 0); /* none */
@@ -399,7 +399,7 @@ static void put_section(struct pe *pe, uint32_t address, uint32_t from, uint32_t
     memset(o + SIGNATURE, 0, 8);
 }
 
-/* The copy: what is loaded of the file, without its old resources, and the new section. */
+/* Replaces the file by a copy of its sections, old resources zeroed, followed by the new section. */
 static bool write_copy(struct pe *pe, uint8_t **file, size_t *size)
 {
     const uint32_t address = align(pe->address_end, bytes_get32(pe->optional + SECTION_ALIGN));
@@ -431,7 +431,7 @@ bool pe_is(const uint8_t *file, size_t size)
     return size >= 64 && memcmp(file, "MZ", 2) == 0;
 }
 
-bool pe_dress(uint8_t **file, size_t *size, const struct cart *cart, char *err, size_t err_size)
+bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, char *err, size_t err_size)
 {
     struct pe pe = { .file = *file, .size = (uint32_t)*size };
     struct reel pictures = { 0 }, group = { 0 }, version = { 0 };

@@ -13,10 +13,10 @@
 /* Does the file claim to be a Windows program? */
 bool pe_is(const uint8_t *file, size_t size);
 
-/* Replaces *file (malloc) by a copy with a section of resources for the game; the manifest, and the icon if the game
- * has none, remain. The copy ends with that section: symbols and a signature are cut off. Its bytes depend on nothing
- * but the file and the game. False and one sentence: the file is damaged, is not for x86-64, or has no room for a
- * section; *file is still to be freed. */
-bool pe_dress(uint8_t **file, size_t *size, const struct cart *cart, char *err, size_t err_size);
+/* Replaces *file (malloc) with a copy that ends with a resource section for the game: its version, and its icon if it
+ * has one; other resources are copied. Symbols and a signature are removed. The result depends only on the file and the
+ * game. Returns false with a sentence in err if the file is damaged, is not for x86-64, or has no space for another
+ * section header; the caller frees *file in any case. */
+bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, char *err, size_t err_size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * zip.c - see zip.h. Every file has the date 1980-01-01 00:00, the first there is. The archive's comment shows that it
- * was written here.
+ * zip.c - see zip.h. Every file has the date 1980-01-01 00:00, the earliest that the format has. The archive's comment
+ * identifies it as an export.
  */
 #include "zip.h"
 
@@ -14,7 +14,7 @@ enum {
     UTF8_NAMES = 1 << 11,
     STORED = 0,
     DEFLATED = 8,
-    VERSION = 20, /* 2.0: has DEFLATED */
+    VERSION = 20, /* 2.0, the first with DEFLATED */
     UNIX = 3 << 8,
     FIRST_DATE = 1 << 5 | 1,
     HEADER = 30, /* bytes */
@@ -24,7 +24,7 @@ enum {
 
 static const char comment[] = "made with Curtain";
 
-/* What the header of a file and its entry in the directory have in common, 26 bytes. */
+/* Writes the 26 bytes that a file's header and its directory entry share. */
 static void put_common(uint8_t *p, int method, uint32_t crc, size_t packed, size_t size, size_t name)
 {
     bytes_put16(p, VERSION);
