@@ -28,7 +28,7 @@ static const struct price MOTION[] = {
     { "go_to", "runs `go_to`", PLAIN },
     { "polar", "runs `polar`", PLAIN },
     { "orbit", "runs `orbit` around a point", PLAIN },
-    { "around", "runs `orbit` around its `around` target", GROUPS },
+    { "around", "runs `orbit` around an entity (property `around`)", GROUPS },
     { "wave", "runs `wave`", PLAIN },
     { "bounce", "runs `bounce`, with no wall nearby", PLAIN },
     { "path", "runs `path`", PLAIN },
