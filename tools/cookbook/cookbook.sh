@@ -68,9 +68,9 @@ page() {
 # The cookbook
 
 This is a collection of small patterns and effects to look at and copy, one per file in
-[roms/cookbook/recipes](../roms/cookbook/recipes). \`curtain play roms/cookbook\` shows them. The arrow keys turn the
-pages, and fire restarts a recipe. START closes the list of recipes, so that the arrow keys move the ship. Press START
-again to open it.
+[roms/cookbook/recipes](../roms/cookbook/recipes). \`curtain play roms/cookbook\` shows the recipes. The arrow keys turn
+the pages, and fire restarts a recipe. START closes the list of recipes, so that the arrow keys move the ship. Press
+START again to reopen the list.
 
 \`curtain play roms/cookbook --stage flower\` starts at the recipe "flower", and
 \`curtain render roms/cookbook --stage flower --frames 300 -o out\` renders it.
@@ -81,7 +81,7 @@ recipes; in your own game, define your own. [The guide](README.md) explains the 
 
 The line below each recipe shows its cost over the first $frames frames: the maximum number of bullets and lasers at the
 same time, and the average and maximum work per frame. A unit of work is about one Lua instruction; an engine call costs
-100 or more. A frame can use 200,000,000 units. Movement, hit tests and drawing cost extra, and [the
+100 or more. A frame can use at most 200,000,000 units. Movement, hit tests and drawing cost extra, and [the
 guide](guide/21-capacities.md) lists their costs. \`make cookbook\` writes this page.
 END
     list | while read -r what name; do

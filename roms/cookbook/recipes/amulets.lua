@@ -1,5 +1,6 @@
 -- amulets.lua - Homing amulets: Amulets fan out, slow down, and home in on the player for almost
--- two seconds, turning up to two degrees per frame. That is slow enough to sidestep: move late.
+-- two seconds, turning up to two degrees per frame. To dodge the amulets, sidestep at the last
+-- moment.
 local seek = motion.def { { speed = 1.2, over = 25 }, { home = 2, over = 110 },
                           { accel = 0.02, over = 60 } }
 

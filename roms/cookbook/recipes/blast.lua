@@ -1,5 +1,5 @@
--- blast.lua - Explosion: A flash, a shake, a ring of sparks, and fire that cools from white to
--- dark. Only the picture shakes. Positions don't change, so hits are not affected.
+-- blast.lua - Explosion: An explosion is a flash, a shake, a ring of sparks, and fire that cools
+-- from white to dark. Only the picture shakes. Positions don't change, so hits are not affected.
 spark.def("fire", { sprite = "ember", life = 44, drag = 0.05, banks = { 3, 2, 1, 1 },
                     blend = "glow" })
 spark.def("ash",  { sprite = "dot", life = 70, drag = 0.03, gravity = 0.03,

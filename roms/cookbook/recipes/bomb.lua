@@ -1,5 +1,5 @@
--- bomb.lua - Shock wave: A bomb is a task with a duration, a cost and invincibility. This one
--- shakes the picture, sends out a ring of light, and turns every bullet it reaches into a star.
+-- bomb.lua - Shock wave: A bomb is a task with a duration, a cost and invincibility. This bomb
+-- shakes the picture and sends out a ring of light that turns every bullet it reaches into a star.
 item.def("bomb_star", { sprite = "shard", bank = 3, radius = 10, gives = { score = 10 } })
 spark.def("wave", { sprite = "ember", life = 40, bank = 3, blend = "glow" })
 

@@ -1,5 +1,6 @@
 -- cancel.lua - Bullets into items: When time is up, every bullet turns into a star, and the stars
--- fly to the player. One call of bullet.clear with `items` does this; each star adds to the score.
+-- fly to the player. A call to bullet.clear with `items` turns the bullets into stars; each star
+-- adds to the score.
 item.def("credit", { sprite = "shard", bank = 3, radius = 10, gives = { score = 10 },
                      gravity = 0.02, top = 1 })
 

@@ -1,6 +1,6 @@
 -- chain.lua - Chain: Each kill is worth more than the last if it comes within a second. The
 -- register keeps its value for `hold` frames after a kill, then drops to zero. The multiplier
--- floats up from the kill.
+-- floats up from the killed enemy.
 player.def("linker", { sprite = "ship", hit = { circle = 2 },
   registers = { chain = { drain = forever, hold = 60, show = "number" } },
   run = function(p)

@@ -1,5 +1,6 @@
--- charge_shot.lua - Charge shot: Hold fire to charge: sparks gather and an orb grows. Release it to
--- shoot. Each of the three strengths is a shot kind, and a full charge also clears bullets.
+-- charge_shot.lua - Charge shot: Hold fire to charge: sparks gather and an orb grows. Release the
+-- button to shoot. Each of the three strengths is a shot kind, and a full charge also clears
+-- bullets.
 local names, damage = { "shot_small", "shot_middle", "shot_full" }, { 4, 12, 40 }
 for i, name in ipairs(names) do
   shot.def(name, { sprite = ({ "orb", "big", "bubble_200" })[i], hit = { circle = 5 * i },

@@ -1,6 +1,5 @@
--- counter.lua - Two spirals: One spiral turns right and the other left, by a different angle per
--- shot, so their crossings wander. The lace takes a long time to repeat. One task per spiral is
--- enough.
+-- counter.lua - Two spirals: One spiral turns right and the other left, at different rates, so
+-- their crossings wander. The pattern takes a long time to repeat. One task per spiral is enough.
 local function arms(e, bank, step)
   pattern.spiral { from = e, kind = "petal", bank = bank, n = forever, arms = 5, step = step,
                    every = 6, speed = 1.5 }

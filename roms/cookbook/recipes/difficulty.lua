@@ -1,6 +1,6 @@
 -- difficulty.lua - By difficulty: One pattern has different numbers for each difficulty.
 -- by_difficulty returns the value for the current difficulty or the nearest easier one. This page
--- cycles through all three.
+-- cycles through all three difficulties.
 local function volley(e)
   local n = by_difficulty { easy = 7, normal = 13, hard = 21 }
   local lines = by_difficulty { easy = 1, hard = 3 }

@@ -1,6 +1,6 @@
 -- echoes.lua - After-images: Every few frames a spark copies the look of its source and fades
--- through a list of colours. spark.trail follows an enemy, a ship or a bullet, and ends when it
--- despawns.
+-- through a list of colours. spark.trail follows an enemy, a ship or a bullet, and ends when its
+-- target despawns.
 spark.def("echo_jelly", { sprite = "jelly", life = 28, banks = { 4, 5, 6 }, blend = "ghost" })
 spark.def("echo_star",  { sprite = "star", life = 20, banks = { 3, 2, 1 }, blend = "ghost" })
 

@@ -1,6 +1,6 @@
--- entrance.lua - Entrance: A warning band announces the boss. She is invulnerable for a second and
--- armoured for three, and her portrait crosses the field with the spell's name. All of this is set
--- in boss.def.
+-- entrance.lua - Entrance: A warning band announces the boss, who is invulnerable for a second,
+-- then armoured for three. The boss's portrait crosses the field with the spell's name. boss.def
+-- sets up the whole entrance.
 local function bloom(e)
   for k = 0, forever do
     pattern.rose { from = e, kind = "petal", bank = 7 - k % 2 * 6, n = 48, petals = 6, dir = 15 * k,

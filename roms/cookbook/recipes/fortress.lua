@@ -1,6 +1,5 @@
 -- fortress.lua - Boss with parts: Four turrets move with the body, each with its own hp, shape and
--- task. They pass 30% of their damage to the body, which is invulnerable until all turrets are
--- destroyed.
+-- task. The body is invulnerable until all turrets are destroyed.
 enemy.def("turret", { sprite = "wisp", hit = { circle = 10 }, hp = 30, score = 500, bank = 1,
                       spark = "glint", blink = 4, run = function(e)
   wait(rng.int(30, 90))

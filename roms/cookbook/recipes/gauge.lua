@@ -1,6 +1,6 @@
 -- gauge.lua - Heat gauge: Heat rises with every shot, and drains if the ship doesn't shoot for a
--- third of a second. At the maximum, the gun stops until half the heat is gone. A register does the
--- counting and draws the bar.
+-- third of a second. At the maximum, the gun stops until half the heat is gone. A register counts
+-- the heat and is shown as a bar.
 player.def("hothead", { sprite = "ship", hit = { circle = 2 },
   registers = { heat = { max = 100, drain = 1, hold = 20, show = "bar" } },
   run = function(p)

@@ -1,6 +1,6 @@
 -- grid.lua - Named destinations: Each bullet flies to its own place in a grid, then straight down.
--- The places are declared values, so one motion program serves all bullets; a program for each
--- place would fill the pool of motion programs.
+-- Each bullet stores its place in `to_x` and `to_y`, so one motion program serves all bullets. A
+-- program for each place would fill the pool of motion programs.
 value.def("to_x")
 value.def("to_y")
 local march = motion.def { { go_to = { "to_x", "to_y" }, over = 50, ease = "out" }, { wait = 30 },

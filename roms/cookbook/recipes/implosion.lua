@@ -1,5 +1,5 @@
--- implosion.lua - Implosion: Bullets converge on a point from all sides, pass it and spread out
--- again on the other side. They only need to start on a ring and fly inwards.
+-- implosion.lua - Implosion: Bullets converge on a point from all sides, pass through it and spread
+-- out again on the other side. The bullets only have to start on a ring and fly inwards.
 return function()
   for k = 0, forever do
     local x, y = 120 + 40 * angle.cos(90 * k), 130 + 30 * angle.sin(90 * k)

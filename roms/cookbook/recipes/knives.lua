@@ -1,5 +1,5 @@
 -- knives.lua - Ring of knives: Knives appear around the player one after another, point inwards and
--- strike together, because a later knife has a shorter delay. The ring has one gap.
+-- strike together, because later knives have shorter delays. The ring has one gap.
 return function(_, p)
   for k = 0, forever do
     local x, y = p.x, p.y - 40

@@ -1,5 +1,5 @@
 -- odd_even.lua - Odd and even fans: An odd fan aims its middle bullet at the player, so move aside.
--- An even fan leaves a gap there, so moving gets you hit. Red means move, blue means stay.
+-- An even fan aims a gap at the player, so stay where you are. Red means move, blue means stay.
 return function(e)
   while true do
     for i = 1, 4 do

@@ -1,5 +1,5 @@
 -- palette_cycle.lua - Palette cycle: Twelve colours of a bank rotate, so everything drawn in that
--- bank shimmers without a script. Then the field fades to dusk and back just by changing colours.
+-- bank shimmers without a script. A palette fade turns the field to dusk and back.
 return function(e)
   palette.cycle { first = 16 * 7 + 3, last = 16 * 7 + 14, every = 3 }
   for k = 0, forever do

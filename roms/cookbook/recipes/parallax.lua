@@ -1,5 +1,5 @@
--- parallax.lua - Parallax: The sea, the cloud shadows that darken it, and the clouds above each
--- scroll at their own speed. The lines of the sea sway without any extra pictures.
+-- parallax.lua - Parallax: The sea, the clouds and their shadows scroll at different speeds. The
+-- lines of the sea sway without any extra pictures.
 bg.def("coast", function()
   local sea, shadow, cloud = bg.layer(1), bg.layer(2), bg.layer(3)
   sea.map, sea.bank, sea.vy = "sea", 9, 0.5

@@ -1,6 +1,6 @@
--- pierce.lua - Piercing spear: A spear passes through enemies: it survives three hits, and the next
--- one uses it up. It can hit the same enemy again after six frames. Its kind's `pierce` and `every`
--- set this.
+-- pierce.lua - Piercing spear: A spear passes through enemies: it survives three hits, and the
+-- fourth removes it. It can hit the same enemy again after six frames. The kind's `pierce` and
+-- `every` set these numbers.
 shot.def("spear", { sprite = "dart", hit = { capsule = { 8, 3 } }, damage = 4, turns = true,
                     bank = 2, pierce = 3, every = 6 })
 

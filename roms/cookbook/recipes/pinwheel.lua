@@ -1,6 +1,6 @@
 -- pinwheel.lua - Pinwheel: Bullets circle the enemy at a growing distance and are released one
--- after another along the tangent. The `orbit` step moves them; when it ends, they keep their
--- velocity.
+-- after another along the tangent. An `orbit` step moves the bullets; when the step ends, they keep
+-- their velocity.
 local wind_up = motion.def { { orbit = 0, radius_to = 60, spin = 5, over = 50 },
                              { speed = 1.4, over = 20 } }
 

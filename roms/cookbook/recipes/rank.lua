@@ -1,5 +1,6 @@
 -- rank.lua - Rank: A register of the ship rises with grazing and survival and falls with each hit.
--- Patterns derive their bullet count and speed from it, so the game adapts to the player's skill.
+-- The pattern derives its bullet count and speed from the register, so the game adapts to the
+-- player's skill.
 player.def("ranked", { sprite = "ship", hit = { circle = 2 }, graze = 24,
                        registers = { rank = { start = 20, max = 100, show = "bar" } } })
 

@@ -1,6 +1,5 @@
--- shield.lua - Shield: Six leaves circle the ship and absorb the bullets they touch. They
--- are harmless bullets that orbit the player, and bullet.meet clears the bullets that meet
--- them.
+-- shield.lua - Shield: Six leaves circle the ship and absorb the bullets they touch. The leaves are
+-- harmless bullets that orbit the player, and bullet.meet clears the bullets that touch them.
 bullet.def("leaf", { sprite = "petal", hit = { circle = 7 }, turns = true, bank = 4,
                      harmless = true, clearable = false })
 bullet.meet("shot_at", "leaf", { clear = "first", spark = "glint" })

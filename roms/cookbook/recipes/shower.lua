@@ -1,6 +1,6 @@
 -- shower.lua - Item shower: Items burst from a wisp, rise in an arc and fall. The ship attracts
--- nearby items; above the collect line, it attracts all of them. The higher the ship, the more
--- coins are worth.
+-- nearby items; above the collect line, it attracts all of them. The higher the ship is, the more
+-- each coin is worth.
 item.def("coin", { sprite = "point", bank = 3, radius = 10, gives = { score = { 100, 1000 } } })
 item.def("gem",  { sprite = "shard", bank = 5, radius = 9, gives = { score = 50 }, gravity = 0.03,
                    top = 1.4 })

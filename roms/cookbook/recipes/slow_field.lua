@@ -1,6 +1,6 @@
 -- slow_field.lua - Slow field: Bullets in the bubble fly at a third of their speed until they leave
--- it. Bullets inside have a different tag, so each is slowed only once. Only bullets with this tag
--- are checked to see whether they have left.
+-- it. Bullets inside the bubble have a different tag, so each is slowed only once. Only bullets
+-- with this tag are checked to see whether they have left the bubble.
 local X, Y, R <const> = 120, 200, 64
 
 local function hold_up()

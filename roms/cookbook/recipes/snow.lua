@@ -1,5 +1,5 @@
--- snow.lua - Snow: Every flake sways with its own width and period. They are two declared values,
--- set at random when the flake is fired. One motion program serves all flakes.
+-- snow.lua - Snow: Every flake sways with its own width and period. `sway` and `period` are
+-- declared values, set at random for each flake. One motion program serves all flakes.
 value.def("sway")
 value.def("period")
 local drift = motion.def { { wave = "sway", every = "period", over = forever } }

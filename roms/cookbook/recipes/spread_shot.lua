@@ -1,4 +1,4 @@
--- spread_shot.lua - Spread shot: The ship fires seven darts in a wide fan, three close together
+-- spread_shot.lua - Spread shot: The ship fires seven darts in a wide fan, or three close together
 -- while focus is held. With `fire = "shot"`, any pattern fires shots; `by` sets their owner.
 player.def("fan", { sprite = "ship", hit = { circle = 2 }, run = function(p)
   while true do

@@ -1,5 +1,5 @@
 -- stop_and_aim.lua - Stop and re-aim: Rings slow to a stop, turn from blue to red as a warning, aim
--- at the player and fly on. One motion program does all of it, without a task.
+-- at the player and fly on. The rings need only one motion program, and no task.
 local again = motion.def { { speed = 0, over = 40 }, { bank = 2 }, { wait = 20 },
                            { bank = 1, aim = true }, { speed = 3, over = 20 } }
 

@@ -1,5 +1,5 @@
--- trail_options.lua - Trailing options: Four options follow the ship's path, nine frames apart,
--- and stop when it stops. Each fires at its own angle, so the player's path draws the shot
+-- trail_options.lua - Trailing options: Four options follow the ship's path, nine frames apart, and
+-- stop when it stops. Each option fires at its own angle, so the ship's path shapes the shot
 -- pattern.
 option.def("tail", { sprite = "bead", bank = 4, run = function(o)
   while true do

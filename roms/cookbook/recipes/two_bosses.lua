@@ -1,6 +1,6 @@
 -- two_bosses.lua - Duel with two: Two bosses fight side by side, each with her own bar. Iris throws
--- nets, and Opal fires needles through them. A boss with an empty bar stops; the phase ends when
--- both are empty.
+-- nets, and Opal fires needles through them. A boss whose bar is empty stops; the phase ends when
+-- both bars are empty.
 local function nets(e)
   for k = 0, forever do
     pattern.ring { from = e, kind = "orb", bank = 7, n = 22, dir = 8 * k, speed = 1.3 }

@@ -1,5 +1,6 @@
--- whips.lua - Whips: Bent stacks lash out from the left and the right, aimed at the player. The
--- slow bullets of a whip are its handle and the fast ones its tip, so the whip cracks on arrival.
+-- whips.lua - Whips: Curved lines of bullets lash out from the left and the right, aimed at the
+-- player. The slow bullets of a whip are its handle and the fast ones its tip, so the whip cracks
+-- on arrival.
 return function(e)
   for k = 0, forever do
     local side = k % 2 == 0 and 1 or -1
