@@ -170,6 +170,65 @@ static void changes_nothing(void **state)
     end(&g, &r);
 }
 
+/* Powers a board with `pad` more bytes on the C stack: Lua draws the seed of its tables from the address of a local. */
+static void power_at(struct rig *r, const struct rig_game *g, int pad)
+{
+    volatile char bytes[16];
+
+    bytes[0] = (char)pad;
+    if (pad > 0)
+        power_at(r, g, pad - 1);
+    else
+        rig_power(r, g, NULL);
+    (void)bytes[0];
+}
+
+/* Whether a script is stopped must not depend on the order that Lua's tables have: work is the same for every seed. */
+static void work_is_the_same_for_every_seed(void **state)
+{
+    static const char script[] =
+        "bullet.def('orb', { sprite = 'dot', hit = { circle = 3 } })\n"
+        "local heart = '.##...##.\\n####.####\\n#########\\n#########\\n.#######.\\n..#####..\\n...###...'\n"
+        "local function make(a, b, c, d, e, f) return { kind = a, x = b, y = c, dir = d, speed = e, tag = f } end\n"
+        "local function three(a, b, c) local t = { a, b, c } return #t end\n"
+        "-- Their unused registers hold what earlier calls left.\n"
+        "local function few() local n = 0 for i = 1, 3000 do n = n + 1 end return three(n, n, n) end\n"
+        "local function more()\n"
+        "  local n = 0\n"
+        "  for i = 1, 3000 do n = n + 1 end\n"
+        "  return { n, n, n, n, n, n, n, n }\n"
+        "end\n"
+        "task.go(function()\n"
+        "  for i = 1, forever do\n"
+        "    bullet.fire(make('orb', 20, 30, 45, 1.25, 'low'))\n"
+        "    few() more()\n"
+        "    pattern.picture { x = 100, y = 100, kind = 'orb', gap = 11, dots = heart, aim = true, speed = 1.3,\n"
+        "      tag = 'heart' .. i % 4 }\n"
+        "    for k in pairs { one = 1, two = 2.5, three = 3, four = 4.5, five = 5, six = 6, seven = 7.5 } do\n"
+        "      three(k, k, k)\n"
+        "    end\n"
+        "    few() more()\n"
+        "    wait(1)\n"
+        "  end\n"
+        "end)\n";
+    enum { SEEDS = 12 };
+    struct rig_game g;
+    struct rig r[SEEDS];
+
+    (void)state;
+    rig_script(&g, NULL, script);
+    for (int i = 0; i < SEEDS; i++)
+        power_at(&r[i], &g, i);
+    for (int f = 0; f < 200; f++)
+        for (int i = 0; i < SEEDS; i++) {
+            rig_run(&r[i], 1);
+            assert_int_equal(r[i].b->vm.work, r[0].b->vm.work);
+        }
+    for (int i = 0; i < SEEDS; i++)
+        rig_free(&r[i]);
+    rig_game_free(&g);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -177,6 +236,7 @@ int main(void)
         cmocka_unit_test(ends),
         cmocka_unit_test(of_author),
         cmocka_unit_test(changes_nothing),
+        cmocka_unit_test(work_is_the_same_for_every_seed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,9 +6,8 @@
  *
  * HASH is the state's hash after FRAMES frames; BULLETS and LASERS are the most alive at once; WORK, MOST and LEAST are
  * the mean, maximum and minimum work per frame (vm.h). The first two frames don't count: the book writes its text then.
- * Work depends slightly on addresses, because pairs() orders keys by them. With -o, pictures of the field at three
- * frames, FRAME (300) and two more at intervals of STEP (40) frames, go to DIR/PAGE.png. Exit code 1: a fault or a full
- * pool, which standard error reports.
+ * With -o, pictures of the field at three frames, FRAME (300) and two more at intervals of STEP (40) frames, go to
+ * DIR/PAGE.png. Exit code 1: a fault or a full pool, which standard error reports.
  *
  * The plain ship stands still. Other ships sway, hold fire, and press bomb now and then and after a hit.
  * floor: tools

@@ -176,7 +176,7 @@ static int call(lua_State *L)
     if (e->flags & API_CHANGES)
         for (int i = -results; i < 0; i++)
             api_fold(L, b, i);
-    return results;
+    return f->walks ? luakeys_return(L, results) : results;
 }
 
 int api_checked(lua_State *L, const struct api_entry *e)
@@ -224,7 +224,7 @@ int api_sys_check(lua_State *L)
     if (!e)
         return vm_fault(L, FAULT_SCRIPT, "sys.check: unknown entry \"%s\"", lua_tostring(L, 1));
     lua_remove(L, 1);
-    return api_checked(L, e);
+    return luakeys_return(L, api_checked(L, e));
 }
 
 /* ---- opening ---- */
@@ -234,6 +234,9 @@ void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f)
     struct api_bound *bound = lua_newuserdatauv(L, sizeof *bound, 1);
 
     *bound = (struct api_bound){ .entry = e, .hash = hash_bytes(HASH_START, e->name, strlen(e->name)) };
+    bound->walks = e->plain < e->count || e->flags & (API_FIRE | API_MORE | API_VALUES);
+    for (int i = 0; i < e->count; i++)
+        bound->walks |= e->params[i].type == A_TABLE;
     lua_pushcclosure(L, f, 1);
 }
 

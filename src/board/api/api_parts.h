@@ -17,6 +17,7 @@ struct api_bound {
     uint64_t hash;         /* of its name */
     struct api_plan *plan; /* api_plan.c; NULL: none was made */
     uint32_t tables;       /* calls that could have made one */
+    bool walks;            /* may walk over a table that it is given */
 };
 
 /* Pushes f as a function that is bound to e. */

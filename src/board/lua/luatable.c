@@ -13,6 +13,7 @@
 #include <string.h>
 #include "luaparts.h"
 #include "../api.h"
+#include "../rom/luakeys.h"
 #include "../vm.h"
 
 enum { FEW = 48, RUN = 6, CHARGE_EVERY = 16384 };
@@ -69,12 +70,18 @@ static bool lua_before(const struct sorter *s, const struct entry *a, const stru
     return before;
 }
 
+/* Keys are charged before they are sorted: how many comparisons they take depends on Lua's hash order. */
+static void charge(struct sorter *s)
+{
+    if (s->order != BY_KEY)
+        vm_charge(s->L, s->work);
+    s->work = 0;
+}
+
 static bool before(struct sorter *s, const struct entry *a, const struct entry *b)
 {
-    if (++s->work >= CHARGE_EVERY) {
-        vm_charge(s->L, s->work);
-        s->work = 0;
-    }
+    if (++s->work >= CHARGE_EVERY)
+        charge(s);
     switch (s->order) {
     case BY_INTEGER:
         return a->v.i < b->v.i;
@@ -131,7 +138,8 @@ static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
         }
         swap = from, from = to, to = swap;
     }
-    vm_charge(s->L, s->work + n);
+    s->work += n;
+    charge(s);
     return from;
 }
 
@@ -359,9 +367,9 @@ void luatable_open(lua_State *L)
 
 /* What a walk over the keys found. */
 struct keys {
-    size_t n;
-    bool texts;     /* there is a string */
-    bool ascending; /* whole numbers came in order */
+    size_t n, bytes; /* bytes: of all strings */
+    bool texts;      /* there is a string */
+    bool ascending;  /* whole numbers came in order */
     lua_Integer first, last;
     const char *refused; /* a kind of key that has no order; of several, always the same one */
 };
@@ -374,6 +382,7 @@ static void note_key(lua_State *L, struct keys *k, struct entry *e)
     if (type == LUA_TSTRING) {
         k->texts = true;
         e->v.s = lua_tolstring(L, -1, &e->n);
+        k->bytes += e->n;
     } else if (lua_isinteger(L, -1)) {
         e->v.i = lua_tointeger(L, -1);
         e->n = NUMBER_KEY;
@@ -443,13 +452,25 @@ static int next_nothing(lua_State *L)
     return lua_pushnil(L), 1;
 }
 
+/* An upper bound of the work of sorting the keys: three comparisons a key in short runs, and one in each merge. */
+static uint64_t sort_work(const struct keys *k)
+{
+    uint64_t comparisons = 3;
+
+    for (size_t width = RUN; width < k->n; width *= 2)
+        comparisons++;
+    return comparisons * (k->n + k->bytes / 16);
+}
+
 static void push_sorted(lua_State *L, struct keys k, struct entry *e)
 {
     struct sorter s = { .L = L, .order = BY_KEY };
 
     luaL_argcheck(L, k.n < INT_MAX / 2, 1, "table too big");
-    if (k.texts || !k.ascending)
+    if (k.texts || !k.ascending) {
+        vm_charge(L, sort_work(&k));
         e = sort(&s, e, k.n);
+    }
     lua_createtable(L, (int)k.n, 0);
     for (size_t i = 0; i < k.n; i++) {
         if (e[i].n == NUMBER_KEY)
@@ -495,5 +516,5 @@ int luatable_pairs(lua_State *L)
     push_iterator(L);
     lua_pushvalue(L, 1);
     lua_pushnil(L);
-    return 3;
+    return luakeys_return(L, 3);
 }

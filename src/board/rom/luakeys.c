@@ -70,6 +70,20 @@ int luakeys_next(lua_State *L, int at)
     return like;
 }
 
+int luakeys_return(lua_State *L, int n)
+{
+    enum { ABOVE = 4 /* slots that a walk uses and pops */ };
+    const int top = lua_gettop(L), used = top + ABOVE > LUA_MINSTACK ? top + ABOVE : LUA_MINSTACK;
+
+    lua_checkstack(L, ABOVE);
+    for (int i = 1; top > n && i <= n; i++)
+        lua_copy(L, top - n + i, i);
+    lua_settop(L, n);
+    lua_settop(L, used);
+    lua_settop(L, n);
+    return n;
+}
+
 void luakeys_push_value(lua_State *L, int at, int like)
 {
     lua_pushvalue(L, -1);

@@ -21,6 +21,11 @@ int luakeys_next(lua_State *L, int at);
 /* Pushes the value to show for the key on top, for which luakeys_next returned `like`; of several: "...". */
 void luakeys_push_value(lua_State *L, int at, int like);
 
+/* Ends a C function that walked over a table: moves its n results to the bottom of its stack and clears the slots
+ * above, where keys remain in an order that differs between runs. The counter of work (vm_count.c) weighs all slots of
+ * a frame, stale ones included. Returns n. */
+int luakeys_return(lua_State *L, int n);
+
 /* Is the key on top, whose text is `key` (luakeys_text), one that the reader `of` knows? */
 typedef bool luakeys_known(lua_State *L, const char *key, const void *of);
 

@@ -211,7 +211,7 @@ static int volley(lua_State *L)
     for (int i = 1; skip->given && i <= 2; i++)
         script_fold(b, (uint64_t)end_of(L, skip, i));
     lua_pushboolean(L, fire(L, b, e, v));
-    return 1;
+    return luakeys_return(L, 1);
 }
 
 int api_volley(lua_State *L, struct board *b, struct api_value *v)
