@@ -226,11 +226,11 @@ contents() {
     echo
     table
     echo
-    echo "All builds agree on the hash of every part in every frame. They also agree on the bytes of the packed games" \
-        "and on the"
-    echo "digest of all functions in \`src/base\` (\`tools/prove/digest.c\`). The comparison also detects an x86-64" \
-        "build in which"
-    echo "\`pairs\` uses Lua's own order: \`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
+    echo "All builds agree on the hash of every part in every frame, on the bytes of the packed games, and on the" \
+        "digest of all"
+    echo "functions in \`src/base\` (\`tools/prove/digest.c\`). The comparison also detects an x86-64 build in which" \
+        "\`pairs\` uses"
+    echo "Lua's own order: \`$(basename "$(tail -n 1 "$cross/unsorted.said")")\`."
 }
 
 write_page() {
