@@ -36,7 +36,7 @@ same "a table lists what it has, and nothing by its text" "" "$(names rng | grep
 same "an entry's own name shows it alone" "wait(n)" "$(find_word wait | head -1)"
 check "a synonym names the API's word" says homing 'homing: see home'
 check "and its help follows" says homing 'maximum turn per frame towards the nearest target'
-check "split is emit" says split 'fires bullets or shots from its position'
+check "split is emit" says split "bullets or shots to fire from the bullet's position"
 check "figure names the patterns" says figure 'figure: see pattern.polygon pattern.star pattern.rose'
 check "pentagon is a polygon" says pentagon 'pattern.polygon{...}'
 synonyms() { # every name in the table is explained

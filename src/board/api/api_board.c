@@ -256,7 +256,7 @@ static const struct api_entry entries[] = {
     { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count",
       HELP("returns how many entries weren't created because the pool was full") },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
-      HELP("shows a demo of the ROM and pauses this board until it ends") },
+      HELP("shows a demo from the ROM and pauses this board until the demo ends") },
     { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },

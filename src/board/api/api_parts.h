@@ -364,12 +364,16 @@ struct api_region {
 enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
 #define SHAPE_CIRCLE_PARAMS(must, most)                                                                                \
     PARAM("radius", A_FX, must, 0, most, "px", NULL, "radius of a circle around the position")
+/* An argument of a box or line that is optional needs the others. */
+#define SHAPE_NEEDS_OPT(others) "; needs " others
+#define SHAPE_NEEDS_REQ(others) ""
 #define SHAPE_BOX_PARAMS(must)                                                                                         \
-    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centred on the position; needs `h`"),                 \
-        PARAM("h", A_FX, must, 0, 32767, "px", NULL, "height of a box centred on the position; needs `w`")
+    PARAM("w", A_FX, must, 0, 32767, "px", NULL, "width of a box centred on the position" SHAPE_NEEDS_##must("`h`")),  \
+        PARAM("h", A_FX, must, 0, 32767, "px", NULL,                                                                   \
+              "height of a box centred on the position" SHAPE_NEEDS_##must("`w`"))
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
     PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
-          "x of the end of a line that starts at the position; needs `to_y` and `width`"),                             \
+          "x of the end of a line that starts at the position" SHAPE_NEEDS_##must("`to_y` and `width`")),              \
         PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of the end of the line"),                              \
         PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 

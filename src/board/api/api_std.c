@@ -12,7 +12,7 @@
           "rotate the figure so that its right side faces the direction of flight")
 /* What every pattern has. */
 #define PATTERN                                                                                                        \
-    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip, counted from 1"),                 \
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),   \
         PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", "what to fire"),                                              \
         PARAM("each", A_FUNC, OPT, 0, 0, NULL, NULL,                                                                   \
               "each(args, i): called instead of firing bullet i, with the bullet's arguments")
@@ -63,7 +63,7 @@ static const struct api_param ellipse[] = { N, SPEED_TO("speed of bullets that f
                                             PATTERN };
 static const struct api_param rose[] = {
     N, PARAM("petals", A_INT, REQ, 1, 65535, NULL, NULL, "number of petals; the first points along `dir`"),
-    SPEED_TO("speed between petals; the tips of the petals fly at `speed`"), PATTERN
+    SPEED_TO("speed of the bullets between petals; the tips of the petals fly at `speed`"), PATTERN
 };
 static const struct api_param whip[] = {
     N, SPEED_TO("speed of the last bullet; the first flies at `speed`"),
@@ -104,7 +104,7 @@ static const struct api_param point[] = {
           "horizontal position in the field; every point needs `x` and `y`"),
     PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "vertical position in the field"),
     PARAM("over", A_INT, OPT, 1, 65535, "frames", NULL,
-          "frames to get there; required for every point after the first"),
+          "frames to get to the point; required for every point after the first"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear", "easing of the movement to the point"),
     PARAM("wait", A_INT, OPT, 0, 65535, "frames", NULL,
           "frames to stay at the previous point; needs its own entry, which cannot be the first")
@@ -127,10 +127,11 @@ static const struct api_param stage_at[] = { PARAM(
     "n", A_INT, REQ, 0, INT32_MAX, "frames", NULL,
     "frame of the stage's clock; raises an error if the clock has passed it") };
 static const struct api_param wave[] = {
-    PARAM("n", A_INT, REQ, 0, 4096, "enemies", NULL, "number to spawn"),
+    PARAM("n", A_INT, REQ, 0, 4096, "enemies", NULL, "number of enemies to spawn"),
     EVERY("frames from one enemy to the next; 0 spawns all at once"),
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
-    PARAM("path", A_ROUTE, REQ, 0, 0, NULL, NULL, "route that each enemy follows; the enemy is removed at its end"),
+    PARAM("path", A_ROUTE, REQ, 0, 0, NULL, NULL,
+          "route that each enemy follows; the enemy is removed at the end of the route"),
     MIRROR,
     PARAM("dx", A_NUM, OPT, -WORLD, WORLD, "px", "0",
           "horizontal distance from each enemy's route to the next enemy's"),
@@ -156,10 +157,10 @@ static const struct api_param boss_def[] = {
     NAME("name for boss.fight and --stage"),
     PARAM("title", A_STR, REQ, 0, 63, NULL, NULL, "name shown on the screen"),
     PARAM("kind", A_ENEMY_KIND, OPT, 0, 0, NULL, NULL,
-          "declared kind of the boss's enemy; give either `kind`, `x` and `y`, or `cast`"),
+          "declared kind of the boss's enemy; give `kind` with `x` and `y`, or give `cast`"),
     PARAM("x", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "horizontal position where the boss fights and rests; needs `y`"),
     PARAM("y", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "vertical position where the boss fights and rests; needs `x`"),
-    PARAM("phases", A_TABLE, REQ, 0, 0, NULL, NULL, "list of phases, in order; an entry { talk = f } is dialogue"),
+    PARAM("phases", A_TABLE, REQ, 0, 0, NULL, NULL, "list of phases, in order; an entry { talk = f } is a dialogue"),
     PARAM("cast", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of two or more enemies that fight together; use it instead of `kind`, `x` and `y`"),
     PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite that crosses the field when a spell starts"),
@@ -180,7 +181,7 @@ static const struct api_param boss_cast[] = {
     PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "portrait in the phases that the member leads; overrides the boss's"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL,
-          "bring the member's portrait in from the left; overrides the boss's")
+          "bring the member's portrait in from the left; overrides the boss's setting")
 };
 static const struct api_param boss_talk[] = { PARAM(
     "talk", A_FUNC, REQ, 0, 0, NULL, NULL,
@@ -197,11 +198,12 @@ static const struct api_param boss_history[] = {
 static const struct api_param phase[] = {
     PARAM("id", A_STR, REQ, 1, 31, NULL, NULL, "permanent name, used by saves, practice and --stage NAME/ID"),
     PARAM("hp", A_ANY, OPT, 0, 0, "whole number, or { NAME = n }", NULL,
-          "hit points; a table gives each member of the cast a bar; optional with `survive`"),
+          "hit points; a table gives each member of the cast its own bar; optional with `survive`"),
     PARAM("time", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
           "time limit; without `survive`, a phase that runs out of time isn't beaten"),
     PARAM("run", A_ANY, OPT, 0, 0, "function, or { NAME = function }", NULL,
-          "required; run(e): task of the phase, called with the boss or the cast; a table gives each member a task"),
+          "run(e): task of the phase, called with the boss or the cast; a table gives each member its own task; "
+          "required"),
     PARAM("spell", A_STR, OPT, 0, 127, NULL, NULL,
           "name of the spell card, shown on the screen; boss.history counts its tries and captures"),
     PARAM("bonus", A_INT, OPT, 0, INT32_MAX, "points", "0",
@@ -220,9 +222,10 @@ static const struct api_param phase[] = {
           "if each member has a bar, which bars must be empty to beat the phase: all of them, or any one"),
     PARAM("cut_in", A_BOOL, OPT, 0, 0, NULL, NULL,
           "show the portrait when the spell starts; defaults to true if there is both a portrait and a spell"),
-    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL, "portrait in this phase; overrides its leader's and the boss's"),
+    PARAM("portrait", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "portrait in this phase; overrides the portraits of the leading member and of the boss"),
     PARAM("portrait_left", A_BOOL, OPT, 0, 0, NULL, NULL,
-          "bring the portrait in from the left; overrides its leader's and the boss's"),
+          "bring the portrait in from the left; overrides the settings of the leading member and of the boss"),
     PARAM("rest", A_INT, OPT, 0, 65535, "frames", "60",
           "frames the boss takes to fly back before the next phase; 0 skips the flight"),
     PARAM("clear", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -246,11 +249,11 @@ static const struct api_param rule[] = {
     PARAM("name", A_STR, OPT, 1, 31, NULL, NULL, "name of a custom event that score.count reports"),
     PARAM("kind", A_STR, OPT, 1, 31, NULL, NULL,
           "count only events with this kind of enemy (kill), bullet (graze) or item (take)"),
-    PARAM("points", A_ANY, OPT, 0, 0, "whole number, or a register", NULL,
-          "points for the player; a function f(p, thing) returns them"),
-    PARAM("times", A_ANY, OPT, 0, 0, "whole number, or a register", NULL,
-          "factor for `points` or, without `points`, for the score of the enemy or item; a function f(p, thing) "
-          "returns the factor"),
+    PARAM("points", A_ANY, OPT, 0, 0, "whole number, register or function", NULL,
+          "points for the player, or a function f(p, thing) that returns them"),
+    PARAM("times", A_ANY, OPT, 0, 0, "whole number, register or function", NULL,
+          "factor for `points` or, without `points`, for the score of the enemy or item; can be a function f(p, thing) "
+          "that returns the factor"),
     PARAM("gain", A_TABLE, OPT, 0, 0, NULL, NULL,
           "numbers to add to registers, { NAME = n }, before the points are counted"),
     PARAM("most", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -267,7 +270,7 @@ static const struct api_param tally[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL
 static const struct api_param tally_line[] = {
     PARAM("label", A_STR, REQ, 1, 31, NULL, NULL, "word at the left of the line"),
     PARAM("value", A_ANY, REQ, 0, 0, "property, register or function", NULL,
-          "what to count; a function f(p) returns a number, true (counts as 1) or false (hides the line)"),
+          "what to count, or a function f(p) that returns a number, true (counts as 1) or false (hides the line)"),
     PARAM("points", A_INT, REQ, 0, 1e12, "points", NULL, "points for each unit counted"),
     PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", "count only what was added in this stage"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line only after the last stage")
@@ -276,7 +279,8 @@ static const struct api_param tally_line[] = {
 static const struct api_param unlock_def[] = {
     UNLOCK_NAME("name for unlock.has and `needs`; saved as unlock/NAME"),
     PARAM("when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL,
-          "what a run must achieve; a function when(run) is called at the end of each run and returns true to unlock"),
+          "conditions that a run must meet, or a function when(run) that is called at the end of each run and returns "
+          "true to earn the unlock"),
     PARAM("title", A_STR, OPT, 1, 63, NULL, NULL, "text shown once the unlock is earned; defaults to the name"),
     PARAM("hint", A_STR, OPT, 1, 127, NULL, NULL, "text shown until the unlock is earned")
 };
@@ -297,7 +301,7 @@ static const struct api_param mission_def[] = {
     MISSION_NAME("name for mission.best; saved as mission/NAME"),
     PARAM("title", A_STR, REQ, 1, 63, NULL, NULL, "name shown in the list of missions"),
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that tells the player what to do"),
-    PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage to play a part of; give `stage` or `boss`"),
+    PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage that contains the part to play; give `stage` or `boss`"),
     PARAM("mark", A_STR, OPT, 1, 31, NULL, NULL,
           "mark where the part starts; defaults to the start of the stage; needs `stage`"),
     PARAM("to", A_STR, OPT, 1, 31, NULL, NULL,
@@ -309,8 +313,8 @@ static const struct api_param mission_def[] = {
     PARAM("lives", A_INT, OPT, 1, 99, NULL, "1", "lives to start with, including the one in play"),
     PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL, "starting values of registers, { NAME = n }"),
     PARAM("goal", A_ANY, OPT, 0, 0, "{ NAME = n, .. }, or a function", NULL,
-          "counts to reach: score, grazes, kills, frames, lives or a register; a function goal(p) returns true once "
-          "the goal is reached"),
+          "counts to reach (score, grazes, kills, frames, lives or a register), or a function goal(p) that returns "
+          "true once the goal is reached"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false",
           "require playing to the end and, with `boss`, winning the fight; `goal` is then optional"),
     PARAM("limit", A_INT, OPT, 1, INT32_MAX, "frames", NULL, "time limit; no limit if omitted"),
@@ -331,7 +335,7 @@ static const struct api_param boot_run[] = {
     PARAM("difficulties", A_TABLE, OPT, 0, 0, NULL, NULL, "texts for the difficulties in rom.lua, { NAME = text }"),
     PARAM("ships", A_TABLE, OPT, 0, 0, NULL, NULL, "what the ship menu shows for each ship, by player kind"),
     PARAM("ending", A_ANY, OPT, 0, 0, "function, or a list of { when, show, music }", NULL,
-          "ending(run), called after the last stage; in a list, the first ending whose `when` holds is shown"),
+          "ending(run): called after the last stage; in a list, the first ending whose `when` holds is shown"),
     PARAM("opening", A_FUNC, OPT, 0, 0, NULL, NULL,
           "opening(): shown before the title, and again when nobody starts a game; START ends it"),
     PARAM("staff", A_TABLE, OPT, 0, 0, NULL, NULL, "list of credits, shown after the ending"),
@@ -359,7 +363,7 @@ static const struct api_param boot_mode[] = {
     PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, "name shown; defaults to " of),                                       \
         PARAM("text", A_STR, OPT, 0, 0, NULL, NULL, "description shown in the ship menu"),                             \
         PARAM("figures", A_TABLE, OPT, 0, 0, NULL, NULL,                                                               \
-              "list of { word, n }, n from 0 to 5 stars; defaults to speed, lives and registers")
+              "list of { word, n }, where n is 0 to 5 stars; defaults to speed, lives and registers")
 static const struct api_param boot_ship[] = { BOOT_SHIP("the name of its kind"),
                                               PARAM("forms", A_TABLE, OPT, 0, 0, NULL, NULL,
                                                     "list of forms to choose from after choosing the ship") };
@@ -368,8 +372,8 @@ static const struct api_param boot_form[] = { PARAM("kind", A_PLAYER_KIND, REQ, 
                                               BOOT_SHIP("the title of the ship") };
 #define BOOT_WHEN                                                                                                      \
     PARAM("when", A_ANY, OPT, 0, 0, "conditions, or a function", NULL,                                                 \
-          "what the run must match: mode, difficulty, ship, players or continues; a function when(run) returns true "  \
-          "if it matches")
+          "conditions that the run must meet (mode, difficulty, ship, players or continues), or a function when(run) " \
+          "that returns true if the run meets them")
 static const struct api_param boot_ending[] = {
     BOOT_WHEN,
     PARAM("show", A_FUNC, REQ, 0, 0, NULL, NULL, "show(run): shows the ending; return false to skip the credits"),
@@ -382,8 +386,8 @@ static const struct api_param boot_page[] = {
 };
 #define SCREEN(name, help) PARAM(name, A_FUNC, OPT, 0, 0, NULL, NULL, help)
 static const struct api_param boot_screens[] = {
-    SCREEN("title", "title(limit, places, from): returns a place, and for \"start\" the number of players; nil if no "
-                    "button was pressed"),
+    SCREEN("title", "title(limit, places, from): returns one of `places` and, for \"start\", the number of players; "
+                    "nil if no button was pressed"),
     SCREEN("mode", "mode(modes): returns the name of one of `modes`, a list of { name, text, closed }; nil goes back"),
     SCREEN("difficulty", "difficulty(names, present, texts): returns one of `names`; nil goes back"),
     SCREEN("ship", "ship(kinds, players, about): returns a list with the kind of each player; nil goes back"),
@@ -428,7 +432,7 @@ static const struct api_param say[] = {
     PARAM("who", A_STR, OPT, 0, 0, NULL, NULL, "speaker from talk.def; nil for no speaker"),
     PARAM("text", A_STR, REQ, 0, 4096, NULL, NULL, "text, shown in pages of three rows; \\n starts a new row"),
     PARAM("face", A_STR, OPT, 0, 0, NULL, NULL,
-          "one of the speaker's faces; defaults to the face used last or, the first time, `calm`"),
+          "one of the speaker's faces; defaults to the face used last, or to `calm` if there was none"),
     PARAM("side", A_STR, OPT, 0, 0, NULL, NULL, "side of the portrait, left or right; overrides the speaker's"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "2",
           "frames from one letter to the next; 0 shows all letters immediately"),
@@ -459,7 +463,7 @@ static const struct api_entry entries[] = {
       HELP("waits until every given task has ended and every given thing is dead") },
     LUA("by_difficulty", values, 1, API_GLOBAL, "value",
         "returns the value for the current difficulty; if there is none, the value for the nearest easier difficulty, "
-        "or else for the easiest one given"),
+        "or else the value for the easiest difficulty given"),
     LUA("pattern.ring", ring, 0, API_FIRE, NULL,
         "fires `n` bullets in all directions, evenly spaced, the first bullet along `dir`"),
     LUA("pattern.fan", fan, 0, API_FIRE, NULL, "fires `n` bullets in a fan, centred on `dir`"),
@@ -495,7 +499,7 @@ static const struct api_entry entries[] = {
     LUA("spark.trail", trail, 0, 0, "task",
         "leaves a trail of sparks behind a thing, until the thing despawns or the task's owner ends"),
     LUA("stage.def", stage_def, 2, API_LOAD, NULL,
-        "declares a stage: one task that spawns waves and fights bosses in order"),
+        "declares a stage: one task that runs its waves and boss fights in order"),
     LUA("stage.at", stage_at, 1, 0, NULL, "waits for frame `n` of the stage's clock, which stops during boss.fight"),
     LUA("stage.wave", wave, 0, 0, NULL,
         "spawns `n` enemies that follow a route, one by one or in a formation, and returns immediately"),
@@ -526,7 +530,7 @@ static const struct api_entry entries[] = {
     LUA("bg.show", bg_show, 1, 0, NULL,
         "fades through black to a background declared with bg.def, whose task starts in the middle of the fade"),
     LUA("score.rule", rule, 0, API_LOAD, NULL,
-        "declares which points an event earns and which registers it changes, for chains, multipliers and gauges"),
+        "declares how many points an event earns and which registers it changes, for chains, multipliers and gauges"),
     LUA("score.count", count, 3, 0, NULL, "reports that a custom event happened `n` times"),
     LUA("score.tally", tally, 1, API_LOAD, NULL, "declares the bonus lines in the results of a stage"),
     LUA("score.tally line", tally_line, 0, API_SYS, NULL, "one line of the results"),
@@ -543,9 +547,9 @@ static const struct api_entry entries[] = {
     LUA("game.def", game_def, 0, API_LOAD, NULL,
         "declares the registers of a run, such as rank; read and write them as game.NAME"),
     LUA("talk.def", talk_def, 1, API_LOAD, NULL, "declares a speaker for `say`, with a name, a portrait and a voice"),
-    LUA("talk.def face", talk_face, 1, API_SYS, NULL, "one face of the portrait, under its name"),
+    LUA("talk.def face", talk_face, 1, API_SYS, NULL, "one face of the portrait; its key is the name of the face"),
     LUA("talk.run", talk_run, 1, 0, NULL,
-        "runs f(), whose calls to `say` and `choose` share one box; until f returns, the stage's clock stops and "
+        "runs f(), whose calls to `say` and `choose` share one box; while f runs, the stage's clock is stopped and "
         "players can't fire"),
     LUA("say", say, 2, API_GLOBAL, NULL,
         "shows a line of dialogue and waits for the fire button; a press before the line is complete shows the rest of "
@@ -556,7 +560,8 @@ static const struct api_entry entries[] = {
         "runs the game from title to score table; call it on the last line of main.lua"),
 #ifndef WITHOUT_HELP
     LUA("boot.run mode", boot_mode, 0, API_SYS, NULL, "one mode in the menu"),
-    LUA("boot.run ship", boot_ship, 0, API_SYS, NULL, "the menu entry of one ship, under the name of its player kind"),
+    LUA("boot.run ship", boot_ship, 0, API_SYS, NULL,
+        "the menu entry of one ship; its key is the name of the player kind"),
     LUA("boot.run form", boot_form, 0, API_SYS, NULL, "one form of a ship: another player kind in the same menu entry"),
     LUA("boot.run ending", boot_ending, 0, API_SYS, NULL, "one ending"),
     LUA("boot.run staff", boot_staff, 0, API_SYS, NULL,

@@ -37,7 +37,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
           "angle from the first to the last bullet of an arc, clockwise"),
     PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last bullet of a stack"),
     PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last bullet of a line"),
-    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip, counted from 1"),
+    PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),
     PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet",
           "what to fire; shots belong to the owner of the shot that fires them"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
@@ -45,7 +45,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
           "speed of flight; if negative, it flies backwards"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
           "direction of flight, clockwise from the right; defaults to the direction of the bullet that fires; with "
-          "`aim`, angle added to the direction towards the target"),
+          "`aim`, the default is 0, and the angle is added to the direction towards the target"),
     PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false", "fire at the nearest target"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
           "number added to the palette bank of the sprite; overrides the kind's"),

@@ -48,7 +48,7 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                              "f(...): body of the task; called with the remaining arguments") };
 static const struct api_param own[] = {
-    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task that the new task ends with"),
+    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
           "f(owner, ...): body of the task; called with the owner and the remaining arguments")
 };
@@ -115,7 +115,7 @@ static const struct api_param on_graze_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
 static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
                                                    "f(player, by): called with the player and the bullet or enemy that "
-                                                   "hit it; set player.safe here to cancel the hit") };
+                                                   "hit the player; set player.safe here to cancel the hit") };
 static const struct api_param on_death_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player): called with the player, who is still at the position of the death") };
@@ -136,13 +136,13 @@ static const struct api_param on_bomb_f[] = { PARAM(
     "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
 static const struct api_param on_continue_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
-    "f(player): called with the player, whose score was just reset to the number of continues used, at most 9") };
+    "f(player): called with the player, whose score has just been reset to the number of continues used (at most 9)") };
 static const struct api_param on_start_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
 static const struct api_param on_phase_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was beaten, "
-    "captured if it was beaten without a death or a bomb") };
+    "and captured is true if it was beaten without a death or a bomb") };
 static const struct api_param on_stage_f[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
@@ -178,7 +178,7 @@ static const struct api_entry entries[] = {
     { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
       HELP("starts a task that ends with the given owner") },
     { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
-      HELP("creates a scope, an owner that isn't a thing; stopping the scope stops all its tasks") },
+      HELP("creates a scope to own tasks; stopping the scope stops all of its tasks") },
     { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
     { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },

@@ -87,13 +87,13 @@ static bool taken(lua_State *L, int kind, const char *name)
 
 enum { D_NAME, D_OF, D_START };
 
-static const struct api_param def[] = { PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
-                                              "name of the value; the things have a property with this name, and the "
-                                              "calls that create them take an argument with this name"),
-                                        PARAM("of", A_STR, OPT, 0, 0, NULL, NULL,
-                                              "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
-                                        PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0",
-                                              "initial value if the call that creates the thing doesn't set one") };
+static const struct api_param def[] = {
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+          "name of the value, used as a property of the thing and as an argument of the function that creates it"),
+    PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
+    PARAM("start", A_FX, OPT, -32768, 32767, NULL, "0",
+          "initial value if the call that creates the thing doesn't set one")
+};
 
 static const char DEF[] = "value.def";
 
@@ -147,6 +147,6 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a number that every bullet, shot or enemy stores; needs `values` in `board` in rom.lua") },
+      HELP("declares a number to store with each bullet, shot or enemy; needs `board = { values = { .. } }`") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

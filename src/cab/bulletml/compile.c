@@ -468,7 +468,7 @@ static uint32_t compile(struct compiler *c, uint32_t tops[ML_MAX_TOPS])
         if (!document_is_top(c->d, k))
             continue;
         if (n == ML_MAX_TOPS) {
-            fail(c, k, "more than 64 actions whose labels start with top");
+            fail(c, k, "more than 64 actions whose labels start with \"top\"");
             break;
         }
         piece(c, k, PIECE_TOP);

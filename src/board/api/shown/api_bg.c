@@ -44,7 +44,7 @@ enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
         { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
-                "`back` is behind all things; `front` is in front of all sprites"),                                    \
+                "drawing order; `back` is behind all things, and `front` is in front of all sprites"),                 \
           PROP_WRITE },                                                                                                \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
         { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
@@ -169,8 +169,8 @@ static const struct api_prop plane_props[PLANE_PROPS] = {
             "true for a ceiling above the horizon instead of a floor below it"),
       PROP_WRITE },
     { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
-            "{ to = 0xRRGGBB, far = px }: colour it fades to with distance, and the distance at which only that colour "
-            "is left; nil for no fog"),
+            "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
+            "that colour is left; nil for no fog"),
       PROP_WRITE },
 };
 

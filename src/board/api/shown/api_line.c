@@ -35,7 +35,7 @@ static const struct api_param line_put[] = {
     PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
           "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
     PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
-          "frames before each letter appears; 0 shows all letters immediately"),
+          "frames from one letter to the next; 0 shows all letters immediately"),
     PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind the text in the darkest colour of the bank"),
     PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the line without drawing it"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),

@@ -29,7 +29,7 @@ static const struct api_param music_play_params[] = {
     PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
           "frames the current music takes to fade out first; cannot be combined with `at`"),
     PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false",
-          "restart the piece if it is already playing; otherwise, it continues"),
+          "restart the piece if it is already playing; if false, the piece continues"),
     PARAM("back", A_BOOL, OPT, 0, 0, NULL, "false",
           "set the current piece aside; it resumes when the new piece ends, or when you pass it to music.play; up to "
           "three pieces can be set aside"),

@@ -27,7 +27,7 @@ static const struct api_param part_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the body"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the body"),
-    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the part's damage that is also dealt to the body"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage to the part that is also dealt to the body"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the part in"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
@@ -228,7 +228,7 @@ enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVE
 static const struct api_param orbit[] = {
     SELF,
     PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
-          "thing to circle; once it has despawned, its last position is circled; give `around`, or `x` and `y`"),
+          "thing to circle; after it despawns, the enemy circles its last position; give `around`, or `x` and `y`"),
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the circle's centre"),
     PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the circle's centre"),
     PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL,

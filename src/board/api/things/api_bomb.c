@@ -182,7 +182,7 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
-      HELP("declares a bomb: a task that a ship starts and pays for from a register") },
+      HELP("declares a bomb: a task that a ship starts, at a cost deducted from a register") },
     API_VERB("player:bomb", player_bomb, self, 1, "boolean",
              "starts the bomb of the player's ship; returns false if the ship has no bomb, can't pay for it or is "
              "still bombing"),

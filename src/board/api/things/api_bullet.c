@@ -257,16 +257,17 @@ static const struct api_param bullet_def[] = {
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
           "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
           "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
     PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark left when the bullet is cleared, unless the call names another; nil leaves none"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether it can be cleared; if false, it can be cleared only with `all = true`"),
+          "kind of spark left when the bullet is cleared, unless the call that clears it names another kind; nil "
+          "leaves none"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "whether it can be cleared without `all = true`"),
     PARAM("hp", A_COUNT, OPT, 1, INT32_MAX, NULL, NULL,
           "damage it takes from shots before it is destroyed; without `hp`, shots pass through it"),
     PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who destroys it; needs `hp`"),
@@ -290,7 +291,8 @@ static const struct api_param shot_def[] = {
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
           "check the entire path flown in each frame for hits; if false, check only the position at the end of the "
           "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
     PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
@@ -429,8 +431,8 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
               "speed of flight; if negative, it flies backwards"),                                                     \
         PLACE,                                                                                                         \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, def_dir,                                                                  \
-              "direction of flight, clockwise from the right; with `aim`, angle added to the direction towards the "   \
-              "target, 0 if omitted"),                                                                                 \
+              "direction of flight, clockwise from the right; with `aim`, the default is 0, and the angle is added "   \
+              "to the direction towards the target"),                                                                  \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "fire at the nearest target: a player for bullets, an enemy for shots"),                                 \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
@@ -856,7 +858,7 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
 #define COUNT_PROP(what)                                                                                               \
     {                                                                                                                  \
         PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-              "number of live " what " with the tag; a group's only readable property"),                               \
+              "number of live " what " with the tag; no other property of a group can be read"),                       \
             PROP_READ                                                                                                  \
     }
 static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets"), HP_PROP };
@@ -1061,10 +1063,10 @@ enum {
 
 static const struct api_param step_keys[M_KEYS] = {
     PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly unchanged before the next step"),
-    PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "turns into a bullet of this kind"),
+    PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "kind of bullet to turn into"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
-    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "flies in this direction from now on, clockwise from the right"),
-    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "aims at the nearest target; with `over`, aims again in every frame"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "new direction of flight, clockwise from the right"),
+    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "aim at the nearest target; with `over`, aim again in every frame"),
     PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with `over`, degrees per frame"),
     PARAM("home", A_NUM, OPT, 0, 180, "degrees per frame", NULL,
           "maximum turn per frame towards the nearest target; needs `over`"),
@@ -1072,7 +1074,7 @@ static const struct api_param step_keys[M_KEYS] = {
           "new speed; with `over`, it is reached in equal steps; with `go_to`, it is the speed of travel"),
     PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
           "change in speed; with `over`, the change per frame"),
-    PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawns"),
+    PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawn the bullet"),
     PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
           "duration of the step; without `over`, the step takes effect immediately"),
     PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "number of times to run the steps nested in this one"),
@@ -1093,11 +1095,11 @@ static const struct api_param step_keys[M_KEYS] = {
           "number of bounces off the edges of the field; the steps nested in this one run after each bounce"),
     PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
           "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
-    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "fires bullets or shots from its position"),
+    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "bullets or shots to fire from the bullet's position"),
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, moved so that it starts at the bullet's position"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror `path` left to right"),
     PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "flies unchanged until it reaches a position, nears a target or gets a signal"),
+          "what to wait for while flying unchanged: a position, a nearby target or a signal"),
 };
 
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
@@ -1688,8 +1690,8 @@ static const struct api_entry entries[] = {
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each bullet", "player", CLEAR_GROUP),
     API_VERB("group:signal", verb_signal, self_group, 1, NULL,
-             "resumes every bullet whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
-             "every bullet that waits for a tag"),
+             "resumes every bullet whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
+             "tag signals all tags"),
     { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
       HELP("creates a motion program: a list of steps that any number of bullets can run") },
     { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
@@ -1705,7 +1707,7 @@ static const struct api_entry entries[] = {
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each shot", "enemy", CLEAR_GROUP),
     API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
-             "resumes every shot whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
-             "every shot that waits for a tag"),
+             "resumes every shot whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
+             "tag signals all tags"),
 };
 const struct api_module api_bullet = { entries, sizeof entries / sizeof *entries };

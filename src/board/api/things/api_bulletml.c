@@ -28,7 +28,7 @@ static const char ENTRY[] = "bullet.ml";
 enum { FASTEST = 64 /* px a frame of speed 1 */ };
 
 static const struct api_param params[] = {
-    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "document to run: NAME of bulletml/NAME.xml"),
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
     PLACE,
     PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds for bullets with a label, { LABEL = kind }"),
@@ -271,7 +271,7 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 
 static const struct api_entry entries[] = {
     { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
-      HELP("runs a BulletML document until it or its owner ends; needs `board = { bulletml = n }`") },
+      HELP("runs a BulletML document until the document or its owner ends; needs `board = { bulletml = n }`") },
     PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
           "returns a list of the game's BulletML documents, { name = NAME, labels = { LABEL, .. } }, sorted by name"),
     API_VERB("bulletml:stop", stop, self, 1, NULL,

@@ -51,7 +51,8 @@ static const struct api_param def[] = {
     PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
           "check the entire path flown in each frame for players; if false, check only the position at the end of the "
           "frame"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "whether it removes bullets that touch it"),
     PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
           "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
@@ -156,7 +157,7 @@ static const struct api_param spawn[] = {
           "enemy to attach to as a part, at a distance of `dx` and `dy`; use it instead of a position; needs `board = "
           "{ bodies = true }`"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
-          "fraction of the part's damage that is also dealt to the body; defaults to 0; needs `follow`"),
+          "fraction of the damage to the part that is also dealt to the body; defaults to 0; needs `follow`"),
     PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
@@ -418,15 +419,17 @@ static const struct api_prop props[PROPS + 1] = {
             "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
       PROP_WRITE },
     { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "distance of a part to the right of its body; a write ends its move"),
+            "for a part, distance to the right of its body; a write ends the part's move"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a part below its body; a write ends its move"),
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "for a part, distance below its body; a write ends the part's move"),
       PROP_WRITE },
-    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL, "fraction of a part's damage that is also dealt to its body"),
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
+            "for a part, fraction of the damage it takes that is also dealt to its body"),
       PROP_WRITE },
     { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ },
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live enemies with the tag; a group's only readable property"),
+            "number of live enemies with the tag; no other property of a group can be read"),
       PROP_READ },
 };
 

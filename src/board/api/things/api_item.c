@@ -103,7 +103,7 @@ static const struct api_param def[] = {
     PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
           "radius of the circle that a ship's hitbox must touch to take the item"),
     PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL,
-          "what the item gives the player who takes it, { score = n, lives = n, REGISTER = n }"),
+          "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
     PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship or the run; while the register is at its max, the item gives only its score"),
     PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04",
@@ -112,7 +112,8 @@ static const struct api_param def[] = {
     PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true",
           "whether it flies to ships that attract it; if false, only item:pull makes it fly"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL,
           "on_take(p, item): called after the player has received what the item gives"),
 };
@@ -312,7 +313,7 @@ static const struct api_prop props[PROPS + 1] = {
     { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"),
       PROP_READ },
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live items with the tag; a group's only readable property"),
+            "number of live items with the tag; no other property of a group can be read"),
       PROP_READ },
 };
 
@@ -455,7 +456,8 @@ static const struct api_entry entries[] = {
       HELP("removes each item; no player gets anything") },
 #ifndef WITHOUT_HELP
     { "item.def gives", NULL, PARAMS(gives), 0, API_LUA | API_SYS, NULL,
-      HELP("what the item gives; any other name is a register of the ship or the run, to which its number is added") },
+      HELP("amounts that the player gets; any other key names a register of the ship or the run, to which the amount "
+           "is added") },
 #endif
 };
 const struct api_module api_item = { entries, sizeof entries / sizeof *entries };

@@ -37,13 +37,14 @@ static const struct api_param laser_def[] = {
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
     PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
-    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend from rom.lua to draw it with; nil draws it opaque"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
-          "frames until a player can graze the laser again; 0 makes it impossible to graze"),
-    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true",
-          "whether it can be cleared; if false, it can be cleared only with `all = true`"),
+          "frames until a player can graze the laser again; 0 makes grazing impossible"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "whether it can be cleared without `all = true`"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
-          "kind of spark left along the laser when it is cleared, unless the call names another; nil leaves none"),
+          "kind of spark left along the laser when it is cleared, unless the call that clears it names another kind; "
+          "nil leaves none"),
     PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
           "damage to each enemy it touches; makes the kind a player laser, which is harmless to players"),
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
@@ -104,12 +105,12 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
-/* What all three have, in this order. */
-#define LASER_PARAMS                                                                                                   \
+/* What all three have, in this order. `owners`: whose player a laser takes by default. */
+#define LASER_PARAMS(owners)                                                                                           \
     PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
-              "direction, clockwise from the right; with `aim`, angle added to the direction towards the target, 0 "   \
-              "if omitted"),                                                                                           \
+              "direction, clockwise from the right; with `aim`, the default is 0, and the angle is added to the "      \
+              "direction towards the target"),                                                                         \
         PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
               "point at the nearest target: an enemy for player lasers, otherwise a player"),                          \
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
@@ -118,7 +119,7 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
         PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
               "full width, once it has grown; overrides its kind's"),                                                  \
         PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
-              "player who owns it and gets its score; defaults to the owner of `from` or `follow`")
+              "player who owns it and gets its score; defaults to the owner of " owners)
 enum {
     F_KIND,
     F_PLACE,
@@ -153,14 +154,14 @@ enum {
         PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
               "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
-static const struct api_param bolt_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
+static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
                                                 PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
                                                       "full length, once it has emerged") };
-static const struct api_param curve_params[] = { LASER_PARAMS, FLIGHT_PARAMS,
+static const struct api_param curve_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
                                                  PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32",
                                                        "length of its body, in frames of flight") };
 static const struct api_param beam_params[] = {
-    LASER_PARAMS,
+    LASER_PARAMS("`from` or `follow`"),
     PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
           "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
           "and `y`, or `from`"),
@@ -364,10 +365,11 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
         { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
                 "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
           PROP_WRITE },                                                                                                \
-        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam to the right of the followed thing"),  \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
+                "for a beam, distance to the right of the followed thing"),                                            \
           PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance of a beam below the followed thing"), PROP_WRITE   \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "for a beam, distance below the followed thing"), PROP_WRITE \
     }
 
 static const struct api_prop laser_props[] = {
@@ -383,7 +385,7 @@ static const struct api_prop laser_props[] = {
 static const struct api_prop lasers_props[] = {
     LASER_PROPS,
     { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live lasers with the tag; a group's only readable property"),
+            "number of live lasers with the tag; no other property of a group can be read"),
       PROP_READ },
 };
 
@@ -687,8 +689,8 @@ static const struct api_entry entries[] = {
       HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
            "removed") },
     API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
-             "resumes every laser whose motion waits for the group's tag (`wait_for`); a group without a tag resumes "
-             "every laser that waits for a tag"),
+             "resumes every laser whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
+             "tag signals all tags"),
     { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each laser and leaves nothing") },
 };

@@ -314,6 +314,6 @@ static const struct api_entry entries[] = {
     { "player.def options", NULL, PARAMS(ship_params), 0, API_LUA | API_SYS, NULL,
       HELP("which options fly with the ship, and how") },
     { "player.def level", NULL, PARAMS(level_params), 0, API_LUA | API_SYS, NULL,
-      HELP("one level of options; the highest level whose `at` the register has reached applies") },
+      HELP("one level of options; of the levels whose `at` the register has reached, the highest applies") },
 };
 const struct api_module api_option = { entries, sizeof entries / sizeof *entries };

@@ -57,7 +57,7 @@ static const struct api_param def[] = {
     PARAM("bomb", A_STR, OPT, 1, 31, NULL, NULL, "bomb (bomb.def) that the bomb button starts"),
     PARAM("bomb_focus", A_STR, OPT, 1, 31, NULL, NULL, "bomb used while focused; defaults to `bomb`"),
     PARAM("deathbomb", A_INT, OPT, 0, 600, "frames", "0",
-          "frames after a hit during which a bomb can still save the ship; at 0, it dies immediately"),
+          "frames after a hit during which a bomb can still save the ship; at 0, the ship dies immediately"),
     PARAM("options", A_TABLE, OPT, 0, 0, NULL, NULL,
           "options (option.def) that fly with it and fire; needs `board = { options = n }`"),
     PARAM("needs", A_STR, OPT, 1, 31, NULL, NULL, "unlock (unlock.def) that makes the ship available to players"),
@@ -202,7 +202,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "number of the player") };
+static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "player to return") };
 static const struct api_param xy[] = {
     PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position to measure from"),
     PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position to measure from")
@@ -261,11 +261,11 @@ static const struct api_prop props[PROPS] = {
             "vertical position in the field; a write teleports it, without hits on the way"),
       PROP_WRITE },
     { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
-            "lives left after the one in play; -1 in on.death when the last life is lost"),
+            "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
       PROP_WRITE },
     { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE },
     { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ },
-    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "bullets and lasers grazed in this game"), PROP_LASTS },
+    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "number of bullets and lasers grazed in this game"), PROP_LASTS },
     { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_LASTS },
     { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_LASTS },
     { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
@@ -277,7 +277,8 @@ static const struct api_prop props[PROPS] = {
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"),
       PROP_WRITE },
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
-            "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but a bomb can still save it (deathbomb)"),
+            "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
+            "(deathbomb)"),
       PROP_READ },
 };
 
@@ -414,14 +415,15 @@ enum { ADD_POINTS, ADD_PLAYER };
 
 static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
                                               "points to add; a negative number takes points away"),
-                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets them") };
+                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets the points") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
 static const struct api_param rows_of[] = {
     PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
           "name of the score table; boot.run uses the names of the difficulties"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL, "ship whose table to read; if omitted, the best rows of all ships")
+    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL,
+          "ship whose table to read; if omitted, the best rows of all ships are returned")
 };
 
 enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
@@ -525,8 +527,8 @@ static const struct api_entry entries[] = {
     { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
       HELP("returns true when a button goes down, then every 5 frames once it has been held for 20 frames") },
     { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
-      HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; may earn extra lives "
-           "(`extends` in rom.lua)") },
+      HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; the points can earn extra "
+           "lives (`extends` in rom.lua)") },
     { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
       HELP("returns up to ten rows of a saved score table, best first; each is { name, score, ship, stage, clear, "
            "continues }") },
