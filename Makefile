@@ -21,14 +21,26 @@ RUN     ?=
 CONFIG  ?= release
 OPT     ?= -O2
 OUT     := build/$(CONFIG)
+UNAME   := $(shell uname -s)
 PREFIX  ?= /usr/local
 GAME    := roms/glasstide
 
 # -fwrapv and -ffp-contract=off are semantics: results may not depend on overflow rules or fused multiplications.
 SEMANTIC := -std=c11 -fwrapv -ffp-contract=off
 WARN     := -Wall -Wextra -Wshadow -Wconversion -Wpedantic
-LUA_C    := $(shell pkg-config --cflags lua5.4 2>/dev/null)
-LUA_L    := $(shell pkg-config --libs lua5.4 2>/dev/null)
+PKG_CONFIG := pkg-config
+LINK_MAP  = -Wl,-Map=$@.map
+# macOS, untested: docs/internals/macos.md. Homebrew does not link lua@5.4 into its prefix. stb is cloned into
+# build/include. Libraries that the program opens by name are found by its rpath.
+ifeq ($(UNAME),Darwin)
+BREW      ?= $(shell brew --prefix 2>/dev/null)
+PKG_CONFIG := PKG_CONFIG_PATH="$(BREW)/opt/lua@5.4/lib/pkgconfig:$$PKG_CONFIG_PATH" pkg-config
+SYSTEM_C  := -isystem build/include -isystem $(BREW)/include
+SYSTEM_L  := -L$(BREW)/lib -Wl,-rpath,$(BREW)/lib
+LINK_MAP   = -Wl,-map,$@.map
+endif
+LUA_C    := $(shell $(PKG_CONFIG) --cflags lua5.4 2>/dev/null)
+LUA_L    := $(shell $(PKG_CONFIG) --libs lua5.4 2>/dev/null)
 # LUA_INSIDE=1: programs contain Lua, compiled as Debian does it, without its program and what the sandbox leaves out.
 LUA_SRC  := build/cross/lua-bookworm/src
 LUA_H    := $(LUA_SRC)/lua.h build/cross/include/lua5.4-deb-multiarch.h
@@ -38,18 +50,18 @@ ifdef LUA_INSIDE
 LUA_C    := -I$(LUA_SRC) -Ibuild/cross/include
 LUA_L    := $(LUA_OBJ)
 endif
-SDL_C    := $(shell pkg-config --cflags sdl2 2>/dev/null)
+SDL_C    := $(shell $(PKG_CONFIG) --cflags sdl2 2>/dev/null)
 CFLAGS   ?=
 # library.c opens libraries. Before glibc 2.34 what that needs are libraries of their own; WebAssembly has none.
 THREADS  := $(if $(findstring wasm,$(CC)),,-pthread -ldl)
 # Guards against memory errors, those this compiler and its linker have; a sanitizer has its own. Each asks once.
 HARDEN_C = $(eval HARDEN_C := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh compile $(CC) $(OPT) $(CFLAGS))))$(HARDEN_C)
 HARDEN_L = $(eval HARDEN_L := $(if $(findstring -fsanitize,$(OPT)),,$(shell tools/harden.sh link $(CC) $(OPT) $(CFLAGS))))$(HARDEN_L)
-ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(CFLAGS)
+ALL_C    = $(SEMANTIC) $(WARN) $(OPT) -g -D_DEFAULT_SOURCE $(HARDEN_C) $(patsubst -I%,-isystem %,$(LUA_C)) $(SYSTEM_C) $(CFLAGS)
 # libopenmpt is opened late and throws; AddressSanitizer looks for what throws at the start alone.
 THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no-as-needed -l:libstdc++.so.6 -Wl$(comma)--pop-state)
 comma   := ,
-LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(THROWS)
+LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(SYSTEM_L) $(THROWS)
 
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
                          src/board/*/*/*.c)
@@ -66,7 +78,7 @@ HOST      := $(if $(findstring mingw,$(CC)),win win_process,$(if $(findstring wa
 HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
-LIB_NAMES := $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
+LIB_NAMES  = $(shell grep -oP 'curtain_[a-z_]*(?=\x28)' src/lib/curtain.h | sort -u)
 OBJCOPY   ?= objcopy
 GAME_SRC  := $(shell find $(GAME) -type f 2>/dev/null)
 
@@ -149,7 +161,9 @@ $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # Clang's -O3 unrolls the loops of sound, which is slower than -O2; gcc is told so in the files, clang has no such words.
 $(OUT)/src/snd/%.o $(OUT)/src/chips/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))
 # -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
-$(OUT)/machine/test_fine $(OUT)/machine/test_lead: ALL_C += -Wno-pedantic
+QUAD_TESTS := $(OUT)/machine/test_fine $(OUT)/machine/test_lead
+$(QUAD_TESTS): ALL_C += -Wno-pedantic
+$(QUAD_TESTS): LIBS += -lquadmath
 
 $(OUT)/embed: tools/embed.c
 	@mkdir -p $(@D)
@@ -222,7 +236,7 @@ $(OUT)/curtain-player: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/sdl2.o 
 
 $(OUT)/curtain-null: $(CORE_OBJ) $(OUT)/src/cab/main.o $(OUT)/platform/null.o $(OUT)/gen/rom.o
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) -Wl,-Map=$@.map $^ $(LIBS) -o $@
+	$(Q)$(CC) $(ALL_C) $(LINK_MAP) $^ $(LIBS) -o $@
 
 # ---- Windows: docs/internals/porting.md ----
 
@@ -412,14 +426,14 @@ $(OUT)/art: $(wildcard tools/art/*.c)
 $(OUT)/unit/%: tests/unit/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
 
 # Of these, some are ports themselves.
 OWN_PORT := test_cabinet test_calls
 $(OUT)/machine/%: tests/machine/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) -Itests $(filter-out $(if $(filter $*,$(OWN_PORT)),%/null.o),$^) $(LIBS) -lcmocka -lquadmath -o $@
+	$(Q)$(CC) $(ALL_C) -Itests $(filter-out $(if $(filter $*,$(OWN_PORT)),%/null.o),$^) $(LIBS) -lcmocka -o $@
 
 $(OUT)/unit/test_pace: $(OUT)/tools/pacing/simulate.o
 $(OUT)/machine/test_worst: $(patsubst %,$(OUT)/tools/bench/%.o,scene worst dearest)
@@ -430,7 +444,7 @@ $(OUT)/machine/test_bench: $(patsubst %,$(OUT)/tools/bench/%.o,scene crowd refer
 $(OUT)/given/%: tests/fuzz/%.c tests/fuzz/given.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
 	@mkdir -p $(@D)
 	$(SAY) "  LINK  $@"
-	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -lquadmath -o $@
+	$(Q)$(CC) $(ALL_C) -Itests $^ $(LIBS) -lcmocka -o $@
 
 # tests/fuzz/run.sh makes these with clang and its flags.
 $(OUT)/fuzz/%: tests/fuzz/%.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
@@ -441,10 +455,16 @@ programs: $(OUT)/lab $(OUT)/ear $(OUT)/bench $(OUT)/pacing $(OUT)/cookbook $(OUT
           $(OUT)/curtain-short $(OUT)/libcurtain.a $(OUT)/libcurtain.so $(OUT)/curtain_libretro.so \
           $(UNIT) $(MACHINE)
 
+ifeq ($(UNAME),Darwin)
+test: deps-play-test
+	-@$(MAKE) --no-print-directory -k $(OUT)/curtain-null $(UNIT) $(filter-out $(QUAD_TESTS),$(MACHINE))
+	@OUT=$(OUT) tests/macos/run.sh
+else
 test: deps-play-test-ports-web
 	@$(MAKE) --no-print-directory -j2 build/curtain build/curtain-null programs tools build/players/player.html \
 		build/players/curtain_libretro.so
 	@OUT=$(OUT) tests/run.sh
+endif
 
 torture: deps-play-test
 	@$(MAKE) --no-print-directory -j2 programs

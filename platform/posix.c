@@ -4,7 +4,6 @@
  *
  * WASI has this part of POSIX, but no file modes.
  */
-#define _XOPEN_SOURCE 700
 #ifndef _FILE_OFFSET_BITS
 #define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir refuse what lies far out on a large disk */
 #endif
@@ -19,6 +18,15 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+/* The folder for program data, below the user's; the field of struct stat with the time of the last change. */
+#ifdef __APPLE__
+#define DATA_FOLDER "Library/Application Support"
+#define CHANGED     st_mtimespec
+#else
+#define DATA_FOLDER ".local/share"
+#define CHANGED     st_mtim
+#endif
 
 /* ---- names ---- */
 
@@ -41,7 +49,7 @@ bool host_data_folder(char out[HOST_PATH])
     const char *data = absolute_variable("XDG_DATA_HOME"), *home = getenv("HOME");
     if (data)
         return fits(snprintf(out, HOST_PATH, "%s", data));
-    return home && home[0] && fits(snprintf(out, HOST_PATH, "%s/.local/share", home));
+    return home && home[0] && fits(snprintf(out, HOST_PATH, "%s/" DATA_FOLDER, home));
 }
 
 /* The value of a line NAME="VALUE" of user-dirs.dirs, where VALUE begins with / or $HOME, and \ is before a letter that
@@ -247,7 +255,7 @@ static bool entry(struct plat_file *file, const char *folder, const char *name)
         return false;
     file->name = name;
     file->folder = S_ISDIR(st.st_mode);
-    file->time = (int64_t)st.st_mtim.tv_sec * 1000000000 + st.st_mtim.tv_nsec;
+    file->time = (int64_t)st.CHANGED.tv_sec * 1000000000 + st.CHANGED.tv_nsec;
     return true;
 }
 

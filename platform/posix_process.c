@@ -2,8 +2,6 @@
  * posix_process.c - host.h on POSIX: the process, its signals, other programs, shared libraries.
  * floor: platform
  */
-#define _XOPEN_SOURCE 700
-
 #include "host.h"
 
 #include <dlfcn.h>
@@ -17,6 +15,9 @@
 #include <sys/utsname.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
 #ifdef __linux__
 #include <sys/auxv.h>
 #endif
@@ -26,6 +27,14 @@ extern char **environ;
 /* ---- this program ---- */
 
 #ifndef PLAT_OWN_PROGRAM
+#ifdef __APPLE__
+DEFAULT bool plat_program(char *name, size_t size)
+{
+    uint32_t room = (uint32_t)size;
+
+    return _NSGetExecutablePath(name, &room) == 0;
+}
+#else
 /* The link follows a rename and resolves a name found in PATH. Without /proc, Linux still reports the name under which
  * the program was started. */
 DEFAULT bool plat_program(char *name, size_t size)
@@ -42,10 +51,11 @@ DEFAULT bool plat_program(char *name, size_t size)
     return false;
 }
 #endif
+#endif
 
 bool host_program_path(char out[HOST_PATH])
 {
-    char name[256], *real = plat_program(name, sizeof name) ? realpath(name, NULL) : NULL;
+    char name[HOST_PATH], *real = plat_program(name, sizeof name) ? realpath(name, NULL) : NULL;
     const bool good = real && snprintf(out, HOST_PATH, "%s", real) < HOST_PATH;
     free(real);
     return good;

@@ -317,7 +317,7 @@ bool plat_open(const struct plat_want *want)
     bool open = port.window != 0;
     if (!load()) {
         plat_log("curtain: SDL 2.0.10 or later is required; install the package libsdl2-2.0-0 (Debian, Ubuntu), "
-                 "SDL2 (Fedora) or sdl2 (Arch)");
+                 "SDL2 (Fedora) or sdl2 (Arch, Homebrew)");
         return false;
     }
     if (!open && sdl.Init(SDL_INIT_VIDEO) != 0)

@@ -54,7 +54,7 @@ PY
 
 # ---- in each release ----
 missing='SDL 2.0.10 or later is required; install the package libsdl2-2.0-0 (Debian, Ubuntu), SDL2'
-missing+=' (Fedora) or sdl2 (Arch)'
+missing+=' (Fedora) or sdl2 (Arch, Homebrew)'
 run_here() { inside env -C /game SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy HOME=/game "$@"; }
 plays() { # the exported game, its demo to the end
     run_here ./first --demo short.demo --mute

@@ -10,8 +10,9 @@
 # it; web: what a page is built with, and tested in; firefox: where it is tested too; windows: the cross compiler for
 # Windows, and Wine, which runs its programs here; players: what makes the Debian roots in which programs for other
 # machines are compiled and tested. Without arguments: play, test, fuzz and bench. With --say it installs nothing: it
-# says, in one line to paste, what is missing, and exits with 3.
+# says, in one line to paste, what is missing, and exits with 3. On macOS, tools/macos/deps.sh does the same.
 set -eu
+[ "$(uname -s)" != Darwin ] || exec "$(dirname "$0")/macos/deps.sh" "$@"
 say=""
 if [ "${1:-}" = --say ]; then
     say=yes

@@ -66,7 +66,8 @@ install)
         install -m "$mode" "$file" "$root/$target"
     done
     pc=$root/lib/pkgconfig/curtain.pc
-    [ ! -e build/curtain_libretro.so ] || [ ! -e "$pc" ] || sed -i "s,^prefix=.*,prefix=${PREFIX:-/usr/local}," "$pc"
+    [ ! -e build/curtain_libretro.so ] || [ ! -e "$pc" ] ||
+        sed "s,^prefix=.*,prefix=${PREFIX:-/usr/local}," build/curtain.pc >"$pc"
     [ ! -e build/curtain_libretro.so ] || ln -sf libcurtain.so.1 "$root/lib/libcurtain.so"
     look_up
     ;;
@@ -80,7 +81,7 @@ uninstall)
     done
     rm -f "$root/lib/libcurtain.so"
     for own in "$root/$doc" "$root/$data"; do
-        [ ! -d "$own" ] || find "$own" -depth -type d -exec rmdir --ignore-fail-on-non-empty {} +
+        [ ! -d "$own" ] || find "$own" -depth -type d -empty -delete
     done
     look_up
     ;;

@@ -32,20 +32,21 @@ entries() {
         }'
 }
 # Three kinds of table of the help, as such lines. Columns are two blanks apart; an option and its value are one.
+tab=$(printf '\t') # the sed of macOS knows no \t
 commands() {
-    sed -nE 's/^  curtain ([a-z]+) ([^ ]+( [^ ]+)*)?  +([^ ].*)$/curtain \1\t\2\t\4/p'
+    sed -nE "s/^  curtain ([a-z]+) ([^ ]+( [^ ]+)*)?  +([^ ].*)\$/curtain \1$tab\2$tab\4/p"
 }
 options() {
-    sed -nE -e 's/^  (-[^ ]+) ([^ ]+) +([^ ].*)$/\1\t\2\t\3/p' -e 't' -e 's/^  (-[^ ]+)  +(.*)$/\1\t\t\2/p'
+    sed -nE -e "s/^  (-[^ ]+) ([^ ]+) +([^ ].*)\$/\1$tab\2$tab\3/p" -e t -e "s/^  (-[^ ]+)  +(.*)\$/\1$tab$tab\2/p"
 }
 columns() {
-    sed -nE 's/^  ([^ ]+) +([^ ]+( [^ ]+)*)(  +(.*))?$/\1\t\2\t\5/p'
+    sed -nE "s/^  ([^ ]+) +([^ ]+( [^ ]+)*)(  +(.*))?\$/\1$tab\2$tab\5/p"
 }
 # The commands that an option goes with.
 goes_with() { # OPTION
     for command in $names; do
         $curtain help "$command" | grep -q "^  $1 " && printf '%s\n' "$command"
-    done | sed ':a;N;$!ba;s/\n/, /g'
+    done | paste -s -d , - | sed 's/,/, /g'
 }
 part() { # FROM [TO]: lines of `help play` after one that begins so, up to an empty one
     $curtain help play | sed -n "/^$1/,/^\$/p" | sed 1d
@@ -164,7 +165,7 @@ of the desktop sets, or
 .IR $HOME/Pictures .
 .SH EXIT STATUS
 END
-$curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E 's/^ *([0-9]) ([^.]*)\.?$/\1\t\t\2/' | entries
+$curtain help | sed -n 's/^Exit codes: //p' | tr , '\n' | sed -E "s/^ *([0-9]) ([^.]*)\.?\$/\1$tab$tab\2/" | entries
 cat <<'END'
 .SH EXAMPLES
 Create a game in a new folder:

@@ -24,9 +24,9 @@ LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
 PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",
         "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 # The other headers of the C library and POSIX; the compiler's packages bring them.
-SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h", "poll.h", "pthread.h", "signal.h",
-                 "spawn.h", "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h", "sys/wait.h", "time.h",
-                 "unistd.h"}
+SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h", "mach-o/dyld.h", "poll.h",
+                 "pthread.h", "signal.h", "spawn.h", "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h",
+                 "sys/wait.h", "time.h", "unistd.h"}
 # The defaults of platform.h, and each host's half of them: they share headers that a port does not see.
 HOST_HEADERS = {"platform/host.h", "platform/win.h"}
 WINDOWS = {"windows.h", "io.h", "shlobj.h"}

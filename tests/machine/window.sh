@@ -8,8 +8,8 @@ cd "$repo" || exit 2
 export SDL_AUDIODRIVER=alsa AUDIODEV=none
 
 for program in port_probe port_pads; do
-    ${CC:-cc} -std=c11 -O1 $(sdl2-config --cflags) -o "$scratch/$program" tests/machine/$program.c platform/sdl2.c \
-        platform/{stdio,posix,posix_process}.c $(sdl2-config --libs) || exit 2
+    ${CC:-cc} -std=c11 -D_DEFAULT_SOURCE -O1 $(sdl2-config --cflags) -o "$scratch/$program" \
+        tests/machine/$program.c platform/{sdl2,stdio,posix,posix_process}.c $(sdl2-config --libs) || exit 2
 done
 probe=$scratch/port_probe
 

@@ -134,7 +134,7 @@ if start Probe "$OUT/curtain" play g --scale 1 --verbose; then
 fi
 
 # ---- a speaker that goes, and comes ----
-${CC:-cc} -std=c11 -O1 $(sdl2-config --cflags) -o port_sound "$repo/tests/machine/port_sound.c" \
+${CC:-cc} -std=c11 -D_DEFAULT_SOURCE -O1 $(sdl2-config --cflags) -o port_sound "$repo/tests/machine/port_sound.c" \
     "$repo"/platform/{sdl2,stdio,posix,posix_process}.c $(sdl2-config --libs) || exit 2
 check "a speaker that goes, and comes" env SDL_VIDEODRIVER=dummy SDL_AUDIODRIVER=dummy ./port_sound
 

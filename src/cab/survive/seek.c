@@ -341,7 +341,7 @@ static void go_back(struct work *w)
 }
 
 /* While it cannot be steered nothing is planned. */
-static enum trial_end wait(struct work *w)
+static enum trial_end wait_until_steered(struct work *w)
 {
     struct trial *t = w->s->t;
     enum trial_end end = TRIAL_ON;
@@ -391,7 +391,7 @@ static void in_pieces(struct work *w, const struct trial_mark *start)
     trial_restore(s->t, start);
     while (s->plans < s->effort * EFFORT) {
         if (end == TRIAL_ON)
-            end = wait(w);
+            end = wait_until_steered(w);
         if (end == TRIAL_HIT) { /* while it could not be steered */
             go_back(w);
             trial_restore(s->t, &w->place[w->places - 1].mark);

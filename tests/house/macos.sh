@@ -1,0 +1,143 @@
+#!/usr/bin/env bash
+# macos.sh - the program compiles with what macOS has, and its build there uses no GNU linker option or tool. Without a
+# Mac, this system's headers are used, less the names in tests/macos/lacks; see docs/internals/macos.md.
+. "$(dirname "$0")/../tap.sh"
+export LC_ALL=C
+macos=$repo/tests/macos
+words() { sed 's/#.*//' "$1" | tr -s ' \n' '\n' | sort -u | sed '/^$/d'; }
+words "$macos/lacks" >"$scratch/lacks"
+words "$macos/headers" >"$scratch/headers"
+
+# ---- the header set ----
+
+# The names that a header declares and macOS lacks. glibc hides the rest, since no file may define a feature macro.
+lacking() { # HEADER
+    gcc -std=c11 -D_DEFAULT_SOURCE -E -dD -x c - <<<"#include <$1>" | grep -oE '[A-Za-z_][A-Za-z0-9_]*' | sort -u |
+        comm -12 - "$scratch/lacks" | grep -v '_SOURCE'
+}
+
+# Writes a header that includes the system's, and makes these names errors. The first header that declares a name does
+# this: a file that includes no such header may use the name itself.
+header() { # HEADER
+    local name
+    mkdir -p "$(dirname "$set/$1")"
+    {
+        echo '#if !defined MACOS_SET && (defined _GNU_SOURCE || defined _POSIX_C_SOURCE || defined _XOPEN_SOURCE)'
+        echo '#error on macOS this feature macro hides functions, see tests/macos/lacks'
+        echo '#endif'
+        echo '#define MACOS_SET'
+        echo "#include_next <$1>"
+        echo '#undef __GLIBC__'
+        for name in $(lacking "$1"); do
+            printf '#ifndef LACKS_%s\n#define LACKS_%s\n#undef %s\n' "$name" "$name" "$name"
+            printf '#pragma GCC poison %s\n#endif\n' "$name"
+        done
+    } >"$set/$1"
+}
+set=$scratch/include
+for name in $(grep -v '^stb/' "$scratch/headers"); do
+    ! gcc -E -x c - <<<"#include <$name>" >/dev/null 2>&1 || header "$name"
+done
+check "the header set lacks many names" [ "$(cat "$set"/*.h "$set"/sys/*.h | grep -c poison)" -gt 150 ]
+
+# ---- the program ----
+
+# The commands that build goals on macOS. Hardening options are empty: the linker there is asked which ones it has.
+build() {
+    make -n -B V=1 CC=gcc UNAME=Darwin BREW=/brew HARDEN_C= HARDEN_L= CONFIG=release "$@" 2>&1
+}
+build build/release/curtain build/release/curtain-null >"$scratch/commands"
+grep -oE ' -c [a-z0-9_/]+\.c ' "$scratch/commands" | sed 's/ -c //; s/ //g' | grep -v '^build/' | sort -u \
+    >"$scratch/files"
+check "make compiles many files" [ "$(wc -l <"$scratch/files")" -gt 300 ]
+
+known_headers() { # FILE...
+    awk -v headers="$(tr '\n' ' ' <"$scratch/headers")" '
+        BEGIN { n = split(headers, name); for (i = 1; i <= n; i++) known[name[i]] }
+        FNR == 1 || /^#endif/ { skip = 0 }
+        /^#ifdef __linux__/ { skip = 1 }
+        /^#include </ && !skip && !(substr($2, 2, length($2) - 2) in known) {
+            print FILENAME ":" FNR ": macOS has no " $2
+            bad = 1
+        }
+        END { exit bad }' "$@"
+}
+# shellcheck disable=SC2046
+check "macOS has all headers that they include" known_headers $(cat "$scratch/files") $(tree 'src/*.h' 'fb/*.h') \
+    platform/{host,platform}.h
+
+compiles() { # FILE...
+    # shellcheck disable=SC2046
+    printf '%s\n' "$@" | xargs -P 2 -n 48 gcc -std=c11 -fsyntax-only -Werror -D_DEFAULT_SOURCE \
+        -U__linux__ -U__linux -U__gnu_linux__ -U__unix__ -U__unix -U__ELF__ -D__APPLE__ -D__MACH__ \
+        -Dst_mtimespec=st_mtim -iquote platform -iquote src/base -iquote src/cab/survive \
+        -isystem "$set" -isystem "$macos/include" $(pkg-config --cflags lua5.4 sdl2)
+}
+# shellcheck disable=SC2046
+check "they compile" compiles $(cat "$scratch/files")
+
+planted() { # FILE NAME CODE: at the end of the file, the code is an error with its line that shows the name
+    local copy=$scratch/planted.c
+    { cat "$1"; echo "$3"; } >"$copy"
+    refuse "planted in $1: $2" "$copy:$(($(wc -l <"$copy"))):" compiles "$copy"
+    grep -q "error: .*\b$2\b" "$scratch/.said" || not_ok "the error shows $2" "$(cat "$scratch/.said")"
+}
+planted platform/posix_process.c pipe2 'int f(int e[2]); int f(int e[2]) { return pipe2(e, O_CLOEXEC); }'
+planted platform/stdio.c clock_nanosleep 'int f(void) { return clock_nanosleep(CLOCK_MONOTONIC, 0, 0, 0); }'
+planted platform/posix.c st_mtim 'long f(struct stat *s) { return s->st_mtim.tv_nsec; }'
+planted platform/posix.c posix_fallocate 'int f(int file) { return posix_fallocate(file, 0, 1); }'
+planted src/base/hash.c strchrnul 'char *f(char *s) { return strchrnul(s, 47); }'
+planted src/cab/survive/seek.c wait 'static int wait(void); static int wait(void) { return 0; }'
+for macro in _GNU_SOURCE '_XOPEN_SOURCE 700'; do
+    { echo "#define $macro"; cat platform/posix.c; } >"$scratch/planted.c"
+    refuse "planted: #define $macro" "feature macro hides" compiles "$scratch/planted.c"
+done
+printf '#ifdef __linux__\n#include <sys/auxv.h>\n#endif\n#include <sys/inotify.h>\n' >"$scratch/planted.h"
+refuse "planted: a header of Linux" "planted.h:4: macOS has no <sys/inotify.h>" known_headers "$scratch/planted.h"
+
+# ---- the build ----
+
+gnu_link=' -Wl,(-z|--|-Map|-soname|-rpath-link)|[a-z0-9]\.so\b| -l:|-static\b|objcopy|-lquadmath'
+gnu_tools='\bnproc\b|readlink -f|sed [^|]*-i|grep -[a-zA-Z]*P|install -D|cp -[a-z]*[dT]|xargs -[a-z]*d|-printf|stat -c|'
+gnu_tools+='date -d|rmdir --|ln -[a-z]*[rT]|sort -V|sed .*:a;|\bmktemp --'
+without() { # PATTERN FILE...: no line matches
+    local pattern=$1
+    shift
+    ! grep -nE -- "$pattern" "$@"
+}
+build build/curtain build/curtain-null build/curtain.1 build/curtain-null.1 build/release/unit/test_stdio test \
+    >>"$scratch/commands"
+check "make uses no GNU linker option or tool" without "$gnu_link|$gnu_tools" "$scratch/commands"
+check "nor do its scripts" without "$gnu_tools" tools/{harden,install,manpage,play}.sh tools/macos/deps.sh \
+    "$macos/run.sh"
+check "the program finds Homebrew's libraries" grep -q -- '-Wl,-rpath,/brew/lib' "$scratch/commands"
+make -n -B V=1 UNAME=Linux HARDEN_C= HARDEN_L= build/release/libcurtain.so >"$scratch/linux"
+refuse "planted: linker options for Linux" "-Wl,-soname" without "$gnu_link" "$scratch/linux"
+echo 'sed -E -i s/a/b/ file' >"$scratch/script"
+refuse "planted: sed -i" "sed -E -i" without "$gnu_tools" "$scratch/script"
+
+# ---- what make prints on a Mac, and its test ----
+
+mkdir -p "$scratch"/{bin,brew/{lib,include,opt/lua@5.4/lib/pkgconfig},out/{unit,machine}}
+printf '#!/bin/sh\necho Darwin\n' >"$scratch/bin/uname"
+printf '#!/bin/sh\necho "%s"\n' "$scratch/brew" >"$scratch/bin/brew"
+printf '#!/bin/sh\n' >"$scratch/bin/xcode-select"
+chmod +x "$scratch"/bin/*
+deps() { (cd "$scratch" && PATH=$scratch/bin:$PATH "$repo/tools/deps.sh" "$@" 2>&1); }
+same "what is missing" "curtain: something is missing; these commands install it:
+    git clone --depth 1 https://github.com/nothings/stb build/include/stb
+    brew install lua@5.4 sdl2 cmocka 3" "$(deps --say play test) $?"
+mkdir -p "$scratch/build/include/stb"
+touch "$scratch"/brew/{lib/libSDL2-2.0.0.dylib,include/cmocka.h,opt/lua@5.4/lib/pkgconfig/lua5.4.pc} \
+    "$scratch/build/include/stb/stb_image.h"
+same "nothing is missing" " 0" "$(deps play test) $?"
+same "what cannot be built there" 'curtain: "windows" has no macOS build; run it on Linux 3' "$(deps windows) $?"
+
+for file in tests/{unit,machine}/test_*.c; do
+    ln -s /bin/true "$scratch/out/$(sed 's,^tests/,,; s,\.c$,,' <<<"$file")"
+done
+ln -s /bin/true "$scratch/out/curtain-null"
+check "make test passes when all programs pass" env OUT="$scratch/out" "$macos/run.sh"
+rm "$scratch/out/unit/test_rng"
+refuse "planted: a test that was not built" "FAILED tests/unit/test_rng.c" env OUT="$scratch/out" "$macos/run.sh"
+finish
