@@ -143,9 +143,8 @@ static void help_controls(void)
     keys_help(own_sealed() ? KEYS_INSIDE : 0, say);
     say("");
     say("Controllers: player 1 gets the first one used; press START on another one to join as player 2.");
-    say("pad. is the player's own controller; pad1. to pad4. are specific controllers. south is the bottom face "
-        "button");
-    say("and east is the right one, whatever their labels.");
+    say("pad. is the player's own controller; pad1. to pad4. are specific controllers.");
+    say("south is the bottom face button and east is the right one, whatever is printed on them.");
     say("");
     say("Settings:");
     config_help(say);

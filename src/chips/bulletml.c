@@ -59,7 +59,7 @@ static const struct column runner_columns[] = {
     COLUMN(ml_runners, put_vy),
     REGISTER(ml_runners, serials),
     DERIVED_REGISTER(ml_runners, n, "the number of live runners in `order`"),
-    DERIVED_REGISTER(ml_runners, ran, "a count for the guard, rewritten in every frame before it is read"),
+    DERIVED_REGISTER(ml_runners, ran, "a counter for the work limit, rewritten in every frame before it is read"),
 };
 
 static const struct column frame_columns[] = {

@@ -93,8 +93,8 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, fastest, "an upper bound for the broad phase; the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, standing, "the number of standing bullets, counted from the column `stands`"),
     DERIVED_REGISTER(bullets, moved, "a count for benchmarks, rewritten by every move before it is read"),
-    DERIVED_REGISTER(bullets, ran, "a count for the guard, rewritten by every move before it is read"),
-    DERIVED_REGISTER(bullets, of_kind, "the address of a column of the kinds, computed from the address of RAM"),
+    DERIVED_REGISTER(bullets, ran, "a counter for the work limit, rewritten by every move before it is read"),
+    DERIVED_REGISTER(bullets, of_kind, "the address of the kinds' column `live`, computed from the address of RAM"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)

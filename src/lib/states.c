@@ -142,7 +142,7 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
         for (uint32_t i = 0; i < pads.frames; i++) {
             if (c->log.frames >= from->frame) {
                 if (board_last(c->board)->fault)
-                    return err_set(err, err_size, "the state continues after a fault in the game");
+                    return err_set(err, err_size, "invalid state: it has input after a fault in the game");
                 lib_keep_key(c);
                 board_tick(c->board, pads.pads);
             }

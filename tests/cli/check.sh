@@ -631,7 +631,7 @@ LUA
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --record faint/demos/idle.demo >/dev/null 2>&1
 finds 'bullets that cannot be seen' faint <<'END'
-demos/idle.demo: bullets "dot" in bank 0 are hard to see: 60 of 60 in 6 sampled frames; the first at 6,7 in frame 0
+demos/idle.demo: bullets "dot" in bank 0 are hard to see: 60 of 60 in 6 sampled frames; the first is at 6,7 in frame 0
 1 problem
 END
 sed -i 's/layer = "back"/layer = "back", hidden = true/' faint/main.lua
@@ -654,13 +654,13 @@ boot.run { stages = { "night" }, players = { "ship" } }
 LUA
 rm -r faint/demos
 finds 'bullets that cannot be seen in a stage without a demo' faint <<'END'
-night: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first at 6,7 in frame 120
+night: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first is at 6,7 in frame 120
 1 problem
 END
 mkdir faint/demos
 "$curtain" hash faint --frames 700 --stage night --record faint/demos/n.demo >/dev/null 2>&1
 finds 'told once, for the demo' faint <<'END'
-demos/n.demo: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first at 6,7 in frame 120
+demos/n.demo: bullets "dot" in bank 0 are hard to see: 50 of 60 in 6 sampled frames; the first is at 6,7 in frame 120
 1 problem
 END
 
@@ -815,7 +815,7 @@ sed -i 's/bullet.def("orb", {/bullet.def("orb", { blend = "shine", bank = 0,/' r
 same 'a ramp from dark to bright' '0' "$("$curtain" check ramps >/dev/null 2>&1; echo $?)"
 sed -i 's/blend = "shine", bank = 0/blend = "shine", bank = 8/' ramps/main.lua
 finds 'a bank that is none' ramps <<'END'
-main.lua:1: bullet "orb": its blend "shine" needs ramps, but colour 7 in bank 8 is darker than colour 6
+main.lua:1: bullet "orb": its blend "shine" needs a dark-to-light bank, but colour 7 in bank 8 is darker than colour 6
 1 problem
 END
 rm -r ramps

@@ -136,8 +136,8 @@ fi
 cp -r plain copy
 check "a copy is the same game" test "$(ids copy)" = plain
 sed -i 's/id = "plain", //' copy/rom.lua
-missing="rom.lua: no id; the folder's name is used, so a copy under a different name loses demos, saves and scores; \
-add id = \"copy\""
+missing="rom.lua: no id, so the folder's name is used: if you rename the folder, the game loses its demos, saves and \
+scores; add id = \"copy\""
 same "check says when an id is missing" "$missing"$'\n'"1 problem 1" "$("$curtain" check copy) $?"
 sed -i 's/title = "plain"/id = "copy", &/' copy/rom.lua
 check "and nothing when it is as it says" "$curtain" check copy

@@ -321,8 +321,8 @@ test.run { pads = 3 }|test.run: pads: expected buttons such as "fire,left@60:90"
 test.run { pads = function() return 3 end, frames = 1 }|pads: expected the function to return buttons such as \
 "left,fire", got number
 test.run { demo = "../x.demo" }|test.run: demo: expected a file of the game, as in "demos/run.demo", got "../x.demo"
-test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start and buttons; combine demo only \
-with frames and faults
+test.run { demo = "demos/x.demo", seed = 3 }|test.run: a demo has its own start settings and buttons; combine demo \
+only with frames and faults
 test.run { stage = "two" }|the game stopped at frame 0: main.lua:19: boot.run: unknown stage \
 "two" (known: one)
 test.run():step(-1)|run:step: expected a whole number of frames from 0 to 216000

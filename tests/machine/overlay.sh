@@ -161,5 +161,5 @@ sed -n '/^## Console/,/^## [^C]/s/^    //p' "$repo/docs/guide/17-developing.md" 
 mapfile -t want < <(cut -c1-50 session)
 KEYS_PPM=$(wc -l <script) ./player play "$repo/examples/sandbox" --stage try --seed 0 <script >out 2>err
 same 'the guide has lines to try' 6 "$(grep -c '^> ' session)"
-check 'what the guide shows is what comes' says "${want[@]}" 'the run is marked as touched'
+check 'what the guide shows is what comes' says "${want[@]}" 'the run is marked as "touched"'
 finish

@@ -113,7 +113,7 @@ printf 'practice 1\n# mine\n7 9 normal queen/weak\n1 1 easy one\n' >"$file"
 same 'they count on' $'practice 1\n# mine\n8 11 normal queen/weak\n1 1 easy one' "$(cat "$file")"
 printf 'practice 1\n9 7 normal queen/weak\n' >"$file"
 { keys 20; weak; keys 100; } | plays out
-left='practice is not counted, and the file is unchanged'
+left='attempts are not counted, and the file is not changed'
 same 'a damaged file is reported' \
     "curtain: $scratch/$file: line 2: expected CAPTURES ATTEMPTS DIFFICULTY MARK; $left" "$(cat err)"
 same 'and left alone' $'practice 1\n9 7 normal queen/weak' "$(cat "$file")"

@@ -101,7 +101,7 @@ PY
 cp $nv foreign
 { keys 100; keys 1 $Z; keys 130 $Z; } | plays out --resume
 check 'saves that came between are not lost to those of the run' cmp -s $nv foreign
-check 'which is said' grep -q "high scores have changed since then, so this run's scores are not saved" err
+check 'which is said' grep -q "high scores have changed since the run was interrupted, so its scores are not saved" err
 # A kill leaves saves of up to a second before: these are the run's own.
 again
 python3 - $nv <<'PY'

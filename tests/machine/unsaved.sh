@@ -22,14 +22,14 @@ mkdir -p "$nv"
 got=$({ begin; seen probe.nv; rmdir $nv; minute; } | plays)
 same 'scores: said once, saved a minute later' \
     "curtain: $XDG_DATA_HOME/curtain/probe.nv: cannot be written (Is a directory)
-curtain: everything is saved now 0" "$(cat err) $got"
+curtain: all data has been saved 0" "$(cat err) $got"
 check 'scores: they are there' test -s $nv
 
 rm -rf data
 mkdir -p data/curtain
 touch data/curtain/replays
 got=$({ begin; keys 200 $Z; ends; seen replays/; rm data/curtain/replays; minute; } | plays)
-same 'a replay: saved a minute later' 'curtain: everything is saved now 0' "$(tail -1 err) $got"
+same 'a replay: saved a minute later' 'curtain: all data has been saved 0' "$(tail -1 err) $got"
 same 'a replay: it is there' 1 "$(list)"
 check 'a replay: of the run nothing else is left' test ! -e $left
 
@@ -37,13 +37,13 @@ rm -rf data
 mkdir -p data/curtain
 touch data/curtain/resume
 got=$({ begin; seen resume/; rm data/curtain/resume; minute; } | plays)
-same 'an unfinished run: saved a minute later' 'curtain: everything is saved now 0' "$(tail -1 err) $got"
+same 'an unfinished run: saved a minute later' 'curtain: all data has been saved 0' "$(tail -1 err) $got"
 check 'an unfinished run: it is there' "$curtain" verify g $left
 
 rm -rf data
 touch way
 got=$({ begin; seen way/; rm way; minute; keys 60; } | plays --record way/x.demo)
-same 'a recording: saved a minute later' 'curtain: everything is saved now 0' "$(tail -1 err) $got"
+same 'a recording: saved a minute later' 'curtain: all data has been saved 0' "$(tail -1 err) $got"
 check 'a recording: it is whole' "$curtain" verify g way/x.demo
 
 # ---- it stays, or goes away at the end alone ----

@@ -306,7 +306,8 @@ static void test_order(void **state)
 {
     (void)state;
     bad(FIRE("<bullet/><direction>1</direction>"), "a.xml:3:36: <direction> must be before the bullet in its <fire>");
-    bad(FIRE("<bullet/><bullet/>"), "a.xml:3:36: <bullet>: second bullet in one <fire>");
+    bad(FIRE("<bullet/><bullet/>"),
+        "a.xml:3:36: <bullet>: second bullet in one <fire>; use a separate <fire> for each");
     bad(FIRE("<speed>1</speed><speed>1</speed><bullet/>"), "a.xml:3:43: more than one <speed> in <fire>");
     bad(TOP("<repeat><action/><times>2</times></repeat>"),
         "a.xml:3:38: <times> must be before the action in its <repeat>");

@@ -121,7 +121,7 @@ static void test_bdf_refused(void **state)
             "line 3: the header has no FONT_DESCENT and no FONTBOUNDINGBOX");
     refused("STARTFONT 2.1\nMETRICSSET 1\n", "line 2: vertical fonts are not supported");
     refused("STARTFONT 2.3\nSIZE 9 75 75 3\n", "line 2: 3 bits per pixel; expected 1, 2, 4 or 8");
-    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: 2 bits per pixel, but 4 earlier");
+    refused("STARTFONT 2.3\nSIZE 9 75 75 4\nBITS_PER_PIXEL 2\n", "line 3: 2 bits per pixel, but 4 in an earlier line");
     refused("STARTFONT 2.1\nFONT_ASCENT 0\nFONT_DESCENT 0\nSTARTCHAR A\n",
             "line 4: line height 0 px (ascent 0, descent 0); expected 1 to 128");
     refused(HEAD "STARTCHAR A\nENCODING 65", "line 11: the file ends inside a character");

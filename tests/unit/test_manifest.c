@@ -733,7 +733,7 @@ static void test_unpack_refuses(void **state)
     }
     bytes[0] = 5; /* which only a game has that runs documents */
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
-    assert_string_equal(err, "board.bulletml: 0 in a manifest of format 4");
+    assert_string_equal(err, "board.bulletml: 0 is not allowed in a manifest of format 4");
     r->m.bulletml = 300;
     assert_int_equal(manifest_pack(&r->m, bytes), sizeof bytes);
     assert_true(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));

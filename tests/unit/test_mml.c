@@ -184,7 +184,7 @@ static void test_mistakes(void **state)
         { "A \"drop", "x.mml:1:3: \" without a closing \"" },
         { "A E5,5 c", "x.mml:1:7: expected E attack,decay,sustain,release: milliseconds, and percent for sustain" },
         { "A ~r c", "x.mml:1:3: expected a note after ~, as in ~c16 d4" },
-        { "A ~c4 d4", "x.mml:1:7: the grace notes are as long as their note" },
+        { "A ~c4 d4", "x.mml:1:7: the grace notes leave no time for the note itself" },
         { "A c4 ~d r4", "x.mml:1:9: grace note before a rest" },
         { "A c4 ~d", "x.mml:1:8: grace note without a note after it" },
         { "A S2 c", "x.mml:1:5: expected S semitones,length, as in S2,16, or S0" },

@@ -167,13 +167,13 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
     const uint64_t need = layout(&m, data);
     if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
         m.steps > ML_MAX_WORDS || m.bytes > ML_MAX_TEXT)
-        return err_set(err, err_size, "too large for a program");
+        return err_set(err, err_size, "too large for a BulletML program");
     if (need != size)
         return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, need);
     if (!steps_ok(&m))
-        return err_set(err, err_size, "its program has an invalid value");
+        return err_set(err, err_size, "an expression in its program is invalid");
     if (!commands_ok(&m))
-        return err_set(err, err_size, "its program has an invalid command");
+        return err_set(err, err_size, "a command in its program is invalid");
     if (!tables_ok(&m))
         return err_set(err, err_size, "its top actions or labels are out of range");
     return true;

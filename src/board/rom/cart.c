@@ -490,7 +490,7 @@ static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_s
     char why[128];
 
     if (n > CART_MAX_TUNES)
-        return err_set(err, err_size, "%d pieces of music and sounds, expected at most %d", n, CART_MAX_TUNES);
+        return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", n, CART_MAX_TUNES);
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
         if (!tune_open(l.data, l.size, why, sizeof why))

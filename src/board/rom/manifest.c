@@ -394,7 +394,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     if (!w.good)
         return err_set(err, err_size, "unknown format");
     if (format == FORMAT && !m->bulletml)
-        return err_set(err, err_size, "board.bulletml: 0 in a manifest of format %d", FORMAT_PLAIN);
+        return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d", FORMAT_PLAIN);
     if (!manifest_check(m, err, err_size))
         return false;
     return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");

@@ -136,7 +136,7 @@ static void silence_music(struct board *b)
 }
 
 _Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE,
-               "each piece of music that is set aside needs a place for its voices");
+               "each piece of music that can be set aside needs storage for its voices");
 
 static void keep_music(struct board *b)
 {

@@ -37,7 +37,8 @@ static const struct {
         "buttons to hold: \"fire,left@60:90\", as in --press (2.fire for player 2); or a function called before each "
         "frame" },
       NULL },
-    { { "options.demo", "", "string?", "take the start and buttons from a demo in the game: \"demos/run.demo\"" },
+    { { "options.demo", "", "string?",
+        "use the start settings and buttons of a demo in the game, such as \"demos/run.demo\"" },
       NULL },
     { { "options.lang", "", "string?", "the game's language, from lang/NAME.txt" }, NULL },
     { { "options.lives", "", "integer?", "with stage: number of lives, 1 to 99" }, NULL },

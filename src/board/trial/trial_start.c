@@ -181,7 +181,7 @@ static void check_pairs(lua_State *L, const struct trial_options *o)
 
     if (s->demo && (own || o->function))
         vm_fault(L, FAULT_SCRIPT,
-                 "test.run: a demo has its own start and buttons; combine demo only with frames and faults");
+                 "test.run: a demo has its own start settings and buttons; combine demo only with frames and faults");
     if (!s->stage && practice)
         vm_fault(L, FAULT_SCRIPT, "test.run: lives, invincible and registers require stage");
 }

@@ -68,7 +68,7 @@ static void check_order(struct document_reader *r, int32_t node, int32_t child, 
     if (in == NODE_FIRE && (is & AIMS) && (before & BULLETS))
         bad_at(r, child, "<%s> must be before the %s in its <fire>", "bullet");
     else if (in == NODE_FIRE && (is & BULLETS) && (before & BULLETS))
-        bad_at(r, child, "<%s>: %s bullet in one <fire>", "second");
+        bad_at(r, child, "<%s>: %s bullet in one <fire>; use a separate <fire> for each", "second");
     else if (in == NODE_REPEAT && (is & BIT(NODE_TIMES)) && before)
         bad_at(r, child, "<%s> must be before the %s in its <repeat>", "action");
     else if (in == NODE_REPEAT && (is & COMMANDS & ~(unsigned)ACTIONS) && !(before & ACTIONS))

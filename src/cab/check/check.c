@@ -96,8 +96,8 @@ static void check_id(struct check *c)
     if (c->manifest && !symbols_returns(&c->rom, "id"))
         diagnostics_add(
             &c->found, "rom.lua", 0,
-            "no id; the folder's name is used, so a copy under a different name loses demos, saves and scores; "
-            "add id = \"%s\"",
+            "no id, so the folder's name is used: if you rename the folder, the game loses its demos, saves and "
+            "scores; add id = \"%s\"",
             c->m.id);
 }
 

@@ -167,7 +167,8 @@ static void note_ramp(void *context, const struct inspect_shape_of *kind)
         return;
     const char *file = declared(r->c, kind->of, kind->name, &line);
     diagnostics_add(&r->c->found, file, line,
-                    "%s \"%s\": its blend \"%s\" needs ramps, but colour %d in bank %d is darker than colour %d",
+                    "%s \"%s\": its blend \"%s\" needs a dark-to-light bank, but colour %d in bank %d "
+                    "is darker than colour %d",
                     kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
@@ -463,8 +464,8 @@ static void judge_contrast(struct run *r)
             continue;
         l->told = true;
         diagnostics_add(&r->c->found, r->what, 0,
-                        "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the first at %d,%d "
-                        "in frame %" PRIu32,
+                        "bullets \"%s\" in bank %d are hard to see: %d of %d in %d sampled frames; the "
+                        "first is at %d,%d in frame %" PRIu32,
                         l->kind, l->bank, l->faint, l->seen, k->samples, l->x, l->y, l->frame);
     }
 }

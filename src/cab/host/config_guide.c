@@ -28,16 +28,18 @@ void config_guide(void (*line)(const char *))
     line(text);
     line("");
     line(plat_size(CONFIG_FILE) < 0
-             ? "The file does not exist yet, so all settings are at their defaults. The Settings menu writes it."
-             : "The Settings menu writes the file. Settings that are not in it are at their defaults.");
-    line("You can also edit it by hand. Each line has the form NAME = VALUE; # starts a comment. If a line is wrong,");
-    line("its number is reported and the game does not start until you fix it. All settings, with their defaults and");
-    line("allowed values:");
+             ? "The file does not exist yet, so all settings have their default values. The Settings menu creates it."
+             : "The Settings menu updates the file. Settings that are not in the file have their default values.");
+    line("You can also edit the file by hand. Each line has the form NAME = VALUE, and # starts a comment.");
+    line("If a line is wrong, Curtain shows its number and waits until you fix it.");
+    line("");
+    line("These are all settings with their default values, allowed values and effects:");
     line("");
     config_help(line);
     line("");
-    line("Key bindings use the names that `curtain help play` lists: up to six keys and buttons for each action, or");
-    line("none. Example:");
+    line("You can also bind up to six keys and buttons, or none, to each action; `curtain help play` lists the names.");
+    line("");
+    line("Example of a settings file:");
     line("");
     for (size_t i = 0; i < sizeof example / sizeof *example; i++)
         line(example[i]);

@@ -24,7 +24,7 @@ static const struct action {
     { "p1.bomb", "Bomb", "x pad.east", "bomb; cancel in menus" },
     { "p1.focus", "Focus", "lshift pad.r1 pad.r2", "move slowly" },
     { "p1.special", "Special", "c pad.west pad.l1", "depends on the game" },
-    { "p1.start", "Start", "enter 1 pad.start", "start; pauses the game" },
+    { "p1.start", "Start", "enter 1 pad.start", "start; pause while playing" },
     { "p1.select", "Select", "tab pad.select", "depends on the game" },
     { "p2.up", "Up", "w kp8 pad.up pad.lup", "player 2" },
     { "p2.down", "Down", "s kp5 kp2 pad.down pad.ldown", "" },
@@ -45,7 +45,7 @@ static const struct action {
     { "before", "Previous Event", "lbracket", "jump to the previous stage, boss, phase or death" },
     { "after", "Next Event", "rbracket", "jump to the next stage, boss, phase or death" },
     { "goto", "Go to Frame", "home", "enter a frame number and jump there" },
-    { "takeover", "Take Over", "t", "in a demo: play from here, as a new demo" },
+    { "takeover", "Take Over", "t", "in a demo: play from the current frame on" },
     { "reload", "Reload", "f5", "reload the game's folder now" },
     { "practice", "Practice", "f2", "choose a section to practise" },
     { "retry", "Retry", "r", "restart the section immediately" },
@@ -62,7 +62,7 @@ static const struct action {
     { "shapes", "Show Hitboxes", "h", "show hitboxes and graze rings over the picture" },
     { "gauges", "Pool Usage", "g", "show how full each pool is and how much Lua memory is used" },
     { "split", "Frame Times", "v", "show how each frame's time is spent" },
-    { "tasks", "Tasks", "n", "show tasks with their current lines and the count of random numbers" },
+    { "tasks", "Tasks", "n", "show tasks, their current lines, and how many random numbers were drawn" },
     { "mixer", "Mixer", "f3", "show voices, levels and the position in the music" },
     { "console", "Console", "backquote", "run a line of Lua while the game is paused" },
 };
@@ -111,8 +111,10 @@ static bool read_list(const char *action, const char *list, uint16_t *code, int 
     for (const char *s = strcmp(list, "none") == 0 ? "" : list; next_word(&s, word);) {
         uint16_t c = switch_code(word);
         if (!c || n == most) {
-            snprintf(err, err_size, c ? "%s: \"%s\" is one key too many" : "%s: unknown key or button \"%s\"", action,
-                     word);
+            snprintf(err, err_size,
+                     c ? "%s: expected at most six keys and buttons; remove \"%s\""
+                       : "%s: unknown key or button \"%s\"",
+                     action, word);
             return false;
         }
         code[n++] = c;

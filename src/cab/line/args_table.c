@@ -135,7 +135,8 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_EVERY] = { "--every", "N", FOR_HASH, NUMBER(every, 1, ARGS_MAX_FRAME), "print only every Nth frame" },
     [OPTION_PARTS] = { "--parts", NULL, FOR_HASH, SWITCH(parts), "also print the hash of each part" },
     [OPTION_TRACE] = { "--trace", "PARTS", FOR_HASH, NAMES(traces, n_traces),
-                       "print the contents of these parts (bullets,player or all), one line per slot; repeatable" },
+                       "print the contents of these parts, one line per slot; PARTS is a list such as "
+                       "bullets,player, or the word all; repeatable" },
     [OPTION_DIM] = { "--dim", "WORD", FOR_VIEW, WORD(dim, views_dim),
                      "darken backgrounds: none, quarter, half, most (three quarters)" },
     [OPTION_FLASHES] = { "--flashes", "WORD", FOR_VIEW, WORD(flashes, views_flashes),
@@ -161,21 +162,21 @@ const struct option_row args_options[OPTIONS] = {
     [OPTION_MAP] = { "--map", "F.png", FOR_SURVIVE, TEXT(map), "draw where the ship can be, frame by frame" },
     [OPTION_ALL] = { "--all", NULL, FOR_SURVIVE | FOR_EXPORT, SWITCH(all),
                      "export: write a zip file for each of --linux, --windows, --web and --libretro to the folder "
-                     "ID-exports; each contains the licences and a README for players; survive: search every stage and "
-                     "boss phase at every difficulty, print a line for each, and report those "
-                     "that are harder at an easier difficulty; --stage and --difficulty limit the search" },
+                     "ID-exports, each with the licences and a README for players; survive: search every stage and "
+                     "boss phase at every difficulty (or those that --stage and --difficulty choose), print a line for "
+                     "each, and report those that are harder at an easier difficulty" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
     [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),
-                      "do not search: run N simple bots that continue after each hit, and report hits per minute; with "
-                      "--all, split stages at their marks" },
+                      "instead of searching, run N simple bots that continue after each hit, and report hits per "
+                      "minute; with --all, split stages at their marks" },
     [OPTION_RESUME] = { "--resume", NULL, FOR_PLAY, SWITCH(resume), "resume the unfinished run without asking" },
     [OPTION_NO_RESUME] = { "--no-resume", NULL, FOR_PLAY, SWITCH(no_resume),
                            "start at the title without asking; the unfinished run stays saved until you start "
                            "another" },
     [OPTION_NEAREST] = { "--nearest", NULL, FOR_GAMES, SWITCH(nearest),
-                         "when packing a folder: replace each colour that is not in the bank with the nearest one that "
-                         "is" },
+                         "when packing a folder: replace each colour that is not in the bank with the bank's nearest "
+                         "colour" },
     [OPTION_PLAIN] = { "--plain", NULL, FOR_PACK, SWITCH(plain),
                        "do not compress, for machines that read the ROM in place; the game is the same" },
     [OPTION_FROM] = { "--from", "NAME", FOR_NEW, TEXT(from),
@@ -188,11 +189,9 @@ const struct option_row args_options[OPTIONS] = {
                          "rewrite passing demos in the newest format, for this ROM" },
     [OPTION_RERECORD] = { "--rerecord", NULL, FOR_VERIFY, SWITCH(rerecord),
                           "for demos from a different core version or build: replay their buttons to the end and "
-                          "rewrite "
-                          "the demos for this one; report changes in checksums, score, markers and length. Exit code "
-                          "0: "
-                          "score, markers and length are known to be unchanged; 1: they changed or are unknown; 2: "
-                          "nothing was written" },
+                          "rewrite them for this build; report changes in checksums, score, markers and length. Exit "
+                          "code 0: score, markers and length are known to be unchanged; 1: they changed or are "
+                          "unknown; 2: nothing was written" },
     [OPTION_JSON] = { "--json", NULL, FOR_VERIFY | FOR_LIST | FOR_BENCH | FOR_SURVIVE, SWITCH(json),
                       "print JSON. verify: one object per demo, one per line: verdict, score, ship, difficulty, flags, "
                       "length, moments, hashes (docs/reference/demo-format.md); list --replays: one object per replay; "

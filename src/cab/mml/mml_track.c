@@ -209,7 +209,7 @@ static void use_inst(struct reader *r, uint32_t from)
     const int i = mml_use_inst(r->m, &r->inst);
 
     if (i < 0)
-        BAD(r, from, "more than %d instruments; each vibrato and envelope defines another one", (int)TUNE_INSTS);
+        BAD(r, from, "more than %d instruments; each vibrato or envelope counts as another", (int)TUNE_INSTS);
     if (i != r->inst_now)
         event(r, r->tick, TUNE_INST, i, 0);
     r->inst_now = i;
@@ -279,7 +279,7 @@ static uint32_t play_graces(struct reader *r, uint32_t ticks, uint32_t from)
         BAD(r, from, "grace note inside a slur");
     for (int i = 0; i < r->graces; i++) {
         if (r->grace_ticks[i] >= ticks)
-            BAD(r, from, "the grace notes are as long as their note");
+            BAD(r, from, "the grace notes leave no time for the note itself");
         event(r, r->tick, TUNE_NOTE, r->grace[i], 0);
         r->tick += r->grace_ticks[i];
         event(r, r->tick, TUNE_OFF, 0, 0);

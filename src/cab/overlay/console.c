@@ -87,7 +87,7 @@ static void run(struct console *c, struct board *b, bool keeps)
         board_restore(b, c->snapshot);
     print(c, good ? CANVAS_WHITE : CANVAS_RED, out);
     if (good && kept)
-        print(c, CANVAS_GREY, "changes kept; the run is marked as touched, and its scores are not saved");
+        print(c, CANVAS_GREY, "changes kept; the run is marked as \"touched\", and its scores are not saved");
     c->kept = c->kept || (good && kept);
 }
 

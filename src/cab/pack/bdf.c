@@ -195,7 +195,7 @@ static bool read_bits(struct reader *r, int64_t bits)
     if (bits != 1 && bits != 2 && bits != 4 && bits != 8)
         return refuse(r, "%d bits per pixel; expected 1, 2, 4 or 8", (int)bits);
     if (r->bits != 1 && r->bits != bits)
-        return refuse(r, "%d bits per pixel, but %d earlier", (int)bits, r->bits);
+        return refuse(r, "%d bits per pixel, but %d in an earlier line", (int)bits, r->bits);
     r->bits = (int)bits;
     return true;
 }

@@ -268,7 +268,9 @@ void cab_resume_arrived(struct cab *cab)
     cab->paused = cab->awaits = true;
     cab->timebar_left = 0;
     cab_notice(cab, CAB_NOTICE_STAYS, "Run resumed: press a button%s",
-               cab->guest.same ? "" : ". High scores have changed since then, so this run's scores are not saved");
+               cab->guest.same ? ""
+                               : ". High scores have changed since you left this run, so its scores are not saved");
     cab_say(cab, "curtain: %s: resumed at frame %u%s", cab_game(cab), (unsigned)d->frames,
-            cab->guest.same ? "" : "; high scores have changed since then, so this run's scores are not saved");
+            cab->guest.same ? ""
+                            : "; high scores have changed since the run was interrupted, so its scores are not saved");
 }

@@ -531,8 +531,8 @@ void cab_retry(struct cab *cab)
     if (!all || !spare || !recorded)
         return;
     u->shown = false;
-    cab_notice(cab, CAB_NOTICE_FRAMES, "Everything is saved now");
-    cab_say(cab, "curtain: everything is saved now");
+    cab_notice(cab, CAB_NOTICE_FRAMES, "All data has been saved");
+    cab_say(cab, "curtain: all data has been saved");
 }
 
 void cab_retry_last(struct cab *cab)

@@ -277,7 +277,7 @@ void cab_step(struct cab *cab)
 
 static void notice_first_frame(struct cab *cab)
 {
-    cab_notice(cab, BAR_STAYS, "No history before frame %u", (unsigned)session_first(&cab->session));
+    cab_notice(cab, BAR_STAYS, "Cannot go back before frame %u", (unsigned)session_first(&cab->session));
 }
 
 void cab_goto(struct cab *cab, uint32_t frame)

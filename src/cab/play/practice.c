@@ -278,7 +278,7 @@ static void describe_section(const struct practice_menu *m, const struct section
              section->title);
     snprintf(row->value, sizeof row->value, "%d/%d", r ? (int)r->captures : 0, r ? (int)r->attempts : 0);
     if (m->records.damaged)
-        snprintf(row->help, sizeof row->help, "Not counted: the attempts file is damaged.");
+        snprintf(row->help, sizeof row->help, "Attempts are not counted: the practice file is damaged.");
     else if (r && r->attempts)
         snprintf(row->help, sizeof row->help, "Cleared in %d of %d attempts.", (int)r->captures, (int)r->attempts);
     else

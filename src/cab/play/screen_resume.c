@@ -56,16 +56,16 @@ static void describe(struct cab *cab, const struct card *c)
     const struct rom *rom = cab_cart(cab)->rom;
     const unsigned seconds = (c->last - c->first) / 60;
     const bool same = c->rom == rom_hash(rom) || c->game == rom_game_hash(rom);
-    int n = snprintf(cab->left.text, sizeof cab->left.text, "Played for %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
-                     c->ship[0] ? " with " : "", c->ship, c->flags & DEMO_RESUMED ? ", resumed before" : "");
+    int n = snprintf(cab->left.text, sizeof cab->left.text, "Play time: %u:%02u%s%s%s. ", seconds / 60, seconds % 60,
+                     c->ship[0] ? ", ship: " : "", c->ship, c->flags & DEMO_RESUMED ? ", previously resumed" : "");
     char *more = cab->left.text + n;
     const size_t room = sizeof cab->left.text - (size_t)n;
 
     cab->left.changed = !same;
     cab->left.can = c->core == CORE_VERSION && (same || roms_has(c->id, c->rom));
     if (c->core != CORE_VERSION)
-        snprintf(more, room, "Cannot resume: recorded with core version %u; this is %d.", (unsigned)c->core,
-                 CORE_VERSION);
+        snprintf(more, room, "Cannot resume: the run needs core version %u, but this program has version %d.",
+                 (unsigned)c->core, CORE_VERSION);
     else if (!cab->left.can)
         snprintf(more, room, "Cannot resume: the game has changed and its old version is not stored.");
     else if (!same)

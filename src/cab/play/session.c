@@ -252,7 +252,7 @@ bool session_go_on(struct session *s, unsigned flags)
     const struct board *b = session_board(s);
 
     if (!s->demo || board_last(b)->fault || board_frame(b) != s->demo->frames)
-        return fail(s, "its recording does not replay to the end");
+        return fail(s, "the run's recording does not replay to the end");
     if (s->differs)
         return fail(s, "playback diverged from the recording");
     session_stop(s);

@@ -110,9 +110,9 @@ static const char mingw_whose[] = "Copyright (c) 2009-2016 the mingw-w64 project
 static const char nothing[] = "No notice is required.\n";
 #ifndef __MINGW32__
 static const char of_system[] =
-    "It belongs to the operating system and is not in this program's file, so no notice is required.\n";
+    "This library is part of the operating system, not of this program, so no notice is required.\n";
 #endif
-static const char unknown[] = "Its licence is unknown; ask the author of this port of Curtain.\n";
+static const char unknown[] = "The licence is unknown; ask the author of this port of Curtain.\n";
 
 struct work {
     char name[32], version[128];
@@ -197,7 +197,7 @@ void licences_notices(struct reel *out)
     };
 
     reel_print(out,
-               "This game contains software by others. The notices below are for the downloads for all systems. Your\n"
+               "This game contains software by others. The notices below cover the downloads for all systems. Your\n"
                "download may contain only some of this software.\n");
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         reel_print(out, "\n---- %s ----\n\n%s\n", all[i].name, all[i].whose);

@@ -219,7 +219,7 @@ void records_load(struct records *r, const char *id)
     r->damaged = !good;
     if (good)
         return;
-    snprintf(line, sizeof line, "%s; practice is not counted, and the file is unchanged", why);
+    snprintf(line, sizeof line, "%s; attempts are not counted, and the file is not changed", why);
     report(file, line);
 }
 
