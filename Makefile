@@ -71,10 +71,13 @@ STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 EXAMPLES  := $(sort $(wildcard share/help/*.md))
 # What `curtain new` writes.
 TEMPLATES := $(sort $(shell find $(patsubst %,examples/%,first pattern shooter bulletml) -type f ! -name '.*' ! -path '*/failed/*'))
+# What `curtain register` writes, by its place in a data folder; tools/install.sh installs the same files.
+DESKTOP   := applications/curtain.desktop=share/curtain.desktop mime/packages/curtain.xml=share/curtain-mime.xml \
+             icons/hicolor/128x128/apps/curtain.png=share/icons/128.png
 BOARD_OBJ := $(BOARD_SRC:%.c=$(OUT)/%.o)
 CAB_OBJ   := $(CAB_SRC:%.c=$(OUT)/%.o) $(OUT)/gen/std.o
 # The host's half of the platform: platform/host.h.
-HOST      := $(if $(findstring mingw,$(CC)),win win_process,$(if $(findstring wasm,$(CC)),posix no_process,posix posix_process))
+HOST      := $(if $(findstring mingw,$(CC)),win win_process win_register,$(if $(findstring wasm,$(CC)),posix no_process,posix posix_process))
 HOST_OBJ  := $(patsubst %,$(OUT)/platform/%.o,stdio $(HOST))
 CORE_OBJ  := $(BOARD_OBJ) $(CAB_OBJ) $(HOST_OBJ) \
              $(if $(findstring sanitize=memory,$(OPT)),$(OUT)/tests/inject/unpoison.o)
@@ -175,11 +178,11 @@ $(OUT)/start.is: FORCE
 	@mkdir -p $(@D)
 	@echo '$(TEMPLATES)' | cmp -s - $@ || echo '$(TEMPLATES)' > $@
 
-$(OUT)/gen/std.c: $(STD_LUA) $(TEMPLATES) $(EXAMPLES) $(OUT)/start.is $(OUT)/embed
+$(OUT)/gen/std.c: $(STD_LUA) $(TEMPLATES) $(EXAMPLES) $(foreach f,$(DESKTOP),$(lastword $(subst =, ,$f))) $(OUT)/start.is $(OUT)/embed
 	@mkdir -p $(@D)
 	$(SAY) "  MAKE  $@"
 	$(Q)$(OUT)/embed std $(foreach f,$(STD_LUA),$(patsubst scripts/%.lua,%,$f)=$f) -- \
-		$(foreach f,$(TEMPLATES),$(f:examples/%=%)=$f) -- $(foreach f,$(EXAMPLES),$(patsubst share/help/%.md,%,$f)=$f) > $@
+		$(foreach f,$(TEMPLATES),$(f:examples/%=%)=$f) -- $(foreach f,$(EXAMPLES),$(patsubst share/help/%.md,%,$f)=$f) -- $(DESKTOP) > $@
 
 $(OUT)/gen/no_rom.c: $(OUT)/embed
 	@mkdir -p $(@D)

@@ -84,6 +84,13 @@ void plat_last_word(const char *last)
     (void)last;
 }
 
+enum plat_registered plat_register(const struct plat_file_type *type, bool on)
+{
+    (void)type;
+    (void)on;
+    return PLAT_NO_REGISTRY;
+}
+
 bool plat_has_command(const char *name)
 {
     (void)name;

@@ -202,6 +202,10 @@ void plat_slashes(char *path);
  * "NAME: ". */
 void plat_name(const char *name);
 
+/* Shows a sentence in a window and waits until the user closes it; works before plat_open and after plat_close. The
+ * default does nothing. */
+void plat_alert(const char *text);
+
 /* Writes a name by which the program's own file can be read, whatever it is called by now. False: the host does not
  * say. */
 bool plat_program(char *name, size_t size);
@@ -210,6 +214,9 @@ bool plat_program(char *name, size_t size);
  * "../share/curtain/player.html"; whether it is there is another question. False: the host does not say where the
  * program is. */
 bool plat_beside(const char *path, char *name, size_t size);
+
+/* Writes the path of the program's own file, from the root, links followed. False: the host does not say. */
+bool plat_program_path(char *path, size_t size);
 
 /* Lets those who can read a file run it as a program; where there is no such thing, nothing. False: it cannot be. */
 bool plat_runnable(const char *name);
@@ -282,7 +289,25 @@ bool plat_terminal(void);
 /* Writes `last` to standard error before the program ends by Ctrl+C or SIGTERM. NULL: nothing. */
 void plat_last_word(const char *last);
 
-/* True if a program of that name can be run. name: letters and digits. */
+/* A type of file that a double click opens with this program: files that end in .ENDING. */
+struct plat_file_type {
+    const char *ending; /* "rom" */
+    const char *name;   /* the type's own name in the registry: "Curtain.Game" */
+    const char *title;  /* for the user: "Curtain game" */
+};
+
+enum plat_registered {
+    PLAT_NO_REGISTRY,    /* this host stores file types in another way */
+    PLAT_NOT_REGISTERED, /* it failed; errno says why */
+    PLAT_SECOND,         /* another program stays the default; this one can be chosen */
+    PLAT_REGISTERED      /* or, with on = false, removed */
+};
+
+/* For the current user, and hosts with a registry of file types (Windows): with `on`, a double click on such a file
+ * runs this program as `play FILE`, unless another program is the default; else removes what that call wrote. */
+enum plat_registered plat_register(const struct plat_file_type *type, bool on);
+
+/* True if a program of that name can be run. name: letters, digits and dashes. */
 bool plat_has_command(const char *name);
 
 /* Starts the program words[0] with these words, which end with NULL, and returns its standard input. One at a time.

@@ -251,6 +251,13 @@ bool plat_terminal(void)
 }
 
 /* Searches PATH like a shell. */
+enum plat_registered plat_register(const struct plat_file_type *type, bool on)
+{
+    (void)type;
+    (void)on;
+    return PLAT_NO_REGISTRY;
+}
+
 bool plat_has_command(const char *name)
 {
     const char *path = getenv("PATH");

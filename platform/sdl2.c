@@ -36,8 +36,8 @@ enum {
     X(InitSubSystem) X(IsGameController) X(JoystickGetDeviceInstanceID) X(JoystickInstanceID) X(LockTexture)          \
     X(NumJoysticks) X(OpenAudioDevice) X(PauseAudioDevice) X(PollEvent) X(QueueAudio) X(Quit) X(RenderClear)          \
     X(RenderCopy) X(RenderPresent) X(SetHint) X(SetRenderDrawColor) X(SetTextureBlendMode) X(SetWindowFullscreen)     \
-    X(SetWindowIcon) X(SetWindowMinimumSize) X(SetWindowSize) X(SetWindowTitle) X(ShowCursor) X(StartTextInput)       \
-    X(StopTextInput) X(UnlockTexture) X(UpdateTexture) X(WasInit)
+    X(SetWindowIcon) X(SetWindowMinimumSize) X(SetWindowSize) X(SetWindowTitle) X(ShowCursor) X(ShowSimpleMessageBox) \
+    X(StartTextInput) X(StopTextInput) X(UnlockTexture) X(UpdateTexture) X(WasInit)
 /* clang-format on */
 
 /* Newer than 2.0.10: NULL if the library is too old. */
@@ -366,6 +366,12 @@ void plat_close(void)
     memset(&port, 0, sizeof port);
     memset(&in, 0, sizeof in);
     sdl.Quit();
+}
+
+void plat_alert(const char *text)
+{
+    if (load())
+        sdl.ShowSimpleMessageBox(SDL_MESSAGEBOX_ERROR, "Curtain", text, NULL);
 }
 
 /* ---- switches ---- */

@@ -4,8 +4,8 @@
  *
  * Every function is a weak symbol: a port that defines the same name wins. A build without weak symbols leaves out the
  * functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _CONTROLLER,
- * _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _BESIDE, _CRASH, _ABOUT and _FILES (path, size, load, save, append,
- * remove, list, same, stream and runnable together).
+ * _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _ALERT, _BESIDE, _PROGRAM_PATH, _CRASH, _ABOUT and _FILES (path, size,
+ * load, save, append, remove, list, same, stream and runnable together).
  */
 #include <errno.h>
 #include <stdio.h>
@@ -192,6 +192,21 @@ DEFAULT void plat_log(const char *line)
     }
     if (n > 0)
         host_log(text, (size_t)n);
+}
+#endif
+
+#ifndef PLAT_OWN_ALERT
+DEFAULT void plat_alert(const char *text)
+{
+    (void)text;
+}
+#endif
+
+#ifndef PLAT_OWN_PROGRAM_PATH
+DEFAULT bool plat_program_path(char *path, size_t size)
+{
+    char real[HOST_PATH];
+    return host_program_path(real) && snprintf(path, size, "%s", real) < (int)size;
 }
 #endif
 

@@ -6,7 +6,8 @@
  * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_fit,
  * plat_window, plat_paint, plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path,
  * plat_size, plat_load, plat_same, plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program,
- * plat_beside, plat_runnable, plat_crash, plat_about, plat_system and plat_log to your file: yours win at the link.
+ * plat_program_path, plat_alert, plat_beside, plat_runnable, plat_crash, plat_about, plat_system and plat_log to your
+ * file: yours win at the link.
  *
  * src/cab/main.c is the loop. Where the host has one, leave that out of the link, and call program_open, program_frame
  * and program_close from here.

@@ -3,6 +3,7 @@
 # byte; and a window with real keys: pictures, sound, paths, a folder that cannot be written, two instances, hot reload.
 #
 #     tests/windows.sh          TAP. `make windows` and `make` come first. Exit 1: something differs.
+#     tests/windows.sh --clicks     double clicks alone
 #
 # Wine's own folder is build/windows/wine. The table of the commands is build/windows/commands.txt, and the pictures of
 # the window that are there to be looked at are build/windows/*.png.
@@ -25,6 +26,7 @@ other=
 /usr/lib/wine/wineserver64 -p 2>/dev/null
 short=
 [ "${1:-}" != --short ] || short=yes # what needs no window
+[ "${1:-}" != --clicks ] || { . "$repo/tests/windows/clicks.sh"; finish; }
 
 # ---- the file ----
 dump=$(x86_64-w64-mingw32-objdump -p "$exe")
@@ -419,21 +421,5 @@ if plays 'Glass Tide' play "$glass" --seed 1 --scale 1 --stage one; then
     check 'and has the run up to it' eval '"$native" verify "$glass" "$report" 2>&1 | grep -qE "holds|truncated"'
 fi
 
-# ---- a double click ----
-windows() { xdotool search --onlyvisible --name "$1" 2>/dev/null | wc -l; }
-x86_64-w64-mingw32-gcc -O1 "$repo/tests/windows/console.c" -o console.exe
-wine start console.exe >/dev/null 2>&1
-console_opens() { [ "$(windows 'console\.exe')" -gt 0 ]; }
-check 'planted: a program of the console opens one by a double click' soon console_opens
-clicked() { # FILE TITLE
-    title=$2
-    wine start "$(as_windows "$1")" >/dev/null 2>&1
-    check "$2 opens its window" soon found
-    same 'and no console' 0 "$(windows "$(basename "$1")")"
-    xdotool windowactivate --sync "$win" 2>/dev/null
-    xdotool keydown ctrl && sleep 1 && xdotool keydown q && sleep 1 && xdotool keyup q keyup ctrl
-    check 'and ends' soon eval '! found'
-}
-clicked "$exe" 'Glass Tide'
-clicked "$scratch/moth.exe" "$(sed -n 's/.*title = "\([^"]*\)".*/\1/p' "$repo/examples/moth/rom.lua")"
+. "$repo/tests/windows/clicks.sh"
 finish

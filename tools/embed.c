@@ -1,10 +1,11 @@
 /*
  * embed.c - files into a C source, for those the program carries inside: the standard library and the built-in game.
  *
- *     embed std NAME=FILE... -- NAME=FILE... -- NAME=FILE...     std_scripts[] and std_script_count; start_files[] and
- *                                start_file_count, the games that `curtain new` writes; help_files[] and
- *                                help_file_count, the examples that `curtain help lua NAME` prints; within a list, a
- *                                file that is there twice is embedded once
+ *     embed std NAME=FILE... -- NAME=FILE... -- NAME=FILE... -- NAME=FILE...
+ *                                std_scripts[] and std_script_count; start_files[] and start_file_count, the games that
+ *                                `curtain new` writes; help_files[] and help_file_count, the examples that
+ *                                `curtain help lua NAME` prints; desktop_files[] and desktop_file_count, what
+ *                                `curtain register` writes; within a list, a file that is there twice is embedded once
  *     embed rom [FILE]           builtin_rom[] and builtin_rom_size; 0 without a file, for the program that packs it
  *
  * The source goes to standard output. Every array has one zero after its data, so that none is empty.
@@ -92,18 +93,20 @@ static int list_end(int n, char **args, int from)
     while (from < n && strcmp(args[from], "--") != 0)
         from++;
     if (from == n)
-        die("expected three lists with -- between them", "std");
+        die("expected four lists with -- between them", "std");
     return from;
 }
 
 static void embed_std(int n, char **args)
 {
     const int scripts = list_end(n, args, 0), games = list_end(n, args, scripts + 1);
+    const int examples = list_end(n, args, games + 1);
 
     printf("struct embedded {\n    const char *name;\n    const uint8_t *data;\n    size_t size;\n};\n");
     embed_list("std", "std_scripts", "std_script_count", scripts, args);
     embed_list("start", "start_files", "start_file_count", games - scripts - 1, args + scripts + 1);
-    embed_list("help", "help_files", "help_file_count", n - games - 1, args + games + 1);
+    embed_list("help", "help_files", "help_file_count", examples - games - 1, args + games + 1);
+    embed_list("desktop", "desktop_files", "desktop_file_count", n - examples - 1, args + examples + 1);
 }
 
 static void embed_rom(const char *file)

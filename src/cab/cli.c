@@ -4,6 +4,7 @@
  */
 #include "cli.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include "../../platform/platform.h"
 #include "../base/host.h"
@@ -16,10 +17,12 @@
 #include "headless.h"
 #include "host/report.h"
 #include "line/args.h"
+#include "line/demo_game.h"
 #include "listen/listen.h"
 #include "measure/bench.h"
 #include "share/licences.h"
 #include "share/own.h"
+#include "share/register.h"
 #include "start/start.h"
 #include "store/output_paths.h"
 #include "survive/survive.h"
@@ -58,6 +61,7 @@ static bool outputs(const struct args *a, char *err, size_t err_size)
 
 struct program {
     struct args args;
+    struct demo_game demo_game; /* of args */
     struct running running;
     enum result result; /* of what is not running */
 };
@@ -70,7 +74,8 @@ static enum result run(struct program *p, int argc, char **argv)
     enum result own = own_open(err, sizeof err);
     if (own != RESULT_DONE)
         return report_line(own, "%s", err);
-    if (!args_parse(a, argc, argv, err, sizeof err) || !allowed(a, err, sizeof err) || !outputs(a, err, sizeof err))
+    if (!args_parse(a, argc, argv, err, sizeof err) || !demo_game_find(a, &p->demo_game, err, sizeof err) ||
+        !allowed(a, err, sizeof err) || !outputs(a, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)
@@ -96,6 +101,8 @@ static enum result run(struct program *p, int argc, char **argv)
         return start_new(a->words[0], a->from);
     case COMMAND_EXPORT:
         return command_export(a);
+    case COMMAND_REGISTER:
+        return register_command(a->remove);
     case COMMAND_LICENCES:
         return licences_run(a->full);
     case COMMAND_CHECK:
@@ -162,6 +169,27 @@ bool program_frame(struct program *p)
     return goes_on;
 }
 
+enum { BOX = 64 /* columns */ };
+
+/* Boxes of SDL do not break lines. */
+static void show_error(void)
+{
+    char text[2048], *blank = NULL;
+    int column = 0;
+
+    snprintf(text, sizeof text, "%s", report_last());
+    for (char *p = text; *p; p++) {
+        blank = *p == ' ' ? p : blank;
+        column += (*p & 0xc0) != 0x80; /* bytes that continue a character of UTF-8 have no column */
+        if (column <= BOX || !blank)
+            continue;
+        *blank = '\n';
+        column = (int)(p - blank);
+        blank = NULL;
+    }
+    plat_alert(text);
+}
+
 int program_close(struct program *p)
 {
     struct host host;
@@ -169,6 +197,8 @@ int program_close(struct program *p)
     host_enter(&host);
     const enum result result = p->running.frame ? p->running.close(p->running.of) : p->result;
     host_leave(&host);
+    if (p->args.dialog && result != RESULT_DONE)
+        show_error();
     free(p);
     return exit_code(result);
 }

@@ -65,7 +65,7 @@ other_name() { [ "$(cat "$usr/share/man/man1/curtain-null.1")" = '.so man1/curta
 check 'curtain-null has the same page' other_name
 entry=$usr/share/applications/curtain.desktop
 check 'the entry of the menu is valid' desktop-file-validate "$entry"
-starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=\([a-z]*\) %f$/\1/p' "$entry")" ]; }
+starts() { [ -x "$usr/bin/$(sed -n 's/^Exec=\([a-z]*\) play --dialog %f$/\1/p' "$entry")" ]; }
 check 'it starts the installed program' starts
 icons() { # of three sizes
     local size
@@ -83,7 +83,7 @@ refuse 'planted: without an id' 'Validation failed' \
 sed '/^Type=/d' "$entry" >"$scratch/curtain.desktop"
 refuse 'planted: an entry of no type' 'Type' desktop-file-validate "$scratch/curtain.desktop"
 
-# A double click: the kind of a file that is a ROM, by its name or by how it begins, and what opens it.
+# A double click: the kind of a file that is a ROM or a replay, by its name or by how it begins, and what opens it.
 desktop() { # COMMAND...: as one that knows this installation alone
     env -u DISPLAY XDG_DATA_HOME="$scratch/mine" XDG_DATA_DIRS="$usr/share" XDG_CONFIG_HOME="$scratch/mine" \
         PATH="$usr/bin:$PATH" "$@"
@@ -98,8 +98,13 @@ cp "$scratch/mygame.rom" "$scratch/by-its-first-bytes"
 for file in by-name.rom by-its-first-bytes; do
     check "a ROM is told: $file" is_rom "$scratch/$file"
 done
-opens() { desktop gio mime application/x-curtain-rom | grep -q 'curtain\.desktop'; }
-check 'curtain opens it' opens
+"$installed" hash roms/testcard --frames 9 --record "$scratch/by-name.demo" >/dev/null
+cp "$scratch/by-name.demo" "$scratch/a-replay"
+for file in by-name.demo a-replay; do
+    same "a replay is told: $file" application/x-curtain-demo "$(kind "$scratch/$file")"
+done
+opens() { desktop gio mime "application/x-curtain-$1" | grep -q 'curtain\.desktop'; }
+for type in rom demo; do check "curtain opens a .$type" opens $type; done
 find "$usr/share/mime" -mindepth 1 -maxdepth 1 ! -name packages -exec rm -r {} +
 rm "$usr/share/applications/mimeinfo.cache"
 makes install PREFIX="$scratch/here" >/dev/null 2>&1

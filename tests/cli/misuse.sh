@@ -118,6 +118,31 @@ bad 'export of nothing' 'export: expected ROM, got "" (see curtain help export)'
 bad 'a fault while measuring' \
     'nope: frame 0: main.lua:21: boot.run: unknown stage "nope" (did you mean "one"?)' bench g --stage nope
 
+# ---- a demo that names no game, and register ----
+
+mkdir -p far/off
+cp a.demo far/off/a.demo
+checksum=$("$curtain" verify g a.demo --json | jq -r .recorded.game)
+bad 'a demo without its game' "far/off/a.demo: recorded with the game \"g\" (checksum $checksum), which was not found; \
+put the game next to the replay, or name it: curtain play GAME --demo \"far/off/a.demo\"" far/off/a.demo
+cp -r g far/g
+echo '-- changed' >>far/g/main.lua
+bad 'a demo with another version of its game' "far/off/a.demo: recorded with another version of \
+$(sed -n 's/.*title = "\([^"]*\)".*/\1/p' g/rom.lua) (checksum $checksum; $scratch/far/g has \
+$("$curtain" hash far/g --frames 1 --record new.demo >/dev/null; "$curtain" verify far/g new.demo --json |
+    jq -r .recorded.game)); to play it anyway: curtain play \"$scratch/far/g\" --demo \"far/off/a.demo\"" far/off/a.demo
+for option in --seed=1 --dip=a=b --stage=one --difficulty=easy --lang=ja --resume; do
+    bad "a demo with $option" "${option%%=*} cannot be combined with a.demo: the demo sets it" a.demo $option
+done
+bad 'a demo that is recorded into itself' '--record: a.demo is the demo being played; choose another file' \
+    a.demo --record a.demo
+printf 'CDEM' >bad.demo
+bad 'a demo that is none' 'bad.demo: not a demo' play bad.demo
+bad 'register of a game' 'register: unexpected argument "g" (see curtain help register)' register g
+bad 'register, without a window' 'register: this program has no window; use curtain' register
+bad '... also to remove it' 'register: this program has no window; use curtain' register --remove
+rm -r far new.demo bad.demo
+
 # ---- links, devices, disks ----
 
 ln -s loop loop

@@ -30,7 +30,7 @@ SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h"
 # The defaults of platform.h, and each host's half of them: they share headers that a port does not see.
 HOST_HEADERS = {"platform/host.h", "platform/win.h"}
 WINDOWS = {"windows.h", "io.h", "shlobj.h"}
-HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process)?\.[ch]$|platform/host\.h$")
+HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process|_register)?\.[ch]$|platform/host\.h$")
 LINKED = {"src/cab/pack/png.c", "platform/sdl2.c"}  # these include headers of libraries that every build needs
 HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')

@@ -90,14 +90,24 @@ static void test_commands(void **state)
     reads("bulletml a.xml b.xml --lua");
     assert_true(a.command == COMMAND_BULLETML && a.lua && a.n_words == 2);
     refuses("play game --lua", "--lua does not work with play (only with bulletml)");
+    reads("register");
+    assert_true(a.command == COMMAND_REGISTER && !a.remove);
+    reads("register --remove");
+    assert_true(a.command == COMMAND_REGISTER && a.remove);
+    refuses("register game", "register: unexpected argument \"game\" (see curtain help register)");
+    refuses("register --mute", "--mute does not work with register (only with play)");
+    refuses("play game --remove", "--remove does not work with play (only with register)");
+    reads("play game --dialog");
+    assert_true(a.dialog && a.n_words == 1);
+    refuses("hash game --dialog", "--dialog does not work with hash (only with play)");
     reads("licences --full");
     assert_true(a.command == COMMAND_LICENCES && a.full && !a.keys);
     reads("hash -- --odd");
     assert_string_equal(a.words[0], "--odd");
-    static const char *const names[COMMANDS] = { "play",  "render",  "capture", "hash", "verify",  "test",
-                                                 "pack",  "list",    "unpack",  "new",  "export",  "check",
-                                                 "bench", "survive", "sound",   "art",  "palette", "bulletml",
-                                                 "help",  "version", "licences" };
+    static const char *const names[COMMANDS] = { "play",     "render", "capture", "hash",    "verify", "test",
+                                                 "pack",     "list",   "unpack",  "new",     "export", "register",
+                                                 "check",    "bench",  "survive", "sound",   "art",    "palette",
+                                                 "bulletml", "help",   "version", "licences" };
     for (int i = 0; i < COMMANDS; i++)
         assert_int_equal(args_command(names[i]), i);
     assert_int_equal(args_command("Play"), -1);

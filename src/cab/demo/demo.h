@@ -19,6 +19,8 @@
 #include "../../board/board.h"
 #include "../../board/rom/cart.h"
 
+#define DEMO_MAGIC "CDEM" /* the first four bytes of a file */
+
 enum {
     DEMO_FORMAT = 5,
     DEMO_OLDEST = 2,            /* the oldest format that is read */

@@ -15,8 +15,6 @@ enum {
     RECORD_OVER = 12 /* that and the CRC */
 };
 
-#define DEMO_MAGIC "CDEM"
-
 /* Bytes of a frame's set of parts: format 3 had four for any number of them. */
 static inline int demo_mask_bytes(uint32_t format, int parts)
 {

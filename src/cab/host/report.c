@@ -20,6 +20,13 @@ static void log_clean(char *s)
     plat_log(s);
 }
 
+static char last[LINE];
+
+const char *report_last(void)
+{
+    return last;
+}
+
 enum result report_line(enum result result, const char *format, ...)
 {
     char line[LINE] = "curtain: ";
@@ -30,6 +37,8 @@ enum result report_line(enum result result, const char *format, ...)
     vsnprintf(line + n, sizeof line - n, format, args);
     va_end(args);
     log_clean(line);
+    if (result != RESULT_DONE)
+        snprintf(last, sizeof last, "%s", line + n);
     return result;
 }
 
@@ -94,6 +103,7 @@ enum result report_fault(const struct board_fault *fault, bool trace)
 
     snprintf(line, sizeof line, "%s", fault->message);
     log_clean(line);
+    snprintf(last, sizeof last, "%s", line);
     if (trace)
         log_lines(fault->trace);
     return RESULT_REFUSED;

@@ -20,6 +20,9 @@ enum result report_cause(void);
 /* The same, and the sentence on plat_log. */
 enum result report_error(const char *err);
 
+/* The last sentence that said why something failed, without the program's name; "": there was none. */
+const char *report_last(void);
+
 /* Text on standard output, as printf has it; what may not be shown is blanked. */
 void report_print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

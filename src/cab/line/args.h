@@ -25,6 +25,7 @@ enum command {
     COMMAND_UNPACK,
     COMMAND_NEW,
     COMMAND_EXPORT,
+    COMMAND_REGISTER,
     COMMAND_CHECK,
     COMMAND_BENCH,
     COMMAND_SURVIVE,
@@ -85,7 +86,7 @@ struct args {
     bool seeded, invincible, fullscreen, mute, nearest, plain, parts, verbose, bisect, restamp, rerecord, null, notes,
         play;
     bool json, resume, no_resume, replays, annotations, luacheck, all;
-    bool update, tap, keys, desktop, full, lua;
+    bool update, tap, keys, desktop, full, lua, remove, dialog;
     const char *junit, *page;  /* NULL: not given */
     int jobs;                  /* 0: not given */
     int scale;                 /* 0: not given */

@@ -34,7 +34,7 @@ static void help_all(void (*line)(const char *))
     }
     line("");
     line("`play` is the default command. Options (curtain help COMMAND describes them for a command):");
-    help_options(FOR_ALL | FOR_NEW, line);
+    help_options(FOR_ALL | FOR_NEW | FOR_REGISTER, line);
     line("");
     line("Exit codes: 0 success, 1 a demo differs or check found a mistake, 2 bad input or a script error, 3 a system "
          "error.");
@@ -53,7 +53,7 @@ void args_help(int command, void (*line)(const char *))
     line(text);
     snprintf(text, sizeof text, "  %s", args_commands[command].help);
     line(text);
-    if (!((FOR_ALL | FOR_HELP | FOR_NEW | FOR_LICENCES) >> command & 1))
+    if (!((FOR_ALL | FOR_HELP | FOR_NEW | FOR_LICENCES | FOR_REGISTER) >> command & 1))
         return;
     line("");
     help_options(1u << command, line);

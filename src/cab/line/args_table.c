@@ -9,7 +9,7 @@
 
 const struct command_row args_commands[COMMANDS] = {
     [COMMAND_PLAY] = { "play", "[ROM]", 0, 1,
-                       "play a game, from a folder or a .rom file; without a ROM, the built-in game" },
+                       "play a game, from a folder or a .rom file, or a demo; without a ROM, the built-in game" },
     [COMMAND_RENDER] = { "render", "[ROM]", 0, 1,
                          "run without a window and write frames as DIR/000600.png; frame 0 is the board at power-on" },
     [COMMAND_CAPTURE] = { "capture", "[ROM]", 0, 1,
@@ -29,6 +29,8 @@ const struct command_row args_commands[COMMANDS] = {
     [COMMAND_EXPORT] = { "export", "ROM", 1, 1,
                          "turn a game into a standalone program for this system; options choose another system, a web "
                          "page or a RetroArch core" },
+    [COMMAND_REGISTER] = { "register", "", 0, 0,
+                           "open .rom files and replays with this program when you double-click them" },
     [COMMAND_CHECK] = { "check", "DIR", 1, 1,
                         "find mistakes in a game's folder: scripts, art, missing and unused files, Lua memory" },
     [COMMAND_BENCH] = { "bench", "ROM", 1, 1,
@@ -124,6 +126,8 @@ const struct option_row args_options[OPTIONS] = {
                         "show times for a machine N times slower, 1 to 1000" },
     [OPTION_FULLSCREEN] = { "--fullscreen", NULL, FOR_PLAY, SWITCH(fullscreen), "fill the screen" },
     [OPTION_MUTE] = { "--mute", NULL, FOR_PLAY, SWITCH(mute), "turn sound off" },
+    [OPTION_DIALOG] = { "--dialog", NULL, FOR_PLAY, SWITCH(dialog),
+                        "also show errors in a window, for programs started without a terminal" },
     [OPTION_PRESS] = { "--press", "LIST", FOR_HEADLESS, READ(args_presses),
                        "buttons that player 1 holds, e.g. fire or fire,focus; to hold them only in some frames: "
                        "bomb@200, "
@@ -232,6 +236,8 @@ const struct option_row args_options[OPTIONS] = {
                       "also print the licence texts, which must accompany the program" },
     [OPTION_LUA] = { "--lua", NULL, FOR_BULLETML, SWITCH(lua),
                      "print an equivalent Lua script with motion programs and tasks" },
+    [OPTION_REMOVE] = { "--remove", NULL, FOR_REGISTER, SWITCH(remove),
+                        "undo: remove what curtain register has set up" },
     [OPTION_VERBOSE] = { "--verbose", NULL, FOR_RUN | FOR_VERIFY, SWITCH(verbose),
                          "also print the Lua traceback of a script error; play: also print sound latency; verify: also "
                          "print where in the game a demo differs, the hashes there, and the buttons held (also -v, "

@@ -22,16 +22,21 @@ static bool is_entry(const uint8_t *head, size_t n)
     return n >= strlen(ENTRY) && memcmp(head, ENTRY, strlen(ENTRY)) == 0;
 }
 
+bool desktop_may_name(const char *path)
+{
+    for (const char *p = path, *end = path + strlen(path); p < end;)
+        if (!utf8_may_show(utf8_next(&p, end)))
+            return false;
+    return true;
+}
+
 bool desktop_may_write(const char *rom, const char *program, char *err, size_t err_size)
 {
     char path[FILES_PATH + 16];
 
-    if (plat_path(program, path, FILES_PATH))
-        for (const char *p = path, *end = path + strlen(path); p < end;)
-            if (!utf8_may_show(utf8_next(&p, end)))
-                return err_set(err, err_size,
-                               "--desktop: %s: the program's path must not contain line breaks or control characters",
-                               program);
+    if (plat_path(program, path, FILES_PATH) && !desktop_may_name(path))
+        return err_set(err, err_size,
+                       "--desktop: %s: the program's path must not contain line breaks or control characters", program);
     snprintf(path, sizeof path, "%s.desktop", program);
     if (!output_path_derived(rom, path, is_entry, err, err_size))
         return false;
@@ -39,8 +44,8 @@ bool desktop_may_write(const char *rom, const char *program, char *err, size_t e
     return output_path_derived(rom, path, png_is_signed, err, err_size);
 }
 
-/* A path in double quotes, as the line Exec of an entry wants it: the file's own escapes on top of the shell's. */
-static void quoted(const char *path, char *out, size_t size)
+/* The file's own escapes on top of the shell's. */
+void desktop_quote(const char *path, char *out, size_t size)
 {
     size_t n = 0;
 
@@ -81,7 +86,7 @@ bool desktop_write(const char *program, const struct cart *cart, char *err, size
 
     if (!plat_path(program, path, sizeof path - sizeof ".desktop"))
         return err_set(err, err_size, "%s: path too long", program);
-    quoted(path, exec, sizeof exec);
+    desktop_quote(path, exec, sizeof exec);
     snprintf(line, sizeof line, "%s", cart->m.title);
     clean_line(line);
     escaped(line, title);

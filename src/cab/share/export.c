@@ -362,20 +362,12 @@ static bool load_game(struct export *e)
     return name_out(e);
 }
 
-static bool has_window(void)
-{
-    char about[128];
-
-    plat_about(about, sizeof about);
-    return strcmp(about, "no window") != 0;
-}
-
 static bool may_export(struct export *e)
 {
     if (own_game()->rom)
         return err_set(e->err, e->err_size, "export: this program is the exported game %s; use curtain to export games",
                        own_game()->m.title);
-    if (e->kind == EXPORT_PROGRAM && !has_window())
+    if (e->kind == EXPORT_PROGRAM && !own_has_window())
         return err_set(e->err, e->err_size,
                        "export: a copy of this program would have no window; use curtain, or add --linux or --windows");
     return true;

@@ -82,6 +82,14 @@ const struct own *own_game(void)
     return &own;
 }
 
+bool own_has_window(void)
+{
+    char about[128];
+
+    plat_about(about, sizeof about);
+    return strcmp(about, "no window") != 0;
+}
+
 bool own_sealed(void)
 {
     return own.rom && !own.keys;

@@ -25,6 +25,9 @@ enum result own_open(char *err, size_t err_size);
 /* Never NULL. */
 const struct own *own_game(void);
 
+/* Is it built with a window? curtain-null is not. */
+bool own_has_window(void);
+
 /* Does it play its game, and nothing else? */
 bool own_sealed(void);
 

@@ -1,0 +1,13 @@
+/*
+ * register.h - `curtain register`: a double click on a .rom or .demo file opens it with this program, for this user.
+ * floor: cab
+ */
+#ifndef CAB_REGISTER_H
+#define CAB_REGISTER_H
+
+#include "../host/result.h"
+
+/* Sets it up, again if it was set up before; with remove, removes what it wrote. Prints what changed. */
+enum result register_command(bool remove);
+
+#endif
