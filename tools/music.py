@@ -508,8 +508,8 @@ PAGE = """# The music of Glass Tide
 checks it.
 
 The game has {count} pieces and {sounds} sounds, all written in MML, in [music](../../{game}/music) and
-[sfx](../../{game}/sfx). All pieces share a motif of scale degrees, 1 5 4 | 5 2 3. It is like a wave: it rises,
-falls back, and then rises less than before.
+[sfx](../../{game}/sfx). All pieces share a motif of scale degrees, 1 5 4 | 5 2 3. The motif is like a wave: it
+rises, falls back, and then rises less than before.
 
 The column *form and bars* lists the sections of each piece, each with its number of bars.
 
@@ -558,8 +558,8 @@ number of different sections.
 * The peak of a piece is at most {peak:g} dB.
 * At most {round:g} % of the samples of a piece are in the curved part of the limiter.
 * The mean of the samples is at most {dc:g} of full scale.
-* There is no click where the piece loops. To check this, the piece is rendered without drums. The *second
-  difference* is the change in slope from sample to sample. Its maximum within 10 ms of the loop point must not exceed
+* There is no click where the piece loops. For this test, the piece is rendered without drums. The *second difference*
+  is the change in slope from sample to sample. Within 10 ms of the loop point, the second difference must not exceed
   its maximum in the rest of the eight seconds around the loop point.
 
 {levels}
@@ -632,17 +632,18 @@ def page(curtain, game):
 
 COST = """The ROM has {music:,} bytes of music and {sounds:,} bytes of sounds.
 
-Rendering the sound for one frame takes this many instructions:
+Rendering the sound for one frame takes:
 
-* on the title screen: 0.68 million
-* in a stage while the ship fires: 1.35 million
-* in the queen's last phase: 1.42 million
+* on the title screen: 0.68 million instructions
+* in a stage while the ship fires: 1.35 million instructions
+* in the queen's last phase: 1.42 million instructions
 
 On the machine named in [speed.md](speed.md), 1.42 million instructions take 70 microseconds, 0.4 % of a frame.
 
 Callgrind counted the instructions for frames 600 to 1200, with and without `--wav`; the numbers are the differences.
 The command for the stage is `curtain render roms/glasstide --press fire --invincible --stage one`. The command for the
-queen uses `--stage queen/flower` instead, and the command for the title screen has none of these three options.
+queen uses `--stage queen/flower`. The command for the title screen has none of the options `--press`, `--invincible`
+and `--stage`.
 
 Sound is not part of the game state: a run has the same hashes with and without it."""
 

@@ -199,7 +199,7 @@ def page(files, games):
     stages = list(dict.fromkeys(key[0] for key in order))
     yield """# Patterns of Glass Tide
 
-`make patterns` writes this page. It shows the patterns of *Glass Tide* stage by stage, in the order of play. Each
+`make patterns` writes this page, which shows the patterns of *Glass Tide* stage by stage, in the order of play. Each
 pattern has a description from the script and two pictures: one on normal and one on abyss. Each picture shows the frame
 of the pattern with the most objects. The pictures come from recordings of complete games in `tests/demos/glasstide`,
 played by an invincible bot. The [cookbook](../cookbook.md) shows how to write patterns.

@@ -120,7 +120,7 @@ curves.
 """
     told, sections, difficulties = read(folder, "glasstide")
     yield from table(told, sections, difficulties)
-    yield "\n%s\n\nThese sections are harder at an easier difficulty:\n" % holding(folder, "glasstide")
+    yield "\n%s\n\nThese sections are harder at the easier of two difficulties:\n" % holding(folder, "glasstide")
     worse = ["* `%s` is harder on %s than on %s: %s" % (section, a, b, why) for section, a, b, one, two in
              pairs(told, sections, difficulties) for why in [harder(one, two)] if why]
     yield from worse or ["None."]
@@ -237,7 +237,7 @@ def falls(told, order, difficulties):
         for d in difficulties:
             for s, t in zip(of, of[1:]):
                 if group(s) == group(t) and rate(told[t][d]) <= rate(told[s][d]):
-                    yield "%s: %.1f in `%s`, but %.1f in the next section, `%s`" % (
+                    yield "on %s, %.1f in `%s`, but only %.1f in the next section, `%s`" % (
                         d, rate(told[s][d]), s, rate(told[t][d]), t)
             yield from lower(told, d, of, groups, group, lambda g, h: stage_of[g] == stage_of[h])
             yield from lower(told, d, of, stages, order.get, lambda a, b: True)
@@ -266,14 +266,14 @@ section to its end. Eight bots stand still, twelve wander, and twelve dodge with
 A bot flies on after a hit, and hits in the next 90 frames are ignored. Numbers in parentheses are for the dodging bots
 alone. `one:wreck` is a section of stage one; `crab/pincers` is a phase of the boss `crab`.
 
-The numbers show how much of the field is dangerous, and how often. They are stable because each averages hundreds of
-hits. The other measures in [survive.md](survive.md) show less:
+The numbers show how much of the field is dangerous, and how often. The numbers are stable because each averages
+hundreds of hits. The other measures in [survive.md](survive.md) show less:
 
 * The sixteen bots in survive.md stop at their first hit, so they test only the first seconds of a section.
 * The narrowest gap shows how exact a path must be, but not how often it must be that exact.
 * The number of bullets per second does not show where the bullets fly.
 
-Bots don't have to read a pattern, so a pattern that is hard to read is easier for them than for you. They don't learn a
+Bots don't have to read a pattern, so a pattern that is hard to read is easier for them than for you. Bots don't learn a
 pattern either.
 """
     yield "| section |%s" % "".join(" %s |" % d for d in difficulties)
@@ -282,11 +282,11 @@ pattern either.
         yield "| %s |%s" % (s, "".join(" %.1f (%.1f) |" % (rate(told[s][d]), rate(told[s][d], ["dodge"]))
                                        for d in difficulties))
     yield """
-Hits per minute must rise:
+Hits per minute follow three rules, with the exceptions below:
 
-* in each section, from one difficulty to the next
-* within a stage, from section to section, and within a boss fight, from phase to phase
-* on average, from a stage's first boss to its last, and from stage to stage
+* In each section, hits per minute rise from one difficulty to the next.
+* Within a stage, hits per minute rise from section to section; within a boss fight, from phase to phase.
+* On average, hits per minute rise from a stage's first boss to its last boss, and from stage to stage.
 
 A stage can start easier than the previous stage ended. The caravan and the boss rush are separate from the stages, so
 only the first rule applies to them.

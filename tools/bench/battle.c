@@ -110,16 +110,16 @@ void section_battle(void)
 
     double us = (samples_median(&ns[0]) - samples_median(&ns[1])) / 1e3;
     report_section("Shots against enemies");
-    report_text(
-        "%s shots fly at 8 px/frame among %s enemies with large hitboxes. In an average frame, %s of the %s pairs of a "
-        "shot and an enemy touch (%s). Each shot that touches enemies hits the nearest one, and a new shot replaces "
-        "it. *Hits* takes %s µs per frame with enemies and %s µs without, so the pairs cost **%s µs**. In %s frames, "
-        "every pair was tested a second time, using doubles. Each shot had hit the right enemy.",
-        report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
-        report_count((int64_t)(counted.touching / counted.frames)),
-        report_count((int64_t)(counted.pairs / counted.frames)),
-        report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
-        samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
+    report_text("%s shots fly at 8 px/frame among %s enemies with large hitboxes. In an average frame, %s of the %s "
+                "pairs of a shot and an enemy touch (%s). Each shot that touches enemies hits the nearest one and is "
+                "replaced by a new shot. *Hits* takes %s µs per frame with enemies and %s µs without, so the pairs "
+                "cost **%s µs**. In %s frames, every pair was tested a second time, using doubles. The second test "
+                "confirmed that each shot had hit the right enemy.",
+                report_count((int64_t)(counted.shots / counted.frames)), report_count(ENEMIES),
+                report_count((int64_t)(counted.touching / counted.frames)),
+                report_count((int64_t)(counted.pairs / counted.frames)),
+                report_percent((double)counted.touching / (double)counted.pairs), samples_figure(&ns[0], 1e3),
+                samples_figure(&ns[1], 1e3), report_figure(us), report_count(CHECKED));
     bench_claim(counted.shots == (uint64_t)SHOTS * counted.frames ? NULL : "there are too few shots", "the battle");
     bench_target("hit tests of 512 shots against 256 enemies, when a tenth of the pairs touch", "12 µs",
                  report_string("%s µs", report_figure(us)), us < 12);

@@ -139,10 +139,10 @@ void section_boss(void)
     }
     report_section("A boss fight");
     report_text("The table shows the microseconds per frame of a typical boss fight on 320x240 px. *Live* is the "
-                "number of live bullets. They are 8 to 16 px in size and fly in rings of 20 to 200. Four in five are "
-                "rotated, one in five is blended, and two in five run a motion program that turns or accelerates them. "
-                "The fight also has a boss, 300 sparks, 8 rotating lasers, 64 items, two tile layers, a row of text, "
-                "and a player who flies around.");
+                "number of live bullets. The bullets are 8 to 16 px in size and fly in rings of 20 to 200. Four in "
+                "five bullets are rotated, one in five is blended, and two in five run a motion program that turns or "
+                "accelerates them. The fight also has a boss, 300 sparks, 8 rotating lasers, 64 items, two tile "
+                "layers, a row of text, and a player who flies around.");
     report_table(NULL, "live> | scripts> | motion> | hits> | events> | rest> | draw> | present> | sum>");
     for (int i = 0; i < SIZES; i++)
         print_row(&fights[i]);

@@ -273,9 +273,9 @@ static const char *beside(struct size *s, int r)
 
 static void parts_table(void)
 {
-    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell lists the engine drawing all "
-                 "bullets, then (a), (b) and (c). The last two columns are the engine's tick plus draw, divided by the "
-                 "tick plus draw of (b) or (c)",
+    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell has four times: first the "
+                 "engine's, with all bullets drawn, then those of (a), (b) and (c). The last two columns are the "
+                 "engine's tick plus draw, divided by the tick plus draw of (b) or (c)",
                  "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];
@@ -301,14 +301,16 @@ static void rivals_table(void)
         "**Compared with plain C.** Three programs without an engine run the same crowd from the same first frame, "
         "with the player on the same path:\n"
         "\n"
-        "* (a) *array*: an array of structs of doubles. It tests every bullet in full and branches for every pixel.\n"
-        "* (b) *columns*: columns of int32. It tests 64 bullets at a time, and draws with masked 8-byte words that are "
-        "prepared once per bullet kind.\n"
-        "* (c) *minimum*: like (b), but reduced to what this scene needs. It has no graze and no test for leaving the "
-        "field. It relies on all sprites being 8x8 px with one palette bank each, so it draws two rows at once.\n"
+        "* (a) *array*: an array of structs of doubles. The program tests every bullet in full and branches for every "
+        "pixel.\n"
+        "* (b) *columns*: columns of int32. The program tests 64 bullets at a time, and draws with masked 8-byte words "
+        "that are prepared once per bullet kind.\n"
+        "* (c) *minimum*: like (b), but reduced to what this scene needs. The program has no grazes and no test for "
+        "leaving the field. Every sprite must be 8x8 px with one palette bank, so the program draws two rows at once.\n"
         "\n"
-        "All three store bullets grouped by kind, so they need no sorting. None has scripts, motion programs, handles, "
-        "deaths, or a state that can be saved. Each converts its picture with one table lookup per pixel.");
+        "All three programs store bullets grouped by kind, so no sorting is needed. None of the programs has scripts, "
+        "motion programs, handles, deaths, or a state that can be saved. Each program converts its picture with one "
+        "table lookup per pixel.");
     report_text("The three programs draw every bullet. In the largest crowds the engine skips hidden bullets, which is "
                 "less work. *Drawing all* is the engine's time when it draws every bullet too; the ratios use this "
                 "time. *Frames a second* is computed from the column *engine*.");
@@ -345,8 +347,9 @@ static void rivals_table(void)
 
 static void counts_table(void)
 {
-    report_table("Counts over all frames. The programs agree; (c) counts neither tests nor grazes",
-                 "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
+    report_table(
+        "Counts over all frames. The engine and the three programs agree, but (c) counts neither tests nor grazes",
+        "n> | frames> | moved> | tested> | hit> | grazed> | drawn>");
     for (int i = 0; i < n_sizes; i++) {
         const struct crowd_counts *c = &sizes[i].counts[0];
         report_row(0, report_count(sizes[i].n), report_count(sizes[i].frames), report_count((int64_t)c->moved),
@@ -366,7 +369,7 @@ static void limits_table(void)
                 "for motion and hits is the memory bandwidth of `x[i] += v[i]` over the same amount of memory. The "
                 "limit for drawing a bullet is the time of the 8 stores that an 8x8 sprite needs.");
     report_text("When the bullets have enough opaque pixels to cover the field %d times, the engine draws them front "
-                "to back and skips the *hidden* ones. The column *hidden* is their share of the bullets in the last "
+                "to back and skips the *hidden* ones. The column *hidden* is the share of hidden bullets in the last "
                 "picture. The last column is the draw time per bullet, with hidden bullets skipped.",
                 VIDEO_OVERDRAW);
     report_table(NULL, "n> | motion + hits> | share of the limit> | drawing all> | share of the limit> | hidden> | "
@@ -473,9 +476,10 @@ static void without_programs(void)
     report_text("**Without programs.** In a scene of %s bullets that fly straight all over the field around a player, "
                 "motion and the tests for hits, grazes and leaving the field take %s ns per bullet and frame.",
                 report_count(N), samples_figure(&ns, N));
-    bench_target(
-        "motion, plus tests for hits, grazes and leaving the field, for one of 16,384 bullets without programs",
-        "0.5 ns", report_string("%s ns", report_figure(samples_median(&ns) / N)), samples_median(&ns) / N <= 0.5);
+    bench_target("motion and the tests for hits, grazes and leaving the field, per bullet, with 16,384 bullets that "
+                 "run no programs",
+                 "0.5 ns", report_string("%s ns", report_figure(samples_median(&ns) / N)),
+                 samples_median(&ns) / N <= 0.5);
     samples_free(&ns);
     scene_close(&s);
 }
@@ -486,10 +490,10 @@ void section_crowd(void)
 
     report_section("The crowd");
     report_text("In this scene, n bullets of 8x8 px fly all over a field of 320x240 px at 0.5 to 3 px/frame. There are "
-                "16 bullet kinds and 8 palette banks. Bullets have a hit radius of 3 px. Each flies for 60 frames, "
-                "then turns around and comes back. In every frame, one bullet in sixty therefore runs a step of its "
-                "motion program, and the others fly straight. A player with a hit radius of 2 px and a graze radius of "
-                "12 px moves among them. The scene is in `roms/bench` (DIP switch `does=crowd`).");
+                "16 bullet kinds and 8 palette banks. Bullets have a hit radius of 3 px. Each bullet flies for 60 "
+                "frames, then turns around and comes back. In every frame, one bullet in sixty therefore runs a step "
+                "of its motion program, and the others fly straight. A player with a hit radius of 2 px and a graze "
+                "radius of 12 px moves among the bullets. The scene is in `roms/bench` (DIP switch `does=crowd`).");
     for (size_t i = 0; i < sizeof USUAL / sizeof *USUAL; i++)
         run(USUAL[i]);
     const int n = find_60(total, 2500032), n_all = find_60(painted, M1);

@@ -48,8 +48,8 @@ void section_lasers(void)
     scene_close(&s);
     report_section("Lasers");
     report_text(
-        "The table shows how many microseconds %s circling curved lasers add to a frame. Each has 64 points, is 8 px "
-        "wide and moves at 2.5 px/frame. The player is among them, so the tick includes grazes and hits.",
+        "The table shows how many microseconds %s circling curved lasers add to a frame. Each laser has 64 points, is "
+        "8 px wide and moves at 2.5 px/frame. The player is among the lasers, so the tick includes grazes and hits.",
         report_count(CURVES));
     report_table(NULL, "drawn with | tick> | draw>");
     for (int i = 0; i < COUNT; i++) {

@@ -177,7 +177,7 @@ void section_machine(void)
 
     size_t l1 = 16 << 10;
     double in_turn = time_of(&(struct work){ store_in_turn, l1 }) / (double)(l1 / 8);
-    report_text("An 8-byte store takes %s ns if the stores are sequential. It takes **%s ns** if each group of 8 "
+    report_text("An 8-byte store takes %s ns if the stores are sequential. A store takes **%s ns** if each group of 8 "
                 "stores goes to 8 different rows of a picture, as when a sprite is drawn. An 8x8 bullet needs 8 such "
                 "stores, so drawing it takes at least %s ns.",
                 report_figure(in_turn), report_figure(limit_store()), report_figure(SIDE * limit_store()));

@@ -200,12 +200,12 @@ static void fire_in_c(void)
             bullets_drop(&s.b->bullets, i);
         slots_trim(&s.b->bullets.s);
     }
-    report_text(
-        "**C only.** Everything in this table calls the C function `bullets_fire`, which takes %s ns. It finds a free "
-        "slot, computes the velocity from the direction, and writes all columns. The rest of a `bullet.fire` call is "
-        "spent on Lua, on reading and checking arguments, on the [digest](../internals/design.md#snapshots-and-hashes) "
-        "of the call, and on the one frame for which the bullet lives.",
-        samples_figure(&ns, N));
+    report_text("**C only.** Everything in this table calls the C function `bullets_fire`, which takes %s ns. "
+                "`bullets_fire` finds a free slot, computes the velocity from the direction, and writes all columns. "
+                "The rest of a `bullet.fire` call is spent on Lua, on reading and checking arguments, on the "
+                "[digest](../internals/design.md#snapshots-and-hashes) of the call, and on the one frame for which the "
+                "bullet lives.",
+                samples_figure(&ns, N));
     samples_free(&ns);
     scene_close(&s);
 }

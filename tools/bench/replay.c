@@ -101,11 +101,11 @@ void section_replay(void)
     double median = samples_median(&rate);
     report_section("Replay and reload");
     report_text("**Verifying** a demo of the complete run processes **%s frames a second** on one core (the median of "
-                "%d runs). It compares the checksums of all parts of the state after every frame, and their full "
-                "hashes once a second.",
+                "%d runs). Verifying compares the checksums of all parts of the state after every frame, and their "
+                "full hashes once a second.",
                 report_count((int64_t)median), ROUNDS);
     report_text("**Reloading.** If a script changes after five minutes of play (%s frames), the changed game reaches "
-                "the same frame **%s s** later. This includes packing the folder. After one minute of play from a "
+                "the same frame **%s s** later. This time includes packing the folder. After one minute of play from a "
                 "practice start, a reload takes %s s.",
                 report_count(FIVE_MINUTES), report_figure(whole), report_figure(piece));
     bench_target("verifying a demo of the complete run", "3,000 frames a second",

@@ -200,15 +200,16 @@ static void report_snapshots(struct past_run *r)
 {
     double us = samples_median(&r->again) / 1e3, key_us = samples_median(&r->key) / 1e3;
 
-    report_text("**A snapshot** of the built-in game (`board_save`) has %s bytes (the median), and %s at most. Saving "
-                "it to recently used memory takes **%s µs**; the 99th percentile is %s µs. The rewind history has %d "
-                "MiB, so each of its key frames is written to memory that is not in a cache. That takes **%s µs**; the "
-                "99th percentile is %s µs. For comparison, `memcpy` takes %s µs to copy the same number of bytes to "
-                "such memory. A key frame is saved every few frames, which costs %s µs per frame on average.",
-                report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
-                samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3),
-                REWIND_BYTES >> 20, samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
-                samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
+    report_text(
+        "**A snapshot** of the built-in game (`board_save`) has %s bytes (the median), and %s at most. Saving a "
+        "snapshot to recently used memory takes **%s µs**; the 99th percentile is %s µs. The rewind history has %d "
+        "MiB, so each of its key frames is written to memory that is not in a cache. Writing a key frame takes **%s "
+        "µs**; the 99th percentile is %s µs. For comparison, `memcpy` takes %s µs to copy the same number of bytes to "
+        "such memory. A key frame is saved every few frames, which costs %s µs per frame on average.",
+        report_figure(samples_median(&r->bytes)), report_figure(samples_quantile(&r->bytes, 1)),
+        samples_figure(&r->again, 1e3), report_figure(samples_quantile(&r->again, 0.99) / 1e3), REWIND_BYTES >> 20,
+        samples_figure(&r->key, 1e3), report_figure(samples_quantile(&r->key, 0.99) / 1e3),
+        samples_figure(&r->plain, 1e3), report_figure(key_us * r->key.n / r->end));
     bench_target("a snapshot of the built-in game", "20 µs", report_string("%s µs", report_figure(us)),
                  us < SNAPSHOT_US);
     bench_target("a snapshot of the built-in game, saved as a key frame of the rewind history", "20 µs",
@@ -220,8 +221,9 @@ static void report_late(struct past_run *r)
     double worst = samples_quantile(&r->late, 1) / 1e6;
     const char *median = report_figure(samples_median(&r->late) / 1e6);
 
-    report_text("At frame %s, a step back takes %s ms (the median of %d consecutive steps). The slowest takes %s ms.",
-                report_count(LATE), median, LATE_STEPS, report_figure(worst));
+    report_text(
+        "At frame %s, a step back takes %s ms (the median of %d consecutive steps). The slowest step takes %s ms.",
+        report_count(LATE), median, LATE_STEPS, report_figure(worst));
     bench_target("a step back at frame 36,000", "16 ms",
                  report_string("median %s ms, worst %s ms", median, report_figure(worst)), worst < STEP_MS);
 }

@@ -262,11 +262,11 @@ void section_sound(void)
                 samples_figure(&seq, 1e3));
     table(bands, N, &plain);
     report_text("A game without sound has no voices and no sequencer, and no sound code runs in its frames. The commit "
-                "that added sound was compared with its predecessor for such a game (`make compare BASE=ed089444 "
-                "GAME=examples/first START= FRAMES=600`):\n"
+                "that added sound was compared with its predecessor for a game without sound (`make compare "
+                "BASE=ed089444 GAME=examples/first START= FRAMES=600`):\n"
                 "\n"
-                "* A frame takes 1.01 times the time and 1.000 times the instructions.\n"
-                "* Loading takes 1.00 times the time and 1.002 times the instructions.\n"
+                "* A frame takes 1.01 times as long as before and 1.000 times as many instructions.\n"
+                "* Loading takes 1.00 times as long as before and 1.002 times as many instructions.\n"
                 "* RAM grew by 448 bytes to 6,075,008 bytes, and a snapshot by 512 bytes to 315,904 bytes. The Lua "
                 "heap did not grow.");
     const double most = samples_median(&bands[1].mix) / 1e3, tick = mean(&seq) / 1e3;

@@ -249,7 +249,7 @@ void section_threads(void)
                 "* *Halves*: each thread moves half of the bullets, and the frame continues when both are done. Until "
                 "the next frame, the second thread spins, or it sleeps until it is woken.\n"
                 "* *Alternating*: one thread moves all bullets in one frame, and the other thread in the next. Each "
-                "thread then has to fetch the columns from the other core's cache.");
+                "thread has to fetch the columns of the bullets from the other core's cache.");
     if (sysconf(_SC_NPROCESSORS_ONLN) < 2) {
         report_text("Not measured: this machine has one core.");
         return;

@@ -77,8 +77,8 @@ static void print(struct run *runs)
         draws += i && i < ALL ? samples_median(&runs[i].draw) - draw : 0;
     }
     report_table_end();
-    report_text("Every row includes the cleared field and the player. If these are counted only once, the parts add up "
-                "to %s µs for the tick and %s µs for the picture.",
+    report_text("Every row includes the cleared field and the player. If the field and the player are counted only "
+                "once, the parts add up to %s µs for the tick and %s µs for the picture.",
                 report_string("%s", report_figure(ticks / 1e3)), report_figure(draws / 1e3));
 }
 

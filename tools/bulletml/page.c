@@ -14,15 +14,16 @@
 static const char ABOUT[] =
     "# BulletML compared with libbulletml\n"
     "\n"
-    "`make bulletml` measures and writes this page; do not edit it. It runs the BulletML documents of seven Debian "
-    "packages\n"
-    "in Curtain and in libbulletml 0.0.6, the library that the games in these packages use. Both get the same random "
-    "numbers,\n"
-    "the same rank and the same player, who moves around in the lower half of a field of 320 x 240 px.\n"
+    "`make bulletml` measures and writes this page; do not edit it. The command runs the BulletML documents of seven "
+    "Debian\n"
+    "packages in Curtain and in libbulletml 0.0.6, the library that the games in these packages use. Both programs get "
+    "the\n"
+    "same random numbers, the same rank and the same player, who moves around in the lower half of a field of 320 x "
+    "240 px.\n"
     "\n"
-    "Every bullet is compared in each of 1,500 frames, at ranks 0, 0.35, 0.5 and 1. It must appear and vanish in the "
-    "same\n"
-    "frames in both programs, and its two positions may differ by at most 1/16 px; otherwise the command fails. "
+    "Every bullet is compared in each of 1,500 frames, at ranks 0, 0.35, 0.5 and 1. Each bullet must appear and vanish "
+    "in the\n"
+    "same frames in both programs, and its two positions may differ by at most 1/16 px; otherwise the command fails. "
     "BulletML\n"
     "documents do not define the borders of the field. The comparison therefore removes a bullet from both sides when "
     "its\n"
@@ -149,8 +150,8 @@ static void section_documents(void)
         document_row(documents.path[i], &r[i]);
     report_table_end();
     report_text(
-        "%s bullets left the area around the field. Judged by Curtain's positions, %s of them would have left it in a "
-        "different frame, because they were so close to the border that a rounding error made the difference.",
+        "%s bullets left the area around the field. By their positions in Curtain, %s of these bullets would have left "
+        "the area in a different frame: they were so close to its border that a rounding error made the difference.",
         report_count(s.left), report_count(s.otherwise));
     all_free(r, documents.n);
 }
@@ -166,8 +167,8 @@ static void section_loop(void)
         add(&s, &r[i]);
     report_section("Restarted");
     report_text("Most documents end within 1,500 frames. With `loop = true`, a document restarts when it ends, as in "
-                "the boss fights of these games. The comparison covers %s positions of %s bullets. In this mode, %d of "
-                "%d documents stay within 1/16 px; the greatest distance in these documents is %.5f px.",
+                "the boss fights of these games. The comparison covers %s positions of %s bullets. With `loop = true`, "
+                "%d of %d documents stay within 1/16 px; the greatest distance in these documents is %.5f px.",
                 report_count(s.places), report_count(s.bullets), s.alike, s.documents, s.greatest);
     if (s.alike < s.documents) {
         report_text(
@@ -215,8 +216,9 @@ static void section_rounding(void)
     report_text(
         "BulletML does not say how numbers are rounded. Doubles normally round to nearest, but rounding down, up or "
         "towards zero is equally valid. The documents below behave differently in libbulletml itself when the rounding "
-        "mode changes, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. Only "
-        "documents like these may differ from libbulletml, and only if they are listed in `%s`.\n"
+        "mode changes, because `0.35 * 20`, the number of rounds of a `repeat`, is then slightly less than 7. A "
+        "document may differ from libbulletml only if its behaviour depends on the rounding mode and it is listed in "
+        "`%s`.\n"
         "\n"
         "Each document runs twice in libbulletml: the first run rounds to nearest, and the second run rounds as the "
         "column *rounding* says.",
@@ -259,8 +261,8 @@ static void section_sheet(void)
     failed |= !tool_sheet(&documents, TOOL_SHEET);
     report_section("Pictures");
     report_text("These are the 64 documents with the most bullets in the field at once, each in the frame with the "
-                "most bullets. They run at rank 1 and restart when they end. A bullet's colour depends on its number. "
-                "Only bullets are shown; the documents belong to their games.");
+                "most bullets. The documents run at rank 1 and restart when they end. A bullet's colour depends on its "
+                "number. Only bullets are shown; the documents belong to their games.");
     report_text("![Eight rows of eight small black fields with patterns of coloured dots; below each field is the name "
                 "of its document](../images/bulletml.png)");
 }

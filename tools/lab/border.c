@@ -262,11 +262,11 @@ void section_border(void)
         values[i] = i < 7 ? FIRST[i] : (int32_t)(uint32_t)(rng_next(&rng) >> 32);
     report_section("7. The script interface");
     report_text(
-        "Scripts read and write positions in pixels and angles in degrees. Both are Lua numbers, which are doubles. "
-        "The tables\n"
-        "show round trips from the engine to a script and back, for random values over the whole range, including its "
-        "ends. For\n"
-        "the engine's own method, `make accuracy` tries all 2³² values of each type, and `make test` tries %s of them.",
+        "Scripts read and write positions in pixels and angles in degrees, as Lua numbers, which are doubles. The "
+        "tables show\n"
+        "round trips from the engine to a script and back, for random values over the whole range, including its ends. "
+        "For the\n"
+        "engine's own method, `make accuracy` tries all 2³² values of each type, and `make test` tries %s of them.",
         report_count(VALUES));
     measure(POSITIONS, N_POSITIONS, false, time, most, values);
     bool positions = most[0] == 0 && (lab_exact() || all_come_back(fx_double));

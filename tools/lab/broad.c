@@ -709,10 +709,10 @@ void section_broad(void)
     print_sizes();
     report_text(
         "Building the grid for %s bullets takes as long as %s scans, and building the tree takes as long as %s scans.\n"
-        "Both copy every bullet to a different place in memory, while the scan reads memory sequentially. For one "
-        "player, the\n"
-        "scan is fastest at every size. Depending on the number of bullets, a grid breaks even at %s players, but the\n"
-        "engine supports at most %d.",
+        "The grid and the tree copy every bullet to a different place in memory, while the scan reads memory "
+        "sequentially. For\n"
+        "one player, the scan is fastest at every size. Depending on the number of bullets, a grid breaks even at %s\n"
+        "players, but the engine supports at most %d.",
         report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
         PADS);
     print_shots();

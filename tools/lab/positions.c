@@ -525,7 +525,7 @@ void section_positions(void)
                 "million frames (4\n"
                 "hours 38 minutes). The speeds are rounded to multiples of 2⁻¹⁶ px/frame first, and the error of this "
                 "rounding is not\n"
-                "counted. Section 8 counts it and therefore shows slightly more drift at 0.002 px/frame.",
+                "counted. Section 8 counts this error and therefore shows slightly more drift at 0.002 px/frame.",
                 HEADINGS, SPEEDS);
     report_text("For *differ when moved*, a pattern of %d bullets flies for %d frames, first in its original place and "
                 "then shifted by\n"

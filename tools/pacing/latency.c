@@ -223,9 +223,9 @@ void section_latency(void)
                 "late. The host polls\n"
                 "the inputs just before the tick, so a press waits half a frame on average. Some games show a press in "
                 "*the same* tick,\n"
-                "for example when the ship moves. Others show it in *the next* tick, because a task acts on the input "
-                "of the previous\n"
-                "frame. `run_ahead = 1` removes this extra frame of delay. A frame is 1/60 s.",
+                "for example when the ship moves. Other games show the press in *the next* tick, because a task acts "
+                "on the input of the\n"
+                "previous frame. `run_ahead = 1` removes this extra frame of delay. A frame is 1/60 s.",
                 PRESSES);
     report_table(NULL, "screen|vsync|shown in tick|run_ahead|min>|mean>|max>|mean, frames>");
     for (unsigned i = 0; i < sizeof rates / sizeof *rates; i++)

@@ -73,9 +73,10 @@ static void operators(void)
     const double four = four_ops(pitch_step(60 * PITCH_ONE));
     report_row(1, "4, each modulates the next", "2, 1, 2", "60", ear_db(four), "75.2", NULL);
     report_table_end();
-    report_text(
-        "At a depth of one radian, the SNR is %s dB lower than the prototype's. At greater depths it is higher.",
-        ear_db(CASES[0].mark - first));
+    report_text("At a depth of one radian, the SNR is %s dB lower than the prototype's. At greater depths, the SNR is "
+                "higher than the\n"
+                "prototype's.",
+                ear_db(CASES[0].mark - first));
     ear_figure("2-operator FM, SNR", report_string("at least %s dB", ear_db(least)), "at least 70.0 dB", least >= 70);
     ear_figure("4-operator FM, SNR", report_string("%s dB", ear_db(four)), "75.2 dB", four >= 75.2);
 }
@@ -135,7 +136,7 @@ static void feedback(void)
                 "the chips, the\n"
                 "engine therefore picks the row by b and pitch. The table below compares the first eight harmonics "
                 "with those of the\n"
-                "chips. It shows the largest difference in dB, for harmonics above -40 dB:");
+                "chips. Each value is the largest difference in dB, for harmonics above -40 dB:");
     report_table(NULL, "b, radians|note 36>|48>|60>|72>|84>|96>");
     for (size_t k = 0; k < sizeof STRENGTHS / sizeof *STRENGTHS; k++) {
         const char *cells[7] = { report_string("%.3f", STRENGTHS[k]) };

@@ -72,13 +72,13 @@ void section_levels(void)
     double most = -999, most_level = -999;
 
     report_section("Envelopes");
-    report_text("The level of an envelope is a function of the note's age. The engine evaluates it every %d samples "
-                "and interpolates\n"
-                "linearly in between; in a block that contains a corner of the envelope, it evaluates every sample. In "
-                "the table, *level*\n"
-                "is the largest error of the level at any age. *Heard* is the largest error of a sine over %d frames. "
-                "The sine starts at\n"
-                "sample %d of a frame, and the error includes its quantisation:",
+    report_text("The level of an envelope is a function of the note's age. The engine evaluates the level every %d "
+                "samples and\n"
+                "interpolates linearly in between. In a block that contains a corner of the envelope, the engine "
+                "evaluates the level at\n"
+                "every sample. In the table, *level* is the largest error of the level at any age. *Heard* is the "
+                "largest error of a sine\n"
+                "over %d frames. The sine starts at sample %d of a frame, and the error includes its quantisation:",
                 (int)SND_BLOCK, (int)FRAMES, (int)AT);
     report_table(
         NULL, "envelope|level, dB relative to full scale>|prototype, dB>|heard, dB relative to the sine's full level>");

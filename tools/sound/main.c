@@ -163,9 +163,9 @@ static const char ABOUT[] =
     "sine,\n"
     "  relative to the sine. *Alias* is the level of frequencies that are not overtones.\n"
     "* A *note* is a MIDI number: 60 is `o4c`, 69 is the A of 440 Hz, 24 is 33 Hz, and 108 is 4,186 Hz.\n"
-    "* *Prototype* is the result of an earlier, similar program, which set the target. The results for FM with a depth "
-    "of one\n"
-    "  radian and for noise miss this target.\n"
+    "* *Prototype* is the result of an earlier, similar program, which set the target. Two results miss this target: "
+    "FM with\n"
+    "  a depth of one radian, and noise.\n"
     "\n"
     "[music.md](music.md) covers the music of *Glass Tide*: keys, forms, levels, and the program that checks them.\n"
     "\n";

@@ -90,11 +90,11 @@ static void noise(void)
         sum = fabs(sum / (n - LAGS) / power);
         most = sum > most ? sum : most;
     }
-    report_text("Noise is a hash of the sample's index, so it needs no state. On a scale of 32,767, its mean is %.1f "
-                "and its RMS level is\n"
-                "%.0f; the RMS level of true noise is 18,918. The autocorrelation at lags up to %d is at most %.4f. "
-                "True noise has\n"
-                "about 0.0037; the prototype was below that by chance.",
+    report_text("Noise is a hash of the sample's index, so it needs no state. On a scale of 32,767, the mean of the "
+                "noise is %.1f and the\n"
+                "RMS level is %.0f; the RMS level of true noise is 18,918. The autocorrelation at lags up to %d is at "
+                "most %.4f. The\n"
+                "autocorrelation of true noise is at most about 0.0037; the prototype was below that value by chance.",
                 mean, sqrt(power), LAGS - 1, most);
     ear_figure("largest autocorrelation of noise", report_string("%.4f", most), "0.0032; true noise 0.0037",
                most < 0.004);
@@ -105,9 +105,10 @@ void section_mix(void)
     report_section("The mix");
     report_text("There are sixteen voices for music and eight for sounds. A voice with a volume of 127 reaches a third "
                 "of full scale. The\n"
-                "mix is exact up to half of full scale. Above that, a limiter without memory follows a curve that "
-                "reaches full scale at\n"
-                "an input of twice full scale, so loud passages saturate softly and never clip. The table is for a "
+                "mix is exact up to half of full scale. Above half of full scale, a limiter without memory follows a "
+                "curve that reaches\n"
+                "full scale when the input is at twice full scale, so loud passages saturate softly and never clip. "
+                "The table is for a\n"
                 "sine of 1 kHz:");
     limiter();
     plot_limiter();

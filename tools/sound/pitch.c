@@ -72,13 +72,14 @@ void section_pitch(void)
 
     report_section("Pitch and time");
     report_text(
-        "The step of a note is a 64-bit phase increment. It is the product of four powers of 2^(1/12): one for the "
-        "whole\n"
-        "semitones and three for fractions of a semitone. For notes 12 to 120, tested at every 1/256 of a semitone, "
-        "the step is\n"
-        "at most %.1e cents off (at note %d). The speed ratio of a sample, from four octaves down to two octaves up, "
-        "is at\n"
-        "most %.1e cents off. In a pitch slide, the engine computes the phase at the end of a frame directly. In %s\n"
+        "The step of a note is a 64-bit phase increment. The increment is the product of four powers of 2^(1/12): one "
+        "for the\n"
+        "whole semitones and three for fractions of a semitone. For notes 12 to 120, tested at every 1/256 of a "
+        "semitone, the\n"
+        "step is at most %.1e cents off (at note %d). The speed ratio of a sample, from four octaves down to two "
+        "octaves up,\n"
+        "is at most %.1e cents off. In a pitch slide, the engine computes the phase at the end of a frame directly. In "
+        "%s\n"
         "frames of random slides, this phase is compared with the sum of the frame's 800 steps: %d frames differ.",
         cents, at, ratio, report_count(FRAMES), apart);
     report_text("A music tick is 600,000 units long. The tempo is stored as a number of hundredths of a quarter note "
