@@ -38,7 +38,7 @@ enum {
 
 /* Each instruction counts as one and one more for so many of ... */
 enum {
-    A_TEXT = 4096, /* bytes of a text */
+    A_TEXT = 1024, /* bytes of a text */
     A_ZERO = 2,    /* zero bytes in it: `<` compares what lies between them, one by one */
     A_NUMERAL = 64,
     A_LINK = 4, /* tables linked by __index or __newindex */
@@ -217,7 +217,7 @@ void vm_look(lua_State *L, lua_Debug *ar)
 
 /* ---- the limit ---- */
 
-/* " (each counts as 17 with a string of 65536 bytes in scope)", or "" if each counted as one. */
+/* " (each counts as 65 with a string of 65536 bytes in scope)", or "" if each counted as one. */
 static void say_weight(const struct vm_weight *w, char *text, size_t size)
 {
     static const char *const scope[] = {

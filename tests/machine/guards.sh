@@ -69,7 +69,7 @@ task 'tasks into a full pool, which the fault explains' 'while true do task.go(p
 task 'bullets' 'while true do bullet.clear() end'
 task 'each callback' 'local s = task.scope() enemy.each("x", print) while true do task.stop(s) end'
 task 'at the brim of memory' 'local t = {} for i = 1, 30000 do t[i] = i end while true do local a = {} end' "$LOOP$TASK"
-task 'long texts' 'local s = ("x"):rep(4000) while true do local t = s .. "y" end'
+task 'long texts' 'local s = ("x"):rep(1000) while true do local t = s .. "y" end'
 task 'a task that waits in between' 'while true do for i = 1, 3 do pcall(wait, 0) end end'
 bomb 'after a thousand good turns' "main.lua:1: $LOOP$TASK" \
     <<<'for i = 1, 60 do task.go(function() wait(2) if i == 60 then while true do end end end) end'
@@ -131,8 +131,8 @@ both 'pattern bomb, gsub' '("a"):rep(300):gsub(("a*"):rep(8) .. "b", "")'
 both 'pattern bomb, gmatch' 'for _ in ("a"):rep(300):gmatch(("a-"):rep(8) .. "b") do end'
 both 'pattern bomb, %b and %f' '("("):rep(60000):gsub("%b()", "")'$' while true do end'
 both 'format' '("%99999d"):format(1)' "invalid conversion '%999' to 'format'"
-both 'utf8.len of much' 'local s = ("x"):rep(4000) while true do utf8.len(s) end'
-both 'reverse of much' 'local s = ("x"):rep(4000) while true do s:reverse() end'
+both 'utf8.len of much' 'local s = ("x"):rep(1000) while true do utf8.len(s) end'
+both 'reverse of much' 'local s = ("x"):rep(1000) while true do s:reverse() end'
 
 # ---- what is not there ----
 
@@ -281,12 +281,12 @@ verdict() { # NAME TURN VERDICT
     fi
 }
 text='local s = ("x"):rep(65535) local n = 0'
-beside=' (each counts as 16 with a string of 65535 bytes in scope)'
+beside=' (each counts as 64 with a string of 65535 bytes in scope)'
 verdict '11 million turns of a loop beside a long text' "$text for i = 1, 11000000 do n = n + 1 end" \
     "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
 verdict '14 million short turns beside a long text' "$text for i = 1, 14000000 do end" \
     "main.lua:1: $LOOP$beside$TASK"$'\nexit 2'
-verdict '5 million turns beside a long text' "$text for i = 1, 5000000 do n = n + 1 end" 'exit 0'
+verdict '1.4 million turns beside a long text' "$text for i = 1, 1400000 do n = n + 1 end" 'exit 0'
 verdict 'nearly as many turns of a loop as a frame may have' 'for i = 1, 190000000 do end' 'exit 0'
 verdict 'a few more' 'for i = 1, 201000000 do end' "main.lua:1: $LOOP$TASK"$'\nexit 2'
 finish

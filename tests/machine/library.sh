@@ -94,7 +94,7 @@ at=$(($(wc -l <tiny/main.lua) + 1))
 slow long '' 'for i = 1, 5000000 do end'
 slow endless "main.lua:$at: infinite loop" 'for i = 1, forever do end'
 slow beside "main.lua:$at: infinite loop" 'local s = ("x"):rep(65535) for i = 1, 14000000 do end'
-slow below '' 'local s = ("x"):rep(65535) for i = 1, 9000000 do end'
+slow below '' 'local s = ("x"):rep(65535) for i = 1, 2250000 do end'
 slow error "main.lua:$at: boo" 'for i = 1, 5000000 do end error("boo")'
 
 # ---- other languages ----

@@ -63,7 +63,7 @@ static void the_reason_is_said(void **state)
         const char *text, *says;
     } cases[] = {
         { "local a, b = ('n'):rep(65536), 1 while true do b = a == b end",
-          "worst:1: infinite loop: more than 5000000 instructions in one line (each counts as 17 with a string of "
+          "worst:1: infinite loop: more than 5000000 instructions in one line (each counts as 65 with a string of "
           "65536 bytes in scope)" },
         { "while true do end", "worst:1: infinite loop: more than 5000000 instructions in one line" },
     };
