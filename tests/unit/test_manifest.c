@@ -391,6 +391,8 @@ static void test_texts(void **state)
     entry_refused("title = '0123456789012345678901234567890123456789012345678901234567890123'",
                   "title: expected a line of at most 63 bytes, got \"0123456789012345678901234567890123456789\"");
     entry_refused("author = 'a\\127'", "author: expected a line of at most 63 bytes");
+    entry_refused("title = 'a\\u{9b}b'", "title: expected a line of 1 to 63 bytes");   /* a terminal's escape */
+    entry_refused("title = 'a\\u{202e}b'", "title: expected a line of 1 to 63 bytes"); /* reverses text */
     entry_refused("entry = '../main'", "entry: expected a script's path without .lua, at most 63 bytes");
     entry_refused("entry = ''", "entry: expected a script's path without .lua, at most 63 bytes");
 }
