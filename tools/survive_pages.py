@@ -120,7 +120,8 @@ curves.
 """
     told, sections, difficulties = read(folder, "glasstide")
     yield from table(told, sections, difficulties)
-    yield "\n%s\n\nThese sections are harder at the easier of two difficulties:\n" % holding(folder, "glasstide")
+    yield "\n%s\n" % holding(folder, "glasstide")
+    yield "These sections are harder at a lower difficulty than at a higher one:\n"
     worse = ["* `%s` is harder on %s than on %s: %s" % (section, a, b, why) for section, a, b, one, two in
              pairs(told, sections, difficulties) for why in [harder(one, two)] if why]
     yield from worse or ["None."]

@@ -83,7 +83,7 @@ doc '<repeat><times>0</times><action/></repeat>' >zero.xml
 refuse "what is wrong" "curtain: bad.xml:2:33: <fyre> is not a BulletML element" "$curtain" bulletml bad.xml
 check "what is hardly meant is no failure" "$curtain" bulletml zero.xml
 says() { "$curtain" bulletml "$@" 2>&1; }
-same "and is told" "zero.xml:2:1: <repeat>: times is 0, but a repeat runs at least once" "$(says zero.xml | head -n 1)"
+same "it is named" "zero.xml:2:1: <repeat>: times is 0, but a repeat runs at least once" "$(says zero.xml | head -n 1)"
 same "one that is wrong does not end it" 1 "$(says bad.xml zero.xml | grep -c 'zero.xml: 1 top action')"
 refuse "a file that is not there" "none.xml: no such file" "$curtain" bulletml none.xml
 refuse "--lua is of one" "bulletml: --lua takes one document, got 2" "$curtain" bulletml --lua zero.xml zero.xml

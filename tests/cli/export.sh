@@ -93,7 +93,7 @@ same 'settings are its own' "$PWD/data/curtain-lanterns/curtain.conf" \
     "$(./game help config | grep -o '/[^ ]*curtain.conf' | head -1)"
 lists() { ./game help; }
 same 'its help has the options of playing, and no developer'"'"'s key' '1 1 0 0 0' \
-    "$(for word in ' --fullscreen ' ' pause ' ' console ' ' reload ' ' render '; do lists | grep -c -- "$word"; done |
+    "$(for word in ' --fullscreen ' ' pause  ' ' console ' ' reload ' ' render '; do lists | grep -c -- "$word"; done |
         paste -sd ' ')"
 plays='plays Paper \ Lanterns'
 for command in 'render' 'hash' 'verify a b' 'pack a' 'list a' 'unpack a b' 'check a' 'sound a' 'export a' 'capture'; do

@@ -96,12 +96,12 @@ check 'the type is made known' known
 cp "$scratch/mygame.rom" "$scratch/by-name.rom"
 cp "$scratch/mygame.rom" "$scratch/by-its-first-bytes"
 for file in by-name.rom by-its-first-bytes; do
-    check "a ROM is told: $file" is_rom "$scratch/$file"
+    check "it is recognized as a ROM: $file" is_rom "$scratch/$file"
 done
 "$installed" hash roms/testcard --frames 9 --record "$scratch/by-name.demo" >/dev/null
 cp "$scratch/by-name.demo" "$scratch/a-replay"
 for file in by-name.demo a-replay; do
-    same "a replay is told: $file" application/x-curtain-demo "$(kind "$scratch/$file")"
+    same "it is recognized as a replay: $file" application/x-curtain-demo "$(kind "$scratch/$file")"
 done
 opens() { desktop gio mime "application/x-curtain-$1" | grep -q 'curtain\.desktop'; }
 for type in rom demo; do check "curtain opens a .$type" opens $type; done

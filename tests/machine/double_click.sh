@@ -144,7 +144,7 @@ application/x-curtain-rom=b.desktop'; do
     printf '%s\n' "$list" >"$own/applications/mimeapps.list"
     "$program" register >said 2>&1
     same 'another default stays, and is named' "$(grep -c viewer <<<"$list")" \
-        "$(grep -c 'still open with another' said)"
+        "$(grep -c 'Another program still opens' said)"
     "$program" register --remove >said 2>&1
     same '... and other lines are as they were' "$list" "$(cat "$own/applications/mimeapps.list")"
 done

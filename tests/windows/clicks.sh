@@ -109,7 +109,7 @@ same 'and nothing is left' "$(cat classes.before)" "$(classes)"
 for root in HKCU HKLM; do wine reg add "$root\\Software\\Classes\\.rom" /ve /d Emulator.Rom /f >/dev/null 2>&1; done
 classes >classes.emulator
 check 'another program that opens .rom files is named' \
-    eval 'here register | grep -q "^Curtain games (.rom) still open with another program"'
+    eval 'here register | grep -q "^Another program still opens Curtain games (.rom)"'
 same '... and stays' Emulator.Rom "$(value .rom)"
 check '... and Curtain can be chosen' wine reg query 'HKCU\Software\Classes\.rom\OpenWithProgids' /v Curtain.Game
 here register --remove >/dev/null

@@ -273,9 +273,9 @@ static const char *beside(struct size *s, int r)
 
 static void parts_table(void)
 {
-    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell has four times: first the "
-                 "engine's, with all bullets drawn, then those of (a), (b) and (c). The last two columns are the "
-                 "engine's tick plus draw, divided by the tick plus draw of (b) or (c)",
+    report_table("Nanoseconds per bullet and frame, by part of the frame. Each cell lists the engine's time "
+                 "with all bullets drawn, then the times of (a), (b) and (c). The last two columns are the engine's "
+                 "tick plus draw, divided by the tick plus draw of (b) or (c)",
                  "n> | tick> | draw> | present> | vs (b)> | vs (c)>");
     for (int i = 0; i < n_sizes; i++) {
         struct size *s = &sizes[i];

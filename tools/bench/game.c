@@ -274,7 +274,7 @@ void section_memory(void)
     report_text("A bullet slot takes **%s bytes** of RAM: its columns, and the events it can raise in one frame. A "
                 "snapshot copies %s bytes for each live bullet and nothing for free slots. A board with the default "
                 "capacities, such as that of `examples/first`, has **%s MiB** of RAM, including 4 MiB for Lua. The "
-                "built-in game's board has %s MiB.",
+                "built-in game's board takes %s MiB.",
                 report_figure(reserved), report_figure(live_bytes()), report_figure(usual), report_figure(game));
     bench_target("RAM of a board with the default capacities", "8 MiB", report_string("%s MiB", report_figure(usual)),
                  usual < 8);

@@ -47,10 +47,10 @@ static const struct price MOTION[] = {
 
 static const struct price SHAPES[] = {
     { "straight", "flies straight", PLAIN },
-    { "circle", "has a circle as hitbox, close to the player", PLAIN },
-    { "box", "has a box as hitbox, close to the player", PLAIN },
-    { "capsule", "has a capsule as hitbox, close to the player", PLAIN },
-    { "circles", "has three circles as hitbox, close to the player", PLAIN },
+    { "circle", "has a circle as its hitbox, close to the player", PLAIN },
+    { "box", "has a box as its hitbox, close to the player", PLAIN },
+    { "capsule", "has a capsule as its hitbox, close to the player", PLAIN },
+    { "circles", "has three circles as its hitbox, close to the player", PLAIN },
     { "turned_circles", "has three circles with `turns` as hitbox, close to the player", PLAIN },
     { "hp", "has hp, while 64 distant shots look for bullets with hp", GROUPS },
 };

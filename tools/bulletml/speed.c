@@ -226,11 +226,12 @@ bool tool_speed(struct tool_times *out)
         "computes a bullet's velocity in every frame; the *fast host* computes it only when the direction or speed "
         "changes. Both hosts free a bullet's actions when they have ended, and test whether bullets have left a box.\n"
         "\n"
-        "Curtain and both hosts run the same documents from the same positions, in one process, in turns of ten frames "
-        "each. A document runs in as many copies as needed for 1,000 to 64,000 active bullets. *Runners* is the number "
-        "of bullets and documents whose actions are running. The times are medians of 100 frames, in ns per bullet. A "
-        "ratio is a host's time divided by Curtain's time. Curtain's frame is a whole tick, including hit tests. With "
-        "the largest numbers of bullets, the hosts are slow because the bullets do not fit in the CPU's caches.");
+        "Curtain and both hosts run the same documents from the same positions, in one process, alternating every ten "
+        "frames. A document runs in as many copies as needed for 1,000 to 64,000 active bullets. *Runners* is the "
+        "number of bullets and documents whose actions are running. The times are medians of 100 frames, in ns per "
+        "bullet. A ratio is a host's time divided by Curtain's time. Curtain's frame is a whole tick, including hit "
+        "tests. With the largest numbers of bullets, the hosts are slow because the bullets do not fit in the CPU's "
+        "caches.");
     if (!scripted(ratio) || !straight(line))
         return false;
     *out = (struct tool_times){ median(ratio, DOCUMENTS * SIZES, PLAIN), median(ratio, DOCUMENTS * SIZES, QUICK),

@@ -36,8 +36,8 @@ void section_screens(void)
                 "whenever the host waits, it resumes up to 1 ms late. The columns are:\n"
                 "\n"
                 "* *none*, *one* and *two*: how many refreshes show no new tick, one new tick, and two new ticks\n"
-                "* *required*: how many refreshes must show none or two because the rates differ\n"
-                "* *extra*: how many refreshes show none or two in addition to the required ones\n"
+                "* *required*: how many refreshes must show no new tick or two because the rates differ\n"
+                "* *extra*: how many more refreshes than required show no new tick or two\n"
                 "* *off*: the largest deviation of the ticks from the clock\n"
                 "* *to the screen*: the average time that a tick waits for its refresh");
     report_table(NULL, "screen|vsync|ticks>|none>|one>|two>|required>|extra>|off, ticks>|to the screen>");

@@ -76,7 +76,7 @@ void section_levels(void)
                 "samples and\n"
                 "interpolates linearly in between. In a block that contains a corner of the envelope, the engine "
                 "evaluates the level at\n"
-                "every sample. In the table, *level* is the largest error of the level at any age. *Heard* is the "
+                "every sample. In the table, *level* is the largest level error at any age. *Heard* is the "
                 "largest error of a sine\n"
                 "over %d frames. The sine starts at sample %d of a frame, and the error includes its quantisation:",
                 (int)SND_BLOCK, (int)FRAMES, (int)AT);

@@ -303,7 +303,7 @@ static const struct api_param mission_def[] = {
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "line that tells the player what to do"),
     PARAM("stage", A_STR, OPT, 1, 31, NULL, NULL, "stage that contains the part to play; give `stage` or `boss`"),
     PARAM("mark", A_STR, OPT, 1, 31, NULL, NULL,
-          "mark where the part starts; defaults to the start of the stage; needs `stage`"),
+          "name of the mark where the part starts; defaults to the start of the stage; needs `stage`"),
     PARAM("to", A_STR, OPT, 1, 31, NULL, NULL,
           "mark where the part ends; defaults to the end of the stage; needs `stage`"),
     PARAM("boss", A_STR, OPT, 1, 31, NULL, NULL, "boss to fight"),
@@ -395,7 +395,7 @@ static const struct api_param boot_screens[] = {
     SCREEN("continue", "continue(index, left): returns true to continue; `left` is the number of remaining continues"),
     SCREEN("results", "results(title, players, stopped, lines, new, grades): ends once stopped() is true"),
     SCREEN("name", "name(entries): returns a list with a name for each entry { p, points, rank }"),
-    SCREEN("ending", "ending(run): shown when all stages are cleared, if the game has no ending"),
+    SCREEN("ending", "ending(run): shown when all stages are cleared, unless boot.run has `ending`"),
     SCREEN("staff", "staff(parts): shows the credits of this run"),
     SCREEN("scores", "scores(difficulty, limit, row, ship): returns true if START was pressed"),
     SCREEN("history", "history(difficulty): shows how often spells were captured"),
@@ -570,7 +570,7 @@ static const struct api_entry entries[] = {
     LUA("boot.run screens", boot_screens, 0, API_SYS, NULL,
         "functions that replace screens; each runs in a task, draws its screen and returns the player's choice"),
 #endif
-    LUA("boot.run music", boot_music, 0, API_SYS, NULL, "one piece of the music room"),
+    LUA("boot.run music", boot_music, 0, API_SYS, NULL, "one piece of music in the music room"),
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 

@@ -168,7 +168,7 @@ const struct option_row args_options[OPTIONS] = {
                      "export: write a zip file for each of --linux, --windows, --web and --libretro to the folder "
                      "ID-exports, each with the licences and a README for players; survive: search every stage and "
                      "boss phase at every difficulty (or those that --stage and --difficulty choose), print a line for "
-                     "each, and report those that are harder at an easier difficulty" },
+                     "each, and report those that are harder at a lower difficulty" },
     [OPTION_EFFORT] = { "--effort", "N", FOR_SURVIVE, NUMBER(effort, 1, ARGS_MAX_EFFORT),
                         "maximum number of plans, in hundreds, 1 to 1000 (default 4)" },
     [OPTION_BOTS] = { "--bots", "N", FOR_SURVIVE, NUMBER(bots, 1, ARGS_MAX_BOTS),

@@ -53,7 +53,7 @@ static bool may_practise(struct cab *cab)
 
     if (cab->session.demo || records)
         cab_notice(cab, CAB_NOTICE_FRAMES,
-                   records ? "Practice is unavailable while the run from the title is being recorded"
+                   records ? "Practice is unavailable while this run is being recorded"
                            : "Practice is unavailable in a replay");
     return !cab->session.demo && !records;
 }

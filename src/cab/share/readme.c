@@ -45,8 +45,7 @@ static const struct {
         "choose \"More\" on the page.\n",
         "The browser stores the scores and settings. To save a recording of a run, choose \"More\", then\n"
         "\"Save Recording\".\n",
-        "Delete the files. To delete the scores and settings too, delete the data of this page in the browser's\n"
-        "settings.\n",
+        "Delete the files. To delete the scores and settings too, delete this page's data in the browser's settings.\n",
         true, false,
     },
     [EXPORT_LIBRETRO] = {

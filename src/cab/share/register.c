@@ -47,7 +47,7 @@ static void print_type(int i, bool remove, bool second)
     if (remove)
         report_print("Curtain %s (.%s) no longer open with this program.\n", types[i].plural, types[i].file.ending);
     else if (second)
-        report_print("Curtain %s (.%s) still open with another program. To choose Curtain, right-click a file and "
+        report_print("Another program still opens Curtain %s (.%s). To choose Curtain, right-click a file and "
                      "select \"Open With\".\n",
                      types[i].plural, types[i].file.ending);
     else

@@ -46,8 +46,8 @@ static void tell_cannot(const struct seek *s)
     report_print(
         "  covered: every position the ship can reach from frame %u on (rounded up), with hitboxes rounded down\n",
         (unsigned)s->begin);
-    report_print("  valid for these bullets, which flew identically in %u more runs with different buttons, with and "
-                 "without fire\n",
+    report_print("  valid for these bullets, which flew identically in %u more runs with other buttons, some of them "
+                 "with fire held\n",
                  (unsigned)s->probes);
     report_print("  not valid if a script reads player positions that none of these runs reached, or if a bomb saves "
                  "the ship\n");

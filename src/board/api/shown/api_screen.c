@@ -45,7 +45,7 @@ static const struct api_param put[] = {
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
           "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
-    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, "thing to follow; the sprite is removed when the thing is"),
+    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, "thing to follow; the sprite is removed together with it"),
     PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the followed thing; needs `follow`"),
     PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the followed thing; needs `follow`"),
 };

@@ -28,7 +28,7 @@ static const struct api_param def[] = {
     PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
     PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
           "frames for which nothing can hit the ship; defaults to `over`"),
-    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "register of the ship that pays for the bomb"),
+    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "name of the ship's register from which the bomb is paid"),
     PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount that the bomb takes from `stock`; 0 needs no register"),
 };
 

@@ -617,10 +617,10 @@ static const struct api_param bullet_sweep[] = {
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
-            "horizontal position in the field; a write teleports it, without hits on the way"),                        \
+            "horizontal position in the field; a write teleports it, without collisions on the way"),                  \
       PROP_WRITE },                                                                                                    \
         { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
-                "vertical position in the field; a write teleports it, without hits on the way"),                      \
+                "vertical position in the field; a write teleports it, without collisions on the way"),                \
           PROP_WRITE },                                                                                                \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
           PROP_WRITE },                                                                                                \
@@ -1672,7 +1672,7 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
         API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \
         API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL,                                                      \
-                 "teleports " it " by a distance, without hits on the way"),                                           \
+                 "teleports " it " by a distance, without collisions on the way"),                                     \
         CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {

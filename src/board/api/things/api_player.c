@@ -255,10 +255,10 @@ enum {
 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "horizontal position in the field; a write teleports it, without hits on the way"),
+            "horizontal position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
-            "vertical position in the field; a write teleports it, without hits on the way"),
+            "vertical position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE },
     { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
             "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
