@@ -58,7 +58,8 @@ cd "$repo" || exit 2
 for dir in roms/*/rom.lua examples/*/rom.lua; do dir=${dir%rom.lua}; fine "${dir%/}" "${dir%/}"; done
 cd "$scratch" || exit 2
 game everything <"$repo/tests/cli/everything.lua"
-sed -i 's/shots = 32/shots = 64/' everything/rom.lua # two ships fire
+sed -i 's/shots = 32/shots = 64/;s/sprites = 16/sprites = 64/' everything/rom.lua # two ships fire
+sed -i 's/if i % 70 == 20 then/if i % 70 == 20 and i < 600 then/' everything/main.lua # and none, while menus are shown
 fine 'a game that uses everything' everything
 mkdir -p pages
 for page in "$repo"/docs/guide/*.md "$repo"/docs/reference/{rom,mml}.md; do
@@ -861,6 +862,30 @@ reaches 'another ship' 'on.death(function(p) if p.kind == "other" then print(p.p
 reaches 'another difficulty' \
     'on.death(function(p) if board.difficulty() == "hard" then print(p.pwoer) end end)'
 reaches 'a second player' 'on.start(function() if player.get(2).alive then print(player.get(1).pwoer) end end)'
+# The screens that the title opens: pages of the game's own, and its screens in place of the library's.
+started() { # TEXT START: reaches TEXT, in a game that START begins
+    player <<<'return function() print(player.get(1).pwoer) end'
+    sed -i 's/^boot.run.*//' forced/main.lua
+    printf '%s\n' 'local broken = require "more"' "$2" >>forced/main.lua
+    got=$("$curtain" check forced 2>&1)
+    check "$1" grep -q '^more.lua:1: a player has no property "pwoer"$' <<<"$got"
+}
+run='boot.run { stages = { "one" }, players = { "ship", "other" }'
+pages="{ name = 'a', show = print }, { name = 'b', show = print }"
+started 'a page in the title menu' "$run, pages = { { name = 'how', show = broken } } }"
+started 'and the last of several' "$run, pages = { $pages, { name = 'how', show = broken } } }"
+started 'the screen music' "$run, screens = { music = broken }, music = { room = true } }"
+started 'the screen scores' "$run, screens = { scores = broken } }"
+started 'the screen unlocks' "unlock.def('u', { title = 'U', when = function() return false end })
+$run, screens = { unlocks = broken } }"
+started 'the screen history' "boss.def('b', { title = 'B', kind = 'jelly', x = 60, y = 60, phases = {
+  { id = 'p', spell = 'S', hp = 9, time = 300, run = function() wait(forever) end } } })
+stage.def('two', function() boss.fight('b') end)
+${run/one/two}, screens = { history = broken } }"
+for screen in missions mission; do
+    started "the screen $screen" "mission.def('m', { title = 'M', stage = 'one', goal = { grazes = 60 } })
+$run, screens = { $screen = broken } }"
+done
 player <<'LUA'
 on.extend(function(p) print(p.first) end)
 on.death(function(p) print(p.second) end)

@@ -1,7 +1,8 @@
 /*
  * check_forced.c - runs that bring a game where nobody comes by flying well: each ship at each difficulty loses lives,
  * bombs and pauses; every section is played for a while at the easiest and the hardest; whole games are played from
- * the title, by one and by two, with continues, to a game over and to the end, in each language and with each switch.
+ * the title, by one and by two, with continues, to a game over and to the end, in each language and with each switch;
+ * each entry of the title menu is opened.
  *
  * Buttons are pressed as a function of the frame and of what the board tells, so a run is the same each time. What no
  * button brings about for sure, force_run does. Menus of the library's kind are gone through by pressing fire; a game
@@ -28,17 +29,20 @@ enum {
     AFTER_FRAMES = 1500,  /* after a game: its end, names and scores */
     START_FRAMES = 900,   /* of a game in another language, or with another switch */
     MENU_FRAMES = 2400,   /* of somebody who presses anything */
+    ENTRIES = 12,         /* of the title menu, each opened */
+    ENTRY_FRAMES = 900,   /* of what an entry opens: a third nothing is pressed, a third fire, then anything */
     TAP = 2,              /* frames a button is held */
     EVERY = 24,           /* frames from one press to the next: menus want some in between */
     PAUSE_FRAMES = 60     /* from the press that pauses to the game's going on */
 };
 
-enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS };
+enum tour_kind { TOUR_LOST, TOUR_TWO, TOUR_WON, TOUR_START, TOUR_MENUS, TOUR_ENTRY };
 
 /* A game from its title. */
 struct tour {
     enum tour_kind kind;
     struct board_start start;
+    int entry; /* of TOUR_ENTRY: 1 is the one below the first */
     bool playing, over;
     uint32_t since; /* the frame in which the game began, or was over */
     uint32_t out;   /* frames since the last player is out */
@@ -217,6 +221,25 @@ static uint16_t any_pads(uint32_t frame)
     return tap(frame, EVERY, buttons[(n ^ n >> 15) >> 7 & 7]);
 }
 
+static uint32_t opened_at(const struct tour *t)
+{
+    return (uint32_t)(t->entry + 2) * EVERY;
+}
+
+/* The title, down to the entry, which is opened. */
+static uint16_t entry_pads(const struct tour *t, uint32_t frame)
+{
+    const uint32_t opened = opened_at(t);
+
+    if (frame < EVERY)
+        return 0;
+    if (frame < opened)
+        return tap(frame, EVERY, frame < 2 * EVERY ? PAD_START : PAD_DOWN);
+    if (frame < opened + ENTRY_FRAMES / 3)
+        return frame < opened + TAP ? PAD_FIRE : 0;
+    return frame < opened + 2 * ENTRY_FRAMES / 3 ? tap(frame, EVERY, PAD_FIRE) : any_pads(frame);
+}
+
 static bool anyone_in(const struct run *r)
 {
     return force_in_game(check_board(r), 0) || force_in_game(check_board(r), 1);
@@ -235,6 +258,8 @@ static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint1
     memset(pads, 0, PADS * sizeof *pads);
     if (t->kind == TOUR_MENUS)
         pads[0] = any_pads(frame);
+    else if (t->kind == TOUR_ENTRY)
+        pads[0] = entry_pads(t, frame);
     else if (t->over)
         pads[0] = age / EVERY % 4 == 3 ? tap(age, EVERY, PAD_START) : tap(age, EVERY, PAD_FIRE);
     else if (!t->playing)
@@ -266,6 +291,10 @@ static void tour_force(struct run *r, struct tour *t, uint32_t age)
             force(r, FORCE_SAFE, p);
         if (age % 60 == 0)
             force(r, FORCE_DAMAGE, 0);
+        break;
+    case TOUR_ENTRY:
+        if (age % 60 == 59) /* a mission is over soon */
+            force(r, FORCE_DEATH, 0);
         break;
     case TOUR_START:
     case TOUR_MENUS:
@@ -303,6 +332,8 @@ static bool is_over(const struct tour *t, uint32_t frame)
 
     if (t->kind == TOUR_MENUS)
         return frame >= MENU_FRAMES;
+    if (t->kind == TOUR_ENTRY)
+        return frame >= opened_at(t) + ENTRY_FRAMES;
     if (!t->playing)
         return frame >= BEFORE_FRAMES;
     if (frame >= BEFORE_FRAMES + most + AFTER_FRAMES) /* a game may start again and again */
@@ -345,6 +376,19 @@ static void tour(struct run *r, const char *what, enum tour_kind kind, const str
     } while (*check_broken(r) != before);
 }
 
+/* Each entry of the title menu: the game's pages, and its screens in place of the library's. A list starts again below
+ * its last entry, so a short one is gone through more than once. */
+static void open_entries(struct run *r, const struct board_start *start)
+{
+    char what[32];
+
+    for (int i = 1; i <= ENTRIES; i++) {
+        struct tour t = { .kind = TOUR_ENTRY, .start = *start, .entry = i };
+        snprintf(what, sizeof what, "menu entry %d", i + 1);
+        go_round(r, what, &t, NULL, NULL);
+    }
+}
+
 /* A game that is won, and then its title with what that left: scores, spells, unlocks. */
 static void win(struct run *r)
 {
@@ -357,6 +401,7 @@ static void win(struct run *r)
     start.nvram = nvram;
     start.nvram_size = nvram != NULL ? size : 0;
     tour(r, "the menus after a game", TOUR_MENUS, &start);
+    open_entries(r, &start);
     free(nvram);
 }
 
