@@ -101,6 +101,8 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (game_files_have(&s->game, path))
         return report_line(RESULT_REFUSED, "-o: %s is one of the game's files; choose another folder", path);
+    if (!output_path_available(path, png_is_signed))
+        return report_line(RESULT_REFUSED, "%s: already exists; remove it, or choose another folder with -o", path);
     if (r->a->sheet && plat_same(path, r->a->sheet))
         return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);

@@ -85,6 +85,12 @@ bad 'render: a frame in place of a picture of the game' \
     render h --frames 1 -o h/art
 check 'it is as it was' cmp bullets.kept h/art/000001.png
 rm -r h
+mkdir film
+echo mine >film/000001.png
+bad 'render: a frame in place of somebody'"'"'s file' \
+    'film/000001.png: already exists; remove it, or choose another folder with -o' render g --frames 0,1 -o film
+check '... but in place of an older frame' "$curtain" render g --frames 0 -o film
+same 'it is as it was' mine "$(cat film/000001.png)"
 bad 'render: a sheet in place of a frame' \
     '--sheet: ./000001.png is also the name of a frame file; choose another name' \
     render g --frames 1 -o . --sheet ./000001.png

@@ -169,6 +169,10 @@ static uint8_t *palette_chunk(uint8_t *p, const uint32_t rgb[256])
     return png_chunk(p, "PLTE", colours, sizeof colours);
 }
 
+static const uint8_t author[] = "Software\0Curtain"; /* without the last byte: the data of a tEXt */
+
+enum { AUTHOR = sizeof author - 1, AFTER_HEAD = 8 + 12 + 13 /* bytes of the signature and IHDR */ };
+
 static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *packed, uint32_t n)
 {
     uint8_t head[13] = { 0 }, *p = out;
@@ -179,6 +183,7 @@ static size_t assemble(uint8_t *out, const struct pixels *pic, const uint8_t *pa
     head[9] = pic->palette ? 3 : 2; /* palette or RGB */
     memcpy(p, signature, sizeof signature);
     p = png_chunk(p + sizeof signature, "IHDR", head, sizeof head);
+    p = png_chunk(p, "tEXt", author, AUTHOR);
     if (pic->palette)
         p = palette_chunk(p, pic->palette);
     p = png_chunk(p, "IDAT", packed, n);
@@ -213,7 +218,7 @@ static uint8_t *compressed_file(const struct pixels *pic, uint8_t *raw, size_t r
 
     if (!png_deflate(raw, raw_size, &packed, &n))
         return NULL;
-    out = malloc(sizeof signature + 4 * 12 + 13 + 768 + n);
+    out = malloc(sizeof signature + 5 * 12 + 13 + AUTHOR + 768 + n);
     if (out)
         *size = assemble(out, pic, packed, (uint32_t)n);
     free(packed);
@@ -245,32 +250,12 @@ bool png_write_rgb(const uint8_t *rgb, int w, int h, uint8_t **out, size_t *size
     return write_picture(&(struct pixels){ rgb, (ptrdiff_t)w * 3, w, h, 3, NULL }, out, size);
 }
 
-/* ---- the mark ---- */
-
-enum { AFTER_HEAD = 8 + 12 + 13 /* bytes of the signature and IHDR */ };
-
-static const uint8_t author[] = "Software\0Curtain"; /* without the last byte: the data of a tEXt */
-
-bool png_sign(uint8_t **png, size_t *size)
-{
-    const size_t more = 12 + sizeof author - 1;
-    uint8_t *larger = realloc(*png, *size + more);
-
-    if (!larger)
-        return false;
-    memmove(larger + AFTER_HEAD + more, larger + AFTER_HEAD, *size - AFTER_HEAD);
-    png_chunk(larger + AFTER_HEAD, "tEXt", author, sizeof author - 1);
-    *png = larger;
-    *size += more;
-    return true;
-}
-
 bool png_is_signed(const uint8_t *head, size_t n)
 {
     const size_t data = AFTER_HEAD + 8;
 
-    return n >= data + sizeof author - 1 && memcmp(head, signature, sizeof signature) == 0 &&
-           memcmp(head + data - 4, "tEXt", 4) == 0 && memcmp(head + data, author, sizeof author - 1) == 0;
+    return n >= data + AUTHOR && memcmp(head, signature, sizeof signature) == 0 &&
+           memcmp(head + data - 4, "tEXt", 4) == 0 && memcmp(head + data, author, AUTHOR) == 0;
 }
 
 /* ---- reading ---- */

@@ -41,9 +41,7 @@ bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **i
  * damaged, or does not inflate to just that size. */
 bool png_inflate(const uint8_t *packed, size_t n, uint8_t *out, size_t size);
 
-/* Marks a file of png_write as written by this program: *png grows. False: out of memory. png_is_signed tells from the
- * first n bytes. */
-bool png_sign(uint8_t **png, size_t *size);
+/* Was a file written by png_write or png_write_rgb? Tells from its first n bytes. */
 bool png_is_signed(const uint8_t *head, size_t n);
 
 #endif

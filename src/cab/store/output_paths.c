@@ -131,13 +131,18 @@ bool output_paths_check(const char *game, const char *demo, const struct output_
 
 /* ---- those that were not ---- */
 
+bool output_path_available(const char *path, output_ours *ours)
+{
+    return plat_size(path) < 0 || is_ours(path, ours);
+}
+
 bool output_path_derived(const char *game, const char *path, output_ours *ours, char *err, size_t err_size)
 {
     const struct output_path out = { .option = "-o", .path = path };
 
     if (!output_paths_check(game, NULL, &out, 1, err, err_size))
         return false;
-    if (plat_size(path) < 0 || is_ours(path, ours))
+    if (output_path_available(path, ours))
         return true;
     return err_set(err, err_size, "%s: already exists; remove it, or choose another file with -o", path);
 }

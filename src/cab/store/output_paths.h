@@ -37,6 +37,9 @@ void game_files_close(struct game_files *g);
 bool output_paths_check(const char *game, const char *demo, const struct output_path *out, int n, char *err,
                         size_t err_size);
 
+/* Is no file there, or one of ours? */
+bool output_path_available(const char *path, output_ours *ours);
+
 /* May a file be written that nobody named? False and one sentence: it is there, and not of this command. */
 bool output_path_derived(const char *game, const char *path, output_ours *ours, char *err, size_t err_size);
 

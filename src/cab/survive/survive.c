@@ -78,7 +78,7 @@ static bool other_ending(const char *demo, char *out, size_t size)
 static enum result save_picture(const char *path, uint8_t *png, size_t size)
 {
     char err[FILES_ERR];
-    const bool good = png && png_sign(&png, &size) && files_save(path, png, size, err, sizeof err);
+    const bool good = png && files_save(path, png, size, err, sizeof err);
 
     free(png);
     if (!png)
