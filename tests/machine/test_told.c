@@ -1040,6 +1040,8 @@ static void test_meant(void **state)
          "main.lua:2: motion.def: step 1: unknown argument \"angle\" (did you mean \"dir\"?)");
     SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } print(b.colour)",
          "main.lua:2: a bullet has no property \"colour\" (did you mean \"bank\"?)");
+    SAYS("local b = bullet.fire { kind = 'dot', x = 1, y = 1, speed = 1 } b.rotation = 3",
+         "main.lua:2: a bullet has no property \"rotation\" (did you mean \"dir\"?)");
     /* the call's own arguments alone are counted */
     SAYS("local e = enemy.spawn { kind = 'foe', x = 1, y = 1 } e:move(9, 9, 30)",
          "main.lua:2: enemy:move: expected a table of named arguments (enemy:move { ... }), got 3 arguments");

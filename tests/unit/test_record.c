@@ -265,12 +265,14 @@ static void test_id3(void **state)
 
     (void)state;
     for (int i = 0; i < 3; i++)
-        for (int footer = 0; footer < 2; footer++) {
+        for (int way = 0; way < 4; way++) { /* without and with a footer, one tag and two */
             struct pcm p, bare = read_seed(names[i], &own_loop);
-            size_t n, front = 10 + 300 + (footer ? 10 : 0);
+            size_t n, tag = 10 + 300 + (way & 1 ? 10 : 0), front = way & 2 ? 2 * tag : tag;
             uint8_t *data = load(names[i], &n), *tagged = calloc(front + n + 128, 1);
-            memcpy(tagged, "ID3\x04\x00\x00\x00\x00\x02\x2c", 10); /* 2 * 128 + 44 */
-            tagged[5] = footer ? 16 : 0;
+            for (size_t at = 0; at < front; at += tag) {
+                memcpy(tagged + at, "ID3\x04\x00\x00\x00\x00\x02\x2c", 10); /* 2 * 128 + 44 */
+                tagged[at + 5] = way & 1 ? 16 : 0;
+            }
             memcpy(tagged + front, data, n);
             memcpy(tagged + front + n, "TAG", 3);
             if (!recording_read(names[i], tagged, front + n + 128, &own_loop, &p, err, sizeof err))

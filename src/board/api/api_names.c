@@ -112,6 +112,7 @@ static const char *const meanings[][2] = {
     { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
     { "life", "hp" },       { "image", "sprite" },  { "texture", "sprite" },     { "hitbox", "hit" },
     { "duration", "over" }, { "count", "n" },       { "acceleration", "accel" }, { "type", "kind" },
+    { "rotation", "dir" },
 };
 
 static int distance(const char *word, const char *candidate)

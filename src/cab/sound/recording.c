@@ -29,21 +29,21 @@ static bool ends(const char *s, const char *tail)
     return n > m && strcmp(s + n - m, tail) == 0;
 }
 
-/* Taggers put ID3 tags around any file: version 2 in front, with its length in four bytes of seven bits each, and
- * version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
+/* Taggers put ID3 tags around any file: version 2 in front, one or more, each with its length in four bytes of seven
+ * bits each, and version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
 static void skip_id3(const uint8_t **data, size_t *n)
 {
     enum { HEAD = 10, HAS_FOOTER = 16, TAIL = 128 };
-    const uint8_t *p = *data;
 
-    if (*n > HEAD && memcmp(p, "ID3", 3) == 0 && p[3] < 0xff && p[4] < 0xff) {
+    while (*n > HEAD && memcmp(*data, "ID3", 3) == 0 && (*data)[3] < 0xff && (*data)[4] < 0xff) {
+        const uint8_t *p = *data;
         const size_t body =
             (size_t)(p[6] & 127) << 21 | (size_t)(p[7] & 127) << 14 | (size_t)(p[8] & 127) << 7 | (size_t)(p[9] & 127);
         const size_t tag = HEAD + body + (p[5] & HAS_FOOTER ? HEAD : 0);
-        if (tag < *n) {
-            *data += tag;
-            *n -= tag;
-        }
+        if (tag >= *n)
+            break;
+        *data += tag;
+        *n -= tag;
     }
     if (*n > TAIL && memcmp(*data + *n - TAIL, "TAG", 3) == 0)
         *n -= TAIL;
