@@ -373,6 +373,9 @@ refuse "scripts that do not load" "hitboxes are missing because the scripts fail
     "$curtain" art hits --atlas atlas.png
 same "... and the atlas all the same" False "$(colour_at "$repo" 7dff8a 0)"
 check "the shapes that were drawn are in it" grep -q '^wing: .*; drawn hit: 2 circles$' <("$curtain" art hits 2>.said)
+# All rows of its sprites one below the other were 23,062 pixels.
+check "the atlas of a large game" "$curtain" art "$repo/roms/glasstide" --atlas large.png
+same "... fits into a PNG" 1 "$(identify -format '%[fx:h < 16384]' large.png)"
 echo 'return {}' >faint/rom.lua
 refuse "no sprites" "--atlas: this game has no sprites" "$curtain" art faint --atlas atlas.png
 refuse "no game" "nowhere: no such file or folder" "$curtain" art nowhere

@@ -156,6 +156,31 @@ static void test_longest(void **state)
     same_card(&c, &back);
 }
 
+/* One row more than a card has is refused, though it is whole and its CRC is right. */
+static void test_too_many(void **state)
+{
+    enum { BEFORE = 12 };
+    uint8_t bytes[CARD_BYTES];
+    struct card c = a_card(1), back;
+    const struct thumb t = { 0 };
+
+    (void)state;
+    c.rows = 0;
+    card_write(&c, &t, bytes);
+    const size_t rows = BEFORE + bytes_get32(bytes + 8) - 1; /* their number is the last byte before them */
+    c.rows = CARD_ROWS;
+    memset(c.row, 0, sizeof c.row);
+    card_write(&c, &t, bytes);
+    assert_int_equal(bytes[rows], CARD_ROWS);
+    const size_t n = BEFORE + bytes_get32(bytes + 8), row = (n - rows - 1) / CARD_ROWS;
+    assert_true(card_read(&back, bytes, n + 4));
+    memcpy(bytes + n, bytes + n - row, row);
+    bytes[rows]++;
+    bytes_put32(bytes + 8, (uint32_t)(n + row - BEFORE));
+    bytes_put32(bytes + n + row, hash_crc32(bytes, n + row));
+    assert_false(card_read(&back, bytes, n + row + 4));
+}
+
 /* Spoilt, and its CRC often made good again, it is refused or within its bounds. Exact blocks, for a sanitizer. */
 static void test_mutants(void **state)
 {
@@ -425,7 +450,7 @@ static void test_repair(void **state)
     assert_true(card_of_demo(&c, &d));
     demo_free(&d);
     assert_true(replays_open(&r, c.id));
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 5; i++) {
         c.date = DATE + i;
         assert_true(replays_add(&r, bytes, (size_t)n, &c, NULL, err, sizeof err));
     }
@@ -436,6 +461,7 @@ static void test_repair(void **state)
     IN("rm 20260921-141320.card");                                         /* killed between demo and card */
     IN("head -c 50 20260921-141321.card >x && mv x 20260921-141321.card"); /* damaged */
     IN("rm 20260921-141322.demo");                                         /* killed between demo and card, going */
+    IN("echo rubbish >20260921-141324.demo");                              /* not what its card is about */
     IN("echo rubbish >notes.txt && echo rubbish >bad.demo && echo x >bad.card && mkdir folder.demo");
     IN("touch -d 2020-01-01 y.demo.77.tmp");
     replays_close(&r);
@@ -446,9 +472,9 @@ static void test_repair(void **state)
     assert_true(r.list[2].card.date == DATE && r.list[2].card.hash == r.list[0].card.hash);
     assert_true(r.list[2].card.first == c.first && r.list[2].card.points[0] == c.points[0]);
     replays_close(&r);
-    assert_true(replays_open(&r, c.id)); /* and now nothing is left to do: three cards, and the demo that is none */
+    assert_true(replays_open(&r, c.id)); /* and now nothing is left to do: three cards, and the demos that are none */
     assert_int_equal(r.n, 3);
-    assert_in_range(r.loaded, 1, 4 * CARD_HEAD);
+    assert_in_range(r.loaded, 1, 5 * CARD_HEAD);
     IN("test ! -e 20260921-141322.card && test ! -e y.demo.77.tmp && test -e notes.txt && test -e bad.demo");
     replays_close(&r);
 #undef IN
@@ -514,11 +540,11 @@ static void test_roms(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_card),  cmocka_unit_test(test_longest), cmocka_unit_test(test_mutants),
-        cmocka_unit_test(test_names), cmocka_unit_test(test_of_demo), cmocka_unit_test(test_thumb),
-        IN_FOLDER(test_folder),       IN_FOLDER(test_many),           IN_FOLDER(test_prune),
-        IN_FOLDER(test_rows),         IN_FOLDER(test_repair),         IN_FOLDER(test_refused),
-        IN_FOLDER(test_roms),
+        cmocka_unit_test(test_card),    cmocka_unit_test(test_longest), cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_mutants), cmocka_unit_test(test_names),   cmocka_unit_test(test_of_demo),
+        cmocka_unit_test(test_thumb),   IN_FOLDER(test_folder),         IN_FOLDER(test_many),
+        IN_FOLDER(test_prune),          IN_FOLDER(test_rows),           IN_FOLDER(test_repair),
+        IN_FOLDER(test_refused),        IN_FOLDER(test_roms),
     };
 
     return cmocka_run_group_tests(tests, open_folder, close_folder);
