@@ -124,6 +124,7 @@ static void values_are_shown(void **state)
     says(t, "{}", "{ }\n");
     says(t, "{ { 1 } }", "{ table }\n");
     says(t, "{ [2] = player.get(1) }", "{ 2 = player 1 }\n");
+    says(t, "{ [true] = 1, [false] = 2 }", "{ false = 2, true = 1 }\n");
     says(t, "{ z = 1, y = 2, x = 3, w = 4, v = 5, u = 6, t = 7, s = 8, [true] = 9, [2.5] = 10, 11, 12 }",
          "{ 11, 12, 2.5 = 10, true = 9, s = 8, t = 7, u = 6, v = 5, w = 4, x = 3, y = 2, z = 1 }\n");
     says(t, "{ [{}] = 1, [{}] = 2, [print] = 3, a = 4 }", "{ table = ..., function = 3, a = 4 }\n");

@@ -65,6 +65,9 @@ static void the_reason_is_said(void **state)
         { "local a, b = ('n'):rep(65536), 1 while true do b = a == b end",
           "worst:1: infinite loop: more than 5000000 instructions in one line (each counts as 65 with a string of "
           "65536 bytes in scope)" },
+        { "local function f(...) while true do end end f(table.unpack({}, 1, 240))",
+          "worst:1: infinite loop: more than 5000000 instructions in one line (each counts as 2 with 240 arguments in "
+          "scope)" },
         { "while true do end", "worst:1: infinite loop: more than 5000000 instructions in one line" },
     };
     const struct scene_want want = { .does = "prices", .price = "straight", .n = 1, .bullets = 64 };
