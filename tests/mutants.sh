@@ -46,8 +46,7 @@ build() { # TREE TARGET...
 target() { # PROGRAM: what make calls it
     case $1 in
     machine/library.sh) echo "$OUT/curtain-null $OUT/libcurtain.a $OUT/libcurtain.so" ;;
-    machine/*.sh) echo "$OUT/curtain-null $OUT/curtain-short $OUT/curtain" ;;
-    *.sh) echo "$OUT/curtain-null $OUT/curtain-short" ;;
+    *.sh) echo "$OUT/curtain-null $OUT/curtain-short $OUT/curtain" ;;
     *) echo "$OUT/$1" ;;
     esac
 }

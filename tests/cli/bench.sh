@@ -58,6 +58,24 @@ sed "s/bullets = 256/bullets = 16/" plain/rom.lua >less/rom.lua
 check "where it is too little" bench less
 same "it says how often" true "$(of rooms board.bullets '.refused > 100 and .would_do == 16')"
 
+# Two programs of 520 steps need more than 64 times 16: the second has no room, though only half of what was asked is
+# used.
+game steps <<'LUA'
+bullet.def("orb", { sprite = "dot", hit = { circle = 2 } })
+for i = 1, 2 do
+  local steps = {}
+  for k = 1, 260 do
+    steps[2 * k - 1] = { speed = i + k / 256, over = 1 }
+    steps[2 * k] = { wait = k }
+  end
+  motion.def(steps)
+end
+LUA
+sed -i "s/motions = 16/motions = 64/" steps/rom.lua
+check "a game whose motions have too many steps" bench steps
+same "keeps what it asked for" '[64,33,1,64]' \
+    "$(of rooms board.motions '[.asked, .most, .refused, .would_do]' | jq -c)"
+
 # ---- stages, bosses, demos ----
 
 game whole <<'LUA'

@@ -19,7 +19,8 @@ refuse "planted: an empty list" "no mutant" wrong
 tree=$scratch/tree
 mkdir -p "$tree"/{src,tests/unit,tests/golden}
 cp tests/mutants.sh tests/mutants.py tests/patient.py "$tree/tests/"
-printf '%s\n' 'OUT := build/$(CONFIG)' 'programs: $(OUT)/unit/test_f' '$(OUT)/curtain-null $(OUT)/curtain-short:' \
+printf '%s\n' 'OUT := build/$(CONFIG)' 'programs: $(OUT)/unit/test_f' \
+    '$(OUT)/curtain-null $(OUT)/curtain-short $(OUT)/curtain:' \
     '$(OUT)/unit/test_f: src/f.c tests/unit/test_f.c ; @mkdir -p $(@D) && echo built >>$(LOG) && $(CC) $^ -o $@' \
     >"$tree/Makefile"
 cat >"$tree/tests/unit/test_f.c" <<'END'

@@ -3,6 +3,7 @@
  * library's for the author's line; and the run is the same one.
  */
 #include "rig.h"
+#include "../../src/board/api/eval.h"
 #include "../../src/board/lua/profile.h"
 
 enum { FRAMES = 20, STACK = 200 /* work of growing a stack */ };
@@ -132,6 +133,31 @@ static void of_author(void **state)
     end(&g, &r);
 }
 
+/* A handler that a line between frames calls is the last to run before the next tick, whose work begins at 0 again. */
+static void between_frames(void **state)
+{
+    static const char script[] = "enemy.def('fly', { sprite = 'dot', hp = 5, hit = { circle = 8 } })\n"
+                                 "on.kill(function()\n"
+                                 "  local n = 0\n"
+                                 "  for i = 1, 100 do n = n + i end\n"
+                                 "end)\n"
+                                 "task.go(function() wait(forever) end)\n";
+    struct rig_game g;
+    struct rig r;
+    char out[EVAL_TEXT];
+
+    (void)state;
+    begin(&g, &r, script);
+    rig_run(&r, 1);
+    board_profile(r.b, &profile);
+    assert_true(board_eval(r.b, "enemy.spawn({ kind = 'fly', x = 100, y = 50 }):kill()", out, sizeof out));
+    rig_run(&r, 2);
+    assert_in_range(line_of("main.lua:4")->instructions, 200, 210);
+    assert_in_range(profile_work(&profile.all), 200 + WORK_CALL, 200 + 10 * WORK_CALL);
+    assert_int_equal(sum(), profile_work(&profile.all));
+    end(&g, &r);
+}
+
 /* Every frame's hash is the one without, and so is its work, but for where Lua's stacks grow; also through a reset,
  * which gives the board another heap, and with turns inside of turns. */
 static void changes_nothing(void **state)
@@ -232,11 +258,9 @@ static void work_is_the_same_for_every_seed(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exact),
-        cmocka_unit_test(ends),
-        cmocka_unit_test(of_author),
-        cmocka_unit_test(changes_nothing),
-        cmocka_unit_test(work_is_the_same_for_every_seed),
+        cmocka_unit_test(exact),           cmocka_unit_test(ends),
+        cmocka_unit_test(of_author),       cmocka_unit_test(between_frames),
+        cmocka_unit_test(changes_nothing), cmocka_unit_test(work_is_the_same_for_every_seed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
