@@ -13,6 +13,8 @@
 #include "../base/fx.h"
 #include "api_table.h"
 #include "machine.h"
+#include "tasks.h"
+#include "vm.h"
 
 /* Under a motion's name when there was no room for its program: a bullet that names it flies straight. */
 enum { NO_MOTION = 0x7fffffff };
@@ -54,15 +56,12 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
 
 /* Declared names: declare gives one its index (an error when it is taken), find returns the index or NO_SLOT, push
  * pushes the name of an index. */
-void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index);
-int api_names_find(lua_State *L, enum api_names what, const char *name);
-void api_names_push(lua_State *L, enum api_names what, int index);
-
-/* The name of an index, the last of several; NULL: it has none. Good until the next tick. */
-const char *api_names_at(const struct board *b, enum api_names what, int index);
+void api_names_declare(lua_State *L, enum name_kind what, const char *entry, const char *name, int index);
+int api_names_find(lua_State *L, enum name_kind what, const char *name);
+void api_names_push(lua_State *L, enum name_kind what, int index);
 
 /* Pushes the nearest of the declared names to a misspelt one, or nil. */
-void api_names_suggest(lua_State *L, enum api_names what, const char *name);
+void api_names_suggest(lua_State *L, enum name_kind what, const char *name);
 
 /* From now on a read of a reserved field is a fault; all tables must be there. */
 void api_reserved_install(lua_State *L);
@@ -106,6 +105,10 @@ enum {
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
 
 enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
+
+/* Runs f(L) protected between two frames, then the effects of the events it raised; over `limit` of work it is a fault
+ * too. False: a fault; the board's out does not have it. What was printed is in output->log. */
+bool board_between(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* Fills the rom table (api_board.c). */
 void api_rom_open(lua_State *L);

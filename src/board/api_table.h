@@ -9,6 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "handle.h"
+#include "names.h"
 
 struct lua_State;
 struct board;
@@ -31,7 +32,7 @@ enum api_type {
     A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
     A_HIT,         /* a hit shape; lo: whose (api_parts.h) */
     A_MOTION,      /* a motion, by handle or name */
-    A_BULLET_KIND, /* names that were declared; A_BULLET_KIND + k is category k of enum api_names */
+    A_BULLET_KIND, /* names that were declared; A_BULLET_KIND + k is category k of enum name_kind */
     A_SHOT_KIND,
     A_ENEMY_KIND,
     A_PLAYER_KIND,
@@ -58,25 +59,6 @@ enum api_type {
     A_EMIT,  /* a pattern of the step emit */
     A_DOWN,  /* how many bars of a cast must be emptied */
     A_ASK,   /* a screen of the host */
-};
-
-/* What is declared under a name. */
-enum api_names {
-    N_BULLET,
-    N_SHOT,
-    N_ENEMY,
-    N_PLAYER,
-    N_SPARK,
-    N_ITEM,
-    N_LASER,
-    N_OPTION,
-    N_MOTION,
-    N_TAG,
-    N_BULLET_VALUE, /* value.def: by the number of the column */
-    N_SHOT_VALUE,
-    N_ENEMY_VALUE,
-    N_ITEM_REGISTER, /* registers of players that items give, by their number among the items' */
-    NAME_LISTS
 };
 
 enum { REQ = 0, OPT = 1 }; /* must it be given? */

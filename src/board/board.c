@@ -1,143 +1,32 @@
 /*
  * board.c - power, RAM, the tick order, hashes and snapshots.
  */
+#include "board.h"
 #include "machine.h"
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
 #include "../base/ieee.h"
+#include "bulletml_run.h"
 #include "events_run.h"
 #include "hit.h"
 #include "lasers_run.h"
 #include "options_run.h"
 #include "sound.h"
+#include "tasks.h"
+#include "video.h"
+#include "vm.h"
 #include "../base/host.h"
-
-static const struct column core_columns[] = {
-    REGISTER(core, frame),      REGISTER(core, clock),
-    REGISTER(core, difficulty), REGISTERS(core, random),
-    REGISTER(core, frozen),     REGISTER(core, notes),
-    REGISTERS(core, extended),  REGISTER(core, over),
-    REGISTER(core, since),      REGISTERS(core, continues),
-    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "the number of random values drawn since the seed"),
-};
-static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
-
-static const struct chip core_chip = { "board", core_columns, sizeof core_columns / sizeof *core_columns, true, false };
-static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
-                                         false };
-
-enum { A_STEP = 8 /* work: a motion step */ };
-enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
-
-/* The first n groups of values. */
-static uint32_t value_groups(int32_t n)
-{
-    return SLOTS_GROUP(GROUP_VALUE + n) - SLOTS_GROUP(GROUP_VALUE);
-}
-
-/* The groups of columns that manifest m asks for. */
-static uint32_t bullet_groups(const struct manifest *m)
-{
-    return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
-           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
-}
-
-static uint32_t shot_groups(const struct manifest *m)
-{
-    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) |
-           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
-}
-
-static uint32_t enemy_groups(const struct manifest *m)
-{
-    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
-}
-
-static uint32_t laser_groups(const struct manifest *m)
-{
-    return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
-}
-
-/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
- * board, the number of slots, and the groups of columns, by manifest m. */
-#define PART_LIST(PART)                                                                                                \
-    PART(script_chip, script, 0, 0)                                                                                    \
-    PART(core_chip, core, 0, 0)                                                                                        \
-    PART(input_chip, input, PADS, 0)                                                                                   \
-    PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
-    PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
-    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
-    PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
-    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                        \
-    PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
-    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                   \
-    PART(player_chip, player, PADS, 0)                                                                                 \
-    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
-    PART(motions_chip, motions, m->motions, 0)                                                                         \
-    PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
-    PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_WIDE) : 0)        \
-    PART(pal_chip, pal, COLOURS, 0)                                                                                    \
-    PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
-    PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
-    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
-    PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
-    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
-    PART(lines_chip, lines, m->lines, 0)                                                                               \
-    PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
-    PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
-    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)                                                          \
-    PART(screen_chip, screen, 0, 0)                                                                                    \
-    PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
-    PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
-    PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
-    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
-    PART(registers_chip, registers, m->registers, 0)                                                                   \
-    PART(options_chip, options, m->options, 0)                                                                         \
-    PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
-    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
-    PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
-    PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
-    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
-    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
-    PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
-    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
-    PART(ml_params_chip, ml_params, m->bulletml, 0)
-
-#define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
-#define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
-#define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
-#define AS_ONE(chip, name, slots, groups)      +1
-const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
-_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST must have PARTS lines");
 
 enum { RAM_ALIGN = 64 };
 #ifndef MAX_RAM /* tests lower it */
 #define MAX_RAM (1ull << 30)
 #endif
 
-static void *chip_at(const struct board *b, int i)
-{
-    return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
-}
-
 static uint64_t aligned(uint64_t n)
 {
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
-}
-
-/* What each part has room for. */
-struct layout {
-    uint32_t cap[PARTS], groups[PARTS];
-};
-
-static struct layout layout_of(const struct manifest *m)
-{
-    return (struct layout){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
 /* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as
@@ -158,11 +47,11 @@ static uint32_t fresh_room(const struct manifest *m)
 
 uint64_t board_room(const struct cart *cart)
 {
-    const struct layout l = layout_of(&cart->m);
+    const struct part_room room = parts_room(&cart->m);
     uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
 
     for (int i = 0; i < PARTS; i++)
-        sum += slots_size(machine_parts[i].chip, l.cap[i], l.groups[i]);
+        sum += slots_size(machine_parts[i].chip, room.slots[i], room.groups[i]);
     sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
     sum += aligned(events_size((uint32_t)event_room(&cart->m)));
     sum += aligned(fresh_room(&cart->m) * sizeof(struct ml_fired));
@@ -252,13 +141,13 @@ static void set_up(struct board *b)
 static void lay_out(struct board *b)
 {
     uint8_t *next = b->ram + aligned(sizeof *b);
-    const struct layout l = layout_of(&b->cart.m);
+    const struct part_room room = parts_room(&b->cart.m);
 
     b->output = (struct output *)next;
     next += aligned(sizeof *b->output);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
-        slots_layout(machine_parts[i].chip, chip_at(b, i), l.cap[i], l.groups[i], &next);
+        slots_layout(machine_parts[i].chip, part_of(b, i), room.slots[i], room.groups[i], &next);
         if (machine_parts[i].chip->list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
@@ -482,7 +371,7 @@ static void count_steps(struct board *b)
 {
     const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
 
-    if (!board_work(b, A_STEP * ran))
+    if (!board_work(b, MOTION_WORK * ran))
         board_too_much(b,
                        "motions: too many steps in one frame (%llu, for %u bullets, %u shots and %u lasers); add waits "
                        "to their loops or give motions to fewer of these things",
@@ -704,7 +593,7 @@ size_t board_snapshot_size(const struct board *b)
     size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
-        n += slots_save(machine_parts[i].chip, chip_at(b, i), NULL);
+        n += slots_save(machine_parts[i].chip, part_of(b, i), NULL);
     return n;
 }
 
@@ -716,7 +605,7 @@ void board_save(const struct board *b, void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_save(machine_parts[i].chip, chip_at(b, i), p);
+        p += slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
 
 /* RAM may hold anything by now: only what has been copied back is read. */
@@ -728,7 +617,7 @@ void board_restore(struct board *b, const void *buf)
     p += aligned(sizeof *b);
     p += aligned(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
-        p += slots_restore(machine_parts[i].chip, chip_at(b, i), p);
+        p += slots_restore(machine_parts[i].chip, part_of(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)
         cart_sprite(&b->cart, i, &b->pictures[i]);
     memset(b->output, 0, sizeof *b->output);
@@ -761,14 +650,6 @@ int board_difficulty_now(const struct board *b)
     return (int)b->core.difficulty;
 }
 
-static int part_named(const char *name)
-{
-    for (int i = 0; i < PARTS; i++)
-        if (!strcmp(machine_parts[i].chip->name, name))
-            return i;
-    return -1;
-}
-
 size_t board_lua_peak(const struct board *b)
 {
     return heap_most(b->vm.heap);
@@ -776,9 +657,9 @@ size_t board_lua_peak(const struct board *b)
 
 int64_t board_live(const struct board *b, const char *part)
 {
-    int i = part_named(part);
+    const struct slots *s = part_named(b, part);
 
-    return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->live;
+    return s ? (int64_t)s->live : -1;
 }
 
 int64_t board_points(const struct board *b, int i)
@@ -788,9 +669,9 @@ int64_t board_points(const struct board *b, int i)
 
 int64_t board_refused(const struct board *b, const char *part)
 {
-    int i = part_named(part);
+    const struct slots *s = part_named(b, part);
 
-    return i < 0 ? -1 : (int64_t)((const struct slots *)chip_at(b, i))->refused;
+    return s ? (int64_t)s->refused : -1;
 }
 
 struct board_counts board_counts(const struct board *b)
@@ -798,256 +679,41 @@ struct board_counts board_counts(const struct board *b)
     return b->counts;
 }
 
-struct targets board_players(const struct board *b)
+/* ---- the picture ---- */
+
+size_t board_scratch(const struct board *b)
 {
-    return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in };
+    return video_bullets_scratch(&b->cart.m);
 }
 
-/* Enemies and players have moved when bullets do, and shots too, unless it is shots that move. */
-static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
+size_t board_scratch_of(const struct cart *cart)
 {
-    const struct board *b = w->context;
-    const enum handle_kind kind = handle_kind(around), moves = w->shots ? H_SHOT : H_BULLET;
-    const struct bullets *s = kind == H_SHOT ? &b->shots : &b->bullets;
-    const uint32_t i = handle_slot(around);
-
-    if (!board_alive(b, around) || !board_where(b, around, x, y))
-        return false;
-    if (kind == moves ? i < moved : kind == H_SHOT && before) {
-        *x -= s->vx[i];
-        *y -= s->vy[i];
-    } else if (before && kind == H_ENEMY) {
-        *x = b->enemies.was_x[i];
-        *y = b->enemies.was_y[i];
-    } else if (before && kind == H_PLAYER) {
-        *x = b->player.was_x[i];
-        *y = b->player.was_y[i];
-    } else if (before && kind == H_OPTION) {
-        *x = b->options.was_x[i];
-        *y = b->options.was_y[i];
-    }
-    return true;
+    return video_bullets_scratch(&cart->m);
 }
 
-struct motion_world board_world(const struct board *b, bool shots)
+uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
-    struct motion_world w = { &b->motions,
-                              &b->steps,
-                              &b->bullet_kinds,
-                              board_players(b),
-                              b->core.clock,
-                              shots,
-                              where,
-                              b,
-                              { 0, 0, pixels(b->cart.m.field_w), pixels(b->cart.m.field_h) },
-                              (b->vm.limit - b->vm.work) / A_STEP,
-                              emit_queue };
+    struct video_work work;
 
-    if (shots) {
-        w.kinds = NULL;
-        w.targets = (struct targets){ &b->enemies.s, b->enemies.x, b->enemies.y, NULL };
-    }
-    return w;
-}
-
-/* The list holds all that a frame raises by itself (event_room); only scripts can raise more, which is their fault. */
-void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
-{
-    if (!events_push(&b->events, kind, a, b2))
-        vm_fault(b->vm.running, FAULT_SCRIPT, "too many events in one frame (at most %d)", (int)b->events.cap);
-}
-
-uint64_t board_chance(void *board, uint64_t below)
-{
-    struct board *b = board;
-    struct rng r;
-
-    memcpy(r.s, b->core.random, sizeof r.s);
-    uint64_t v = below ? rng_below(&r, below) : rng_next(&r);
-    memcpy(b->core.random, r.s, sizeof r.s);
-    b->core.drawn++;
-    return v;
-}
-
-/* Demos and the cabinet's font have printable ASCII only. */
-static void copy_plain(char *to, size_t size, const char *from)
-{
-    snprintf(to, size, "%s", from);
-    for (; *to; to++)
-        if (*to < 32 || *to > 126)
-            *to = '?';
-}
-
-void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
-                      int32_t value)
-{
-    struct board_out *out = &b->output->out;
-
-    if (out->markers == BOARD_MARKERS)
-        return;
-    struct board_marker *m = &out->marker[out->markers++];
-    m->kind = kind;
-    m->value = value;
-    copy_plain(m->name, sizeof m->name, name);
-    copy_plain(m->of, sizeof m->of, of);
-    copy_plain(m->title, sizeof m->title, title);
-}
-
-bool board_lists(const struct board *b)
-{
-    return strcmp(b->start.practice.section, PRACTICE_LIST) == 0;
-}
-
-void board_score(struct board *b, uint32_t i, int64_t points)
-{
-    const struct manifest *m = &b->cart.m;
-    int64_t *score = &b->player.score[i];
-    const int64_t most = 999999999999;
-
-    if (!b->player.in[i])
-        return;
-
-    *score = points > most - *score ? most : *score + points < 0 ? 0 : *score + points;
-    while (b->core.extended[i] < (uint32_t)m->n_extends && *score >= m->extends[b->core.extended[i]]) {
-        b->core.extended[i]++;
-        b->player.lives[i]++;
-        board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)i), 0);
-    }
-}
-
-void board_vanish(struct board *b, uint32_t i)
-{
-    const struct bullets *s = &b->bullets;
-    uint16_t spark = b->bullet_kinds.vanish[bullets_kind(s, &b->bullet_kinds, i)];
-
-    if (spark)
-        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(spark - 1), .n = 1 });
-}
-
-static const struct slots *pool(const struct board *b, enum handle_kind kind)
-{
-    switch (kind) {
-    case H_BULLET:
-        return &b->bullets.s;
-    case H_SHOT:
-        return &b->shots.s;
-    case H_ENEMY:
-        return &b->enemies.s;
-    case H_SPRITE:
-        return &b->sprites.s;
-    case H_ITEM:
-        return &b->items.s;
-    case H_LASER:
-        return &b->lasers.s;
-    case H_TASK:
-        return &b->tasks.s;
-    case H_LINE:
-        return &b->lines.s;
-    case H_OPTION:
-        return &b->options.s;
-    case H_BULLETML:
-        return &b->ml_roots.s;
-    default:
-        return NULL;
-    }
-}
-
-int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
-{
-    const struct slots *s = pool(b, kind);
-
-    if (slot == NO_SLOT)
-        return handle_of(kind, 0, 0);
-    if (kind == H_PLAYER)
-        return handle_of(kind, b->player.gen[slot], (uint32_t)slot);
-    return handle_of(kind, s ? s->gen[slot] : 1, (uint32_t)slot);
-}
-
-bool board_alive(const struct board *b, int64_t h)
-{
-    enum handle_kind kind = handle_kind(h);
-    uint32_t slot = handle_slot(h), gen = handle_gen(h);
-    const struct slots *s = pool(b, kind);
-
-    if (kind == H_PLAYER)
-        return slot < PADS && b->player.in[slot] && b->player.gen[slot] == gen;
-    if (kind == H_TASK)
-        return tasks_alive(b, slot, gen);
-    if (kind == H_LAYER || kind == H_PLANE)
-        return gen == 1 && slot < b->bg.s.live && (slot == BG_PLANE) == (kind == H_PLANE);
-    if (kind == H_BULLETML && slots_has(s, slot, gen))
-        return !(b->ml_roots.flags[slot] & ROOT_OVER);
-    if (kind == H_ENEMY && slots_has(s, slot, gen))
-        return !(b->enemies.flags[slot] & ENEMY_GONE);
-    return s ? slots_has(s, slot, gen) : gen != 0;
-}
-
-bool board_there(const struct board *b, int64_t h)
-{
-    enum handle_kind kind = handle_kind(h);
-
-    if (kind == H_ENEMY)
-        return slots_has(&b->enemies.s, handle_slot(h), handle_gen(h));
-    if ((kind == H_BULLET || kind == H_SHOT || kind == H_ITEM) &&
-        slots_has_held(pool(b, kind), handle_slot(h), handle_gen(h)))
-        return true;
-    return board_alive(b, h);
-}
-
-int64_t board_followed(const struct board *b, uint32_t i)
-{
-    int follow = (b->sprites.flags[i] & SPRITE_FOLLOW) / SPRITE_FOLLOW_ONE;
-
-    if (follow <= FOLLOW_OWNER)
-        return follow ? b->sprites.owner[i] : 0;
-    return board_handle(b, H_PLAYER, follow - FOLLOW_PLAYER);
-}
-
-uint8_t board_player_of(const struct board *b, int64_t h)
-{
-    const enum handle_kind kind = handle_kind(h);
-
-    if ((kind != H_PLAYER && kind != H_OPTION) || !board_alive(b, h))
+    if (!video_fits(b, WORK_LIMIT, &work)) { /* the board has a fault, or will have one */
+        memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+        fb_clip_all(fb);
+        fb_fill(fb, 0);
         return 0;
-    return (uint8_t)(1 + (kind == H_PLAYER ? handle_slot(h) : b->options.player[handle_slot(h)]));
-}
-
-/* Where sprite i is; in the corner, if what it follows has just gone. */
-static void sprite_where(const struct board *b, uint32_t i, fx *x, fx *y)
-{
-    int64_t followed = board_followed(b, i);
-
-    *x = *y = 0;
-    if (followed)
-        board_where(b, followed, x, y);
-    *x = fx_add(*x, b->sprites.x[i]);
-    *y = fx_add(*y, b->sprites.y[i]);
-}
-
-bool board_where(const struct board *b, int64_t h, fx *x, fx *y)
-{
-    uint32_t i = handle_slot(h);
-
-    if (!board_there(b, h))
-        return false;
-    switch (handle_kind(h)) {
-    case H_BULLET:
-        return *x = b->bullets.x[i], *y = b->bullets.y[i], true;
-    case H_SHOT:
-        return *x = b->shots.x[i], *y = b->shots.y[i], true;
-    case H_ENEMY:
-        return *x = b->enemies.x[i], *y = b->enemies.y[i], true;
-    case H_PLAYER:
-        return *x = b->player.x[i], *y = b->player.y[i], true;
-    case H_SPRITE:
-        return sprite_where(b, i, x, y), true;
-    case H_ITEM:
-        return *x = b->items.x[i], *y = b->items.y[i], true;
-    case H_LASER:
-        return *x = b->laser_heads.x[i], *y = b->laser_heads.y[i], true;
-    case H_OPTION:
-        return *x = b->options.x[i], *y = b->options.y[i], true;
-    default:
-        return false;
     }
+    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
+}
+
+/* ---- Lua ---- */
+
+const char *board_lua_release(void)
+{
+    return &LUA_RELEASE[sizeof "Lua"];
+}
+
+const char *board_lua_copyright(void)
+{
+    const char *whose = strstr(LUA_COPYRIGHT, "Copyright");
+
+    return whose ? whose : LUA_COPYRIGHT;
 }

@@ -7,6 +7,8 @@
 #define BOARD_EVENTS_RUN_H
 
 #include "machine.h"
+#include "tasks.h"
+#include "vm.h"
 
 /* The names of on.NAME: the first eleven in the order of enum event_kind, NULL for EV_SHOT, which has no handlers; then
  * those that only scripts raise. */

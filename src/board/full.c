@@ -86,13 +86,12 @@ void board_full(struct board *b, const struct slots *s)
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
     struct output *o = b->output;
     struct board_full *f, unheard;
-    char place[VM_PLACE] = "";
+    char place[VM_PLACE];
 
     if (!w)
         return;
     const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* of what is counted, a slot */
-    if (b->vm.running)
-        vm_where(b->vm.running, place, sizeof place);
+    b->calls->where(b, place, sizeof place);
     f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;
     snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", place, w->pool,

@@ -7,7 +7,7 @@
  */
 #include <string.h>
 #include "../base/hash.h"
-#include "api.h"
+#include "machine.h"
 
 static const uint8_t *chip_at(const struct board *b, int i)
 {
@@ -66,7 +66,7 @@ uint64_t board_hash(const struct board *b)
 /* Columns of values have the names that the game declared. */
 struct renamed {
     const struct board *b;
-    enum api_names names;
+    enum name_kind names;
     slots_visit *visit;
     void *context;
 };
@@ -78,7 +78,7 @@ static void visit_renamed(void *context, const struct slots_value *v)
     const char *name = NULL;
 
     if (!strncmp(v->column, "value", 5) && v->column[5] >= '1' && v->column[5] < '1' + MAX_VALUES)
-        name = api_names_at(r->b, r->names, v->column[5] - '1');
+        name = board_name(r->b, r->names, v->column[5] - '1');
     own.column = name ? name : v->column;
     r->visit(r->context, &own);
 }
@@ -86,7 +86,7 @@ static void visit_renamed(void *context, const struct slots_value *v)
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context)
 {
     const struct chip *chip = machine_parts[i].chip;
-    const enum api_names names = chip == &bullets_chip ? N_BULLET_VALUE
+    const enum name_kind names = chip == &bullets_chip ? N_BULLET_VALUE
                                  : chip == &shots_chip ? N_SHOT_VALUE
                                                        : N_ENEMY_VALUE;
     struct renamed r = { b, names, visit, context };

@@ -5,7 +5,9 @@
 #include "../../fb/blit.h"
 #include <string.h>
 #include "../base/int.h"
-#include "api.h"
+#include "machine.h"
+#include "tasks.h"
+#include "vm.h"
 #include "hit.h"
 #include "lasers_run.h"
 #include "machine.h"
@@ -242,7 +244,7 @@ static void ship_kinds(const struct board *b, void (*each)(void *context, const 
     const struct player_kinds *k = &b->player_kinds;
 
     for (uint32_t i = 0; i < k->s.live; i++) {
-        const char *name = api_names_at(b, N_PLAYER, (int)i);
+        const char *name = board_name(b, N_PLAYER, (int)i);
         const fx r = k->radius[i];
         if (name)
             each(context, &(struct inspect_shape_of){ .of = "player",
@@ -272,7 +274,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
     const struct enemy_kinds *ke = &b->enemy_kinds;
     const struct {
         const char *of;
-        enum api_names names;
+        enum name_kind names;
         struct shape_columns shapes;
         uint32_t n;
         const uint16_t *sprite;
@@ -287,7 +289,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
 
     for (int what = 0; what < 3; what++)
         for (uint32_t i = 0; i < all[what].n; i++) {
-            const char *name = api_names_at(b, all[what].names, (int)i);
+            const char *name = board_name(b, all[what].names, (int)i);
             if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* no name: the second of several circles */
                 continue;
             measure(&all[what].shapes, i, &kind);
@@ -471,7 +473,7 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
     if (!out->moves)
         return;
     out->program = s->motion[i] - 1u;
-    out->motion = api_names_at(b, N_MOTION, (int)out->program);
+    out->motion = board_name(b, N_MOTION, (int)out->program);
     out->step = s->pc[i] + 1u;
     out->steps = b->motions.length[out->program];
     if (s->mute[i] & STEP_BEGUN)
@@ -485,8 +487,8 @@ static void describe_flying(const struct board *b, struct inspect_thing *out)
     const struct bullet_kinds *k = bullet ? &b->bullet_kinds : &b->shot_kinds;
     uint32_t i = out->body.slot;
 
-    out->name = api_names_at(b, bullet ? N_BULLET : N_SHOT, bullets_kind(s, k, i));
-    out->tag = s->tag[i] ? api_names_at(b, N_TAG, s->tag[i]) : NULL;
+    out->name = board_name(b, bullet ? N_BULLET : N_SHOT, bullets_kind(s, k, i));
+    out->tag = s->tag[i] ? board_name(b, N_TAG, s->tag[i]) : NULL;
     out->age = bullets_age(s, i, b->core.clock);
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
@@ -500,8 +502,8 @@ static void describe_laser(const struct board *b, struct inspect_thing *out)
     const struct bullets *s = &b->laser_heads;
     uint32_t i = out->body.slot;
 
-    out->name = api_names_at(b, N_LASER, s->kind[i]);
-    out->tag = s->tag[i] ? api_names_at(b, N_TAG, s->tag[i]) : NULL;
+    out->name = board_name(b, N_LASER, s->kind[i]);
+    out->tag = s->tag[i] ? board_name(b, N_TAG, s->tag[i]) : NULL;
     out->age = lasers_age(b, i);
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
@@ -515,8 +517,8 @@ static void describe_enemy(const struct board *b, struct inspect_thing *out)
     const struct enemies *e = &b->enemies;
     uint32_t i = out->body.slot;
 
-    out->name = api_names_at(b, N_ENEMY, e->kind[i]);
-    out->tag = e->tag[i] ? api_names_at(b, N_TAG, e->tag[i]) : NULL;
+    out->name = board_name(b, N_ENEMY, e->kind[i]);
+    out->tag = e->tag[i] ? board_name(b, N_TAG, e->tag[i]) : NULL;
     out->age = b->core.clock - e->born[i];
     out->by = e->by[i];
     out->hp = e->hp[i];
@@ -528,7 +530,7 @@ static void describe_player(const struct board *b, struct inspect_thing *out)
     const struct player *p = &b->player;
     uint32_t i = out->body.slot;
 
-    out->name = api_names_at(b, N_PLAYER, p->kind[i]);
+    out->name = board_name(b, N_PLAYER, p->kind[i]);
     out->lives = p->lives[i];
     out->safe = p->safe[i] > INT32_MAX ? -1 : (int32_t)p->safe[i];
 }

@@ -35,13 +35,14 @@
 #include "../chips/shown/sprites.h"
 #include "../chips/sound/seq.h"
 #include "../chips/sound/voices.h"
-#include "api_table.h"
-#include "board.h"
+#include "board_types.h"
 #include "emit.h"
 #include "handle.h"
+#include "names.h"
 #include "rom/cart.h"
-#include "tasks.h"
-#include "vm.h"
+#include "task_table.h"
+#include "view.h"
+#include "vm_state.h"
 
 /* The registers of the part that is named "board". */
 struct core {
@@ -87,12 +88,6 @@ struct output {
     void *phase_context;
 };
 
-/* Names by index, in the Lua heap: api_names.c. */
-struct name_list {
-    const char **at; /* `room` of them, NULL: none */
-    uint32_t n, room;
-};
-
 struct board {
     struct cart cart;
     struct board_start start;
@@ -104,6 +99,7 @@ struct board {
     struct words words;      /* of the language that the start asks for */
     struct output *output;
     struct vm vm;
+    const struct vm_calls *calls;
     struct name_list names[NAME_LISTS];
     struct option_plan **option_plans; /* by kind of ship, in the Lua heap; NULL: no ship has options */
     struct events events;
@@ -166,35 +162,22 @@ enum {
 };
 extern const struct part machine_parts[PARTS];
 
-/* BulletML documents (run/bulletml_run.c). A frame of all that runs, before bullets move; what they fired appears when
- * the hits are done. */
-void board_ml_run(struct board *b);
-void board_ml_let_go(struct board *b);
-
-/* What a document is started with. */
-struct bulletml_start {
-    uint16_t program;      /* of the ROM's */
-    int64_t owner, follow; /* handles, 0: the board, none */
-    fx x, y, dx, dy;       /* dx, dy: from what it follows */
-    uint16_t kind, tag;
-    const uint16_t *kinds; /* ML_KINDS */
-    uint8_t bank, flags;   /* ROOT_ */
-    uint32_t seed;         /* not 0 */
-    int64_t rank, pace;    /* Q31.32 */
-    ang angle;
-    int params;
-    const int64_t *param;
+/* The slots and the groups of columns of each part. */
+struct part_room {
+    uint32_t slots[PARTS], groups[PARTS];
 };
+struct part_room parts_room(const struct manifest *m);
 
-/* Starts one; returns its slot, or NO_SLOT: there is no room, or it has no action that begins by itself. */
-int32_t board_ml_begin(struct board *b, const struct bulletml_start *start);
+/* Where part i's struct stands. */
+static inline void *part_of(const struct board *b, int i)
+{
+    return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
+}
 
-/* The document in slot i is over: its bullets go on. */
-void board_ml_stop(struct board *b, uint32_t i);
+/* The slots of the part of that name ("bullets"); NULL: there is none. */
+const struct slots *part_named(const struct board *b, const char *name);
 
-/* on_fire of the root in slot i is what is on top of the stack (popped); and calls it, for a bullet and a label + 1. */
-void board_ml_set_handler(lua_State *L, uint32_t i);
-void board_ml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
+enum { MOTION_WORK = 8 /* the work of a motion step */ };
 
 /* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
 struct motion_world board_world(const struct board *b, bool shots);
@@ -213,6 +196,10 @@ static inline bool board_work(struct board *b, uint64_t work)
     b->vm.work += work;
     return b->vm.work <= b->vm.limit;
 }
+
+/* Raises a fault no pcall catches. For vm_call. */
+void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Raises the fault that a frame has too much to do. The text says what there is too much of, with counts, and what to
  * change. */
@@ -242,10 +229,6 @@ static inline unsigned board_withheld(const struct board *b, uint32_t p)
 {
     return b->core.frozen ? 0 : player_withheld(&b->player, p);
 }
-
-/* Runs f(L) protected between two frames, then the effects of the events it raised; over `limit` of work it is a fault
- * too. False: a fault; the board's out does not have it. What was printed is in output->log. */
-bool board_between(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* sparks_burst, and board_full when there is no room. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
@@ -312,6 +295,14 @@ void board_full_forget(struct board *b);
 
 /* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
+
+/* The name of an index, the last of several; NULL: it has none. Good until the next tick. */
+static inline const char *board_name(const struct board *b, enum name_kind kind, int index)
+{
+    const struct name_list *t = &b->names[kind];
+
+    return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
+}
 
 /* Folds v into the script digest. */
 static inline void script_fold(struct board *b, uint64_t v)

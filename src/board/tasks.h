@@ -15,49 +15,12 @@
 #include <lua.h>
 #include <stdbool.h>
 #include <stdint.h>
-#include "../chips/slots.h"
-
-struct board;
-
-enum {
-    TASK_RUNS = 0,
-    TASK_SCOPE = 1,
-    TASK_STOP = 2 /* flags: to be closed at its turn */,
-    TASK_BEGUN = 4,
-    TASK_SKIPS = 8 /* waits for nothing: on its way to a practice mark */,
-    TASK_SCENE = 16
-};
-
-enum {
-    MAX_OWNER_DEPTH = 64,
-    MAX_SKIPS = 100000 /* waits a task may pass over in one turn */
-};
-
-struct tasks {
-    struct slots s;
-    uint32_t *serial; /* counts up with every start: the order of turns */
-    int64_t *owner;   /* handle, 0: the board */
-    int64_t *scene;   /* handle of the one it runs in, 0: none; of a scene the one round it */
-    int64_t *wait;    /* turns to let pass */
-    uint8_t *flags;
-    uint32_t *born;
-    lua_State **thread; /* NULL: a scope */
-    const char **from;  /* "FILE:LINE: " of the author's line that started a task of @std's; NULL: of a script's own */
-    uint32_t *next, *prev; /* slots in order of serial */
-    uint32_t first, last;
-    uint32_t serials; /* given out so far */
-    int32_t current;  /* slot that has its turn, NO_SLOT: none */
-    uint32_t skipped; /* waits it has passed over in this turn */
-    int64_t now_owner,
-        now_scene; /* the owner of tasks the running script starts; the scene of what it spawns and puts */
-};
+#include "machine.h"
 
 /* The owner and scene a script acts for. */
 struct tasks_now {
     int64_t owner, scene;
 };
-
-extern const struct chip tasks_chip;
 
 /* No tasks: at power-on. */
 void tasks_empty(struct tasks *t);
@@ -75,10 +38,6 @@ void tasks_turn(struct board *b, lua_State *L, uint32_t slot);
 
 /* Stops a task or scope: closed at its turn, dead from now on. What a scene owns goes at once. */
 void tasks_stop(struct board *b, uint32_t slot);
-
-/* Is this owner (0: the board) still there, it and all it is owned by? */
-bool tasks_owner_alive(const struct board *b, int64_t owner);
-bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
 /* Does it get no turn, because the game is paused and the task is not of the pause? */
 bool tasks_frozen(const struct board *b, uint32_t slot);

@@ -15,18 +15,6 @@
 #include "script.h"
 #include "std.h"
 
-const char *board_lua_release(void)
-{
-    return &LUA_RELEASE[sizeof "Lua"];
-}
-
-const char *board_lua_copyright(void)
-{
-    const char *whose = strstr(LUA_COPYRIGHT, "Copyright");
-
-    return whose ? whose : LUA_COPYRIGHT;
-}
-
 /* Level 0 is a C function, or in a hook the function that was interrupted. The place of a task that the library
  * started is the author's line that led to it. */
 void vm_where(lua_State *L, char *place, size_t size)
@@ -608,6 +596,40 @@ static int panic(lua_State *L)
     return 0;
 }
 
+static void raise_fault(struct board *b, enum board_fault_kind kind, const char *message)
+{
+    vm_fault(b->vm.running, kind, "%s", message);
+}
+
+static void find_place(struct board *b, char *place, size_t size)
+{
+    place[0] = 0;
+    if (b->vm.running)
+        vm_where(b->vm.running, place, size);
+}
+
+static const char emits_key = 0; /* registry: the queue of emits */
+
+static void *emit_room(const struct board *b, const void *had, size_t *size)
+{
+    lua_State *L = b->vm.running;
+
+    luaL_checkstack(L, 4, NULL);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &emits_key) == LUA_TUSERDATA && !had)
+        *size = (size_t)lua_rawlen(L, -1);
+    else {
+        lua_pop(L, 1);
+        memset(lua_newuserdatauv(L, *size, 0), 0, *size);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &emits_key);
+    }
+    void *room = lua_touserdata(L, -1);
+    lua_pop(L, 1);
+    return room;
+}
+
+static const struct vm_calls calls = { raise_fault, find_place, emit_room };
+
 bool vm_open(struct board *b, void *block, size_t size)
 {
     b->vm.heap = heap_init(block, size);
@@ -623,5 +645,6 @@ bool vm_open(struct board *b, void *block, size_t size)
     b->vm.running = b->vm.L;
     b->vm.swept = 0;
     b->vm.kind = FAULT_NONE;
+    b->calls = &calls;
     return true;
 }

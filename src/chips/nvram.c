@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../base/bytes.h"
+#include "../board/rom/manifest.h"
 
 static const struct column columns[] = {
     COLUMN(nvram, bytes),

@@ -30,8 +30,6 @@ enum {
     NV_NAME = 15,       /* bytes of a name in a score table */
     NV_CLEARED = 15,    /* in place of a stage: all of them */
     NV_CONTINUES = 15,  /* as many, or more */
-    NV_KIB = 32,        /* room when the manifest says nothing; all of an image of before fits */
-    NV_MOST_KIB = 1024, /* the most */
     NV_OLD_BYTES = 32768
 };
 

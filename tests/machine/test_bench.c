@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <cmocka.h>
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../tools/bench/crowd.h"

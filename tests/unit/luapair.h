@@ -13,6 +13,7 @@
 #include "../../src/base/rng.h"
 #include "../../src/board/lualib.h"
 #include "../../src/board/machine.h"
+#include "../../src/board/vm.h"
 
 enum { HEAP = 64 << 20 };
 

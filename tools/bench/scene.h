@@ -6,6 +6,7 @@
 #ifndef BENCH_SCENE_H
 #define BENCH_SCENE_H
 
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/pack.h"
 

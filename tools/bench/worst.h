@@ -7,6 +7,7 @@
 
 #include <stdint.h>
 #include "../../src/board/machine.h"
+#include "../../src/board/vm.h"
 
 struct worst {
     const char *what;

@@ -28,7 +28,6 @@ enum {
     OTHER = 8 /* cells that are others on another screen: where an arrow stands, or a number, makes none */
 };
 
-const char *api_names_at(const struct board *b, enum api_names what, int index);
 
 struct move {
     uint8_t right, down, fire;
@@ -145,7 +144,7 @@ static uint32_t keep_page(struct menus *m)
 
 static bool is_ship(const struct board *b, int p, const char *name)
 {
-    const char *is = api_names_at(b, N_PLAYER, b->player.kind[p]);
+    const char *is = board_name(b, N_PLAYER, b->player.kind[p]);
 
     return !name || (is && !strcmp(is, name));
 }
@@ -285,7 +284,7 @@ static bool is_declared(const struct board *b, const char *name)
     const char *is;
 
     for (int i = 0; i < (int)b->names[N_PLAYER].n; i++)
-        if ((is = api_names_at(b, N_PLAYER, i)) && !strcmp(is, name))
+        if ((is = board_name(b, N_PLAYER, i)) && !strcmp(is, name))
             return true;
     return false;
 }

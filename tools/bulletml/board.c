@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "board.h"

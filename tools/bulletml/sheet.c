@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../fb/text.h"
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/png.h"
 #include "board.h"

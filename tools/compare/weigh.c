@@ -14,6 +14,7 @@
 #include "../../src/base/heap.h"
 #include "../../src/base/pads.h"
 #include "../../src/base/rom.h"
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 
 #if defined __has_include

@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include "../../src/board/board.h"
 #include "../../src/board/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../src/cab/pack/png.h"

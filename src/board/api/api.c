@@ -194,7 +194,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
     for (int i = n; i < all; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);
-            lua_setfield(L, -2, api_names_at(vm_board(L), api_value_names(fire ? fire : e), i - n));
+            lua_setfield(L, -2, board_name(vm_board(L), api_value_names(fire ? fire : e), i - n));
         }
     for (int i = n; i-- > 0;) {
         const struct api_param *p = api_param_at(e, fire, i);

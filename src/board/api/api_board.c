@@ -91,30 +91,31 @@ static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static int count_of(lua_State *L, struct board *b, const char *entry, int at,
-                    int64_t (*ask)(const struct board *, const char *))
+/* The slots of the part that the argument names. */
+static const struct slots *slots_at(lua_State *L, struct board *b, const char *entry, int at)
 {
-    int64_t n = ask(b, lua_tostring(L, at));
+    const struct slots *s = part_named(b, lua_tostring(L, at));
 
-    if (n < 0) {
+    if (!s) {
         struct api_hint near;
         api_hint_begin(&near, lua_tostring(L, at));
         for (int i = 0; i < PARTS; i++)
             api_hint_add(&near, machine_parts[i].chip->name);
-        return api_error(L, entry, "unknown pool \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
+        api_error(L, entry, "unknown pool \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
     }
-    lua_pushinteger(L, n);
-    return 1;
+    return s;
 }
 
 static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return count_of(L, b, "board.live", v[ARG_CHIP].at, board_live);
+    lua_pushinteger(L, slots_at(L, b, "board.live", v[ARG_CHIP].at)->live);
+    return 1;
 }
 
 static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return count_of(L, b, "board.refused", v[ARG_CHIP].at, board_refused);
+    lua_pushinteger(L, slots_at(L, b, "board.refused", v[ARG_CHIP].at)->refused);
+    return 1;
 }
 
 /* A pause comes before it, and a stop that is longer; a task on its way to a practice mark passes it over. */

@@ -424,7 +424,7 @@ static const char *first_ship(const struct board *b)
 
     for (int p = PADS; p-- > 0;)
         kind = b->player.in[p] ? b->player.kind[p] : kind;
-    const char *name = api_names_at(b, N_PLAYER, kind);
+    const char *name = board_name(b, N_PLAYER, kind);
     return name ? name : "";
 }
 
@@ -444,7 +444,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
         count_one(b, key, v[H_ADD].i);
     }
     for (int k = 0; k < (int)b->player_kinds.s.live; k++) {
-        const char *ship = api_names_at(b, N_PLAYER, k);
+        const char *ship = board_name(b, N_PLAYER, k);
         if (!ship || (v[H_SHIP].given && k != v[H_SHIP].i))
             continue;
         history_key(key, of, difficulty, ship);

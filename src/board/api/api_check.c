@@ -198,14 +198,14 @@ enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 static const char *kind_elsewhere(lua_State *L, const char *name)
 {
     for (int k = 0; k < KIND_NOUNS; k++)
-        if (api_names_find(L, (enum api_names)k, name) != NO_SLOT)
+        if (api_names_find(L, (enum name_kind)k, name) != NO_SLOT)
             return kind_nouns[k];
     return NULL;
 }
 
 /* A name that was declared: its index, or an error with the nearest one. */
 static void check_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
-                       enum api_names what, const char *noun)
+                       enum name_kind what, const char *noun)
 {
     check_type(L, entry, p, at, LUA_TSTRING, "a name");
     v->i = api_names_find(L, what, lua_tostring(L, at));
@@ -221,7 +221,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     struct api_hint near;
     api_hint_begin(&near, lua_tostring(L, at));
     for (uint32_t i = 0; i < vm_board(L)->names[what].n; i++) {
-        const char *known = api_names_at(vm_board(L), what, (int)i);
+        const char *known = board_name(vm_board(L), what, (int)i);
         if (known) /* NULL: a row that belongs to another kind, as its cloud or a picture */
             api_hint_add(&near, known);
     }
@@ -403,7 +403,7 @@ static void check_declared(lua_State *L, const char *entry, const struct api_par
 {
     int k = (int)p->type - A_BULLET_KIND;
 
-    check_name(L, entry, p, at, v, (enum api_names)k, kind_nouns[k]);
+    check_name(L, entry, p, at, v, (enum name_kind)k, kind_nouns[k]);
 }
 
 /* Types whose check is Lua's. */
@@ -584,7 +584,7 @@ int api_search_param(const struct api_entry *e, const struct api_entry *fire, co
 static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire)
 {
     const struct board *b = vm_board(L);
-    enum api_names values = api_value_names(fire ? fire : e);
+    enum name_kind values = api_value_names(fire ? fire : e);
     struct api_hint near;
 
     if (lua_type(L, -1) != LUA_TSTRING)
@@ -602,14 +602,14 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     for (int i = e->plain; i < api_param_count(e, fire); i++)
         api_hint_add(&near, api_param_at(e, fire, i)->name);
     for (int k = 0; k < api_values(b, values); k++)
-        api_hint_add(&near, api_names_at(b, values, k));
+        api_hint_add(&near, board_name(b, values, k));
     api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "arguments"));
 }
 
 /* What a call takes. */
 struct taken {
     const struct api_entry *e, *fire;
-    enum api_names values;
+    enum name_kind values;
 };
 
 /* The place of that argument among the parameters, and the declared values behind them; -1: there is none. */
@@ -652,10 +652,10 @@ static void spread(lua_State *L, const struct api_entry *e, const struct api_ent
 }
 
 /* Checks the declared values among the arguments, which stand from stack index `at` on. */
-static void check_values(lua_State *L, const struct api_entry *e, enum api_names names, int at, struct api_value *v)
+static void check_values(lua_State *L, const struct api_entry *e, enum name_kind names, int at, struct api_value *v)
 {
     for (int k = 0; k < api_values(vm_board(L), names); k++) {
-        struct api_param p = api_value_param(api_names_at(vm_board(L), names, k));
+        struct api_param p = api_value_param(board_name(vm_board(L), names, k));
         p.optional = OPT;
         v[k] = (struct api_value){ 0 };
         api_check(L, e->name, &p, at + k, &v[k]);
@@ -680,7 +680,7 @@ enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments for which, and for what is done
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
     const struct api_entry *fire = *fire_of = api_fires(L, e, e->plain + 1);
-    const enum api_names names = api_value_names(fire ? fire : e);
+    const enum name_kind names = api_value_names(fire ? fire : e);
     int n = api_param_count(e, fire), top = lua_gettop(L), values = api_values(vm_board(L), names);
     int named = n - e->plain;
 

@@ -88,9 +88,9 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
         api_suggest_nearer(name, t->props[i].value.name, &best, &found);
     if (may_die((enum handle_kind)kind))
         api_suggest_nearer(name, "alive", &best, &found);
-    enum api_names values = api_value_names_of((enum handle_kind)kind);
+    enum name_kind values = api_value_names_of((enum handle_kind)kind);
     for (int k = 0; k < api_values(vm_board(L), values); k++)
-        api_suggest_nearer(name, api_names_at(vm_board(L), values, k), &best, &found);
+        api_suggest_nearer(name, board_name(vm_board(L), values, k), &best, &found);
     for (int i = 0; i < api_count(); i++) {
         const char *verb = api_member(api_entry(i), t->name, ':');
         if (verb)
@@ -117,7 +117,7 @@ static int read_only(lua_State *L, const struct api_thing *t, int kind, const ch
 /* The number of a declared value of that kind of thing, or NO_SLOT. */
 static int value_named(lua_State *L, const struct board *b, enum handle_kind kind, const char *name)
 {
-    enum api_names names = api_value_names_of(kind);
+    enum name_kind names = api_value_names_of(kind);
 
     return api_values(b, names) ? api_names_find(L, names, name) : NO_SLOT;
 }

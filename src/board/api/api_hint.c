@@ -108,7 +108,7 @@ void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f)
     for (int i = 0; i < f->n; i++)
         api_hint_add(&near, key_of(&f->params[i]));
     for (int k = 0; f->values != NAME_LISTS && k < api_values(vm_board(L), f->values); k++)
-        api_hint_add(&near, api_names_at(vm_board(L), f->values, k));
+        api_hint_add(&near, board_name(vm_board(L), f->values, k));
     api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &near, "arguments"));
 }
 

@@ -12,7 +12,7 @@ static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
                                                "option", "motion", "tag",   "value",  "value", "value", "item" };
 
-const char *api_names_off(lua_State *L, enum api_names what)
+const char *api_names_off(lua_State *L, enum name_kind what)
 {
     return api_off(&vm_board(L)->cart.m, nouns[what]);
 }
@@ -32,7 +32,7 @@ void api_open_names(lua_State *L)
 }
 
 /* Room for n names; it doubles. */
-static void make_room(lua_State *L, enum api_names what, uint32_t n)
+static void make_room(lua_State *L, enum name_kind what, uint32_t n)
 {
     struct name_list *t = &vm_board(L)->names[what];
     uint32_t room = t->room ? t->room : 16;
@@ -51,7 +51,7 @@ static void make_room(lua_State *L, enum api_names what, uint32_t n)
     t->n = n > t->n ? n : t->n;
 }
 
-void api_names_declare(lua_State *L, enum api_names what, const char *entry, const char *name, int index)
+void api_names_declare(lua_State *L, enum name_kind what, const char *entry, const char *name, int index)
 {
     if (api_names_find(L, what, name) != NO_SLOT)
         api_error(L, entry, "%s%s \"%s\" is already declared", nouns[what], what < N_MOTION ? " kind" : "", name);
@@ -66,7 +66,7 @@ void api_names_declare(lua_State *L, enum api_names what, const char *entry, con
         vm_board(L)->names[what].at[index] = name;
 }
 
-static int find_in_table(lua_State *L, enum api_names what, const char *name)
+static int find_in_table(lua_State *L, enum name_kind what, const char *name)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]) == LUA_TNIL)
         return lua_pop(L, 1), NO_SLOT;
@@ -75,11 +75,11 @@ static int find_in_table(lua_State *L, enum api_names what, const char *name)
     return index;
 }
 
-int api_names_find(lua_State *L, enum api_names what, const char *name)
+int api_names_find(lua_State *L, enum name_kind what, const char *name)
 {
     struct board *b = vm_board(L);
     uint16_t *guess = &b->vm.guesses.names[api_guess(name, strlen(name), (unsigned)what)];
-    const char *there = api_names_at(b, what, *guess);
+    const char *there = board_name(b, what, *guess);
 
     if (there && (there == name || !strcmp(there, name)))
         return *guess;
@@ -89,21 +89,14 @@ int api_names_find(lua_State *L, enum api_names what, const char *name)
     return index;
 }
 
-void api_names_push(lua_State *L, enum api_names what, int index)
+void api_names_push(lua_State *L, enum name_kind what, int index)
 {
-    const char *name = api_names_at(vm_board(L), what, index);
+    const char *name = board_name(vm_board(L), what, index);
 
     if (name)
         lua_pushstring(L, name);
     else
         lua_pushnil(L);
-}
-
-const char *api_names_at(const struct board *b, enum api_names what, int index)
-{
-    const struct name_list *t = &b->names[what];
-
-    return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
 }
 
 /* Words of other engines, and what they are called here. */
@@ -133,7 +126,7 @@ void api_suggest_nearer(const char *word, const char *candidate, int *best, cons
     }
 }
 
-void api_names_suggest(lua_State *L, enum api_names what, const char *name)
+void api_names_suggest(lua_State *L, enum name_kind what, const char *name)
 {
     const char *found = NULL;
     int best = EDIT_FAR;

@@ -114,7 +114,7 @@ enum {
 };
 
 /* Property p of bullet, shot or laser head i of s; those before FLIES_LAST. */
-void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p);
+void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i, int p);
 void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
                     int p, const struct api_value *v);
 
@@ -155,7 +155,7 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
 struct api_fields {
     const struct api_param *params;
     int n;
-    enum api_names values;
+    enum name_kind values;
 };
 bool api_knows_field(lua_State *L, const char *key, const void *of);
 
@@ -271,20 +271,20 @@ int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const str
 
 /* The values declared for what the entry makes (API_VALUES, API_FIRE), or for that kind of thing; NAME_LISTS: it has
  * none. */
-enum api_names api_value_names(const struct api_entry *e);
-enum api_names api_value_names_of(enum handle_kind kind);
+enum name_kind api_value_names(const struct api_entry *e);
+enum name_kind api_value_names_of(enum handle_kind kind);
 
 /* How many are declared; `names` may be NAME_LISTS. */
-int api_values(const struct board *b, enum api_names names);
+int api_values(const struct board *b, enum name_kind names);
 
 /* What a value of that name may be. */
 struct api_param api_value_param(const char *name);
 
 /* Value k of a list: its column, one a slot. */
-fx *api_value_column(struct board *b, enum api_names names, int k);
+fx *api_value_column(struct board *b, enum name_kind names, int k);
 
 /* Sets the new thing in slot i to the values that api_arguments put at v. */
-void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v);
+void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v);
 
 /* A count (A_COUNT) as a chip keeps it, in 32 bits with -1 for forever, and back. */
 enum { COUNT_FOREVER = -1 };
@@ -448,15 +448,15 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
 /* Appends their rows to the list of kinds: the kind itself must be the next. */
 void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
                        const struct api_pictures *p);
-void api_pictures_keep(lua_State *L, enum api_names of, int32_t kind, const struct api_pictures *p);
+void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const struct api_pictures *p);
 
 /* The number of the picture that is named, 0 for nil, or an error; and its name, or nil. */
-unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const char *thing,
+unsigned api_picture_named(lua_State *L, enum name_kind of, int32_t kind, const char *thing,
                            const struct api_value *name);
-void api_picture_push(lua_State *L, enum api_names of, int32_t kind, unsigned n);
+void api_picture_push(lua_State *L, enum name_kind of, int32_t kind, unsigned n);
 
 /* Where names of that sort cannot be declared: the line of rom.lua that it takes; else NULL. */
-const char *api_names_off(lua_State *L, enum api_names what);
+const char *api_names_off(lua_State *L, enum name_kind what);
 
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);

@@ -23,7 +23,7 @@ enum {
 
 struct api_plan {
     const struct api_entry *fire; /* whose parameters are taken besides */
-    enum api_names names;         /* of the declared values, which stand behind the parameters */
+    enum name_kind names;         /* of the declared values, which stand behind the parameters */
     int n, values;
     uint64_t required;        /* bits of parameters */
     uint8_t follow[KEYS + 1]; /* what came behind each; the last: first of all */
@@ -48,7 +48,7 @@ static void fill(struct api_plan *p, const struct api_entry *e, const struct api
 static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api_entry *fire)
 {
     const struct api_entry *e = f->entry;
-    const enum api_names names = api_value_names(fire ? fire : e);
+    const enum name_kind names = api_value_names(fire ? fire : e);
     const int n = api_param_count(e, fire), values = api_values(vm_board(L), names);
     struct api_plan *p = lua_newuserdatauv(L, sizeof *p + (size_t)(n + values) * sizeof *p->start, n + values);
 
@@ -137,7 +137,7 @@ static void check(lua_State *L, const struct api_entry *e, const struct api_plan
         api_check_looked(L, e->name, api_param_at(e, p->fire, i), &v[i]);
         return;
     }
-    const struct api_param param = api_value_param(api_names_at(vm_board(L), p->names, i - p->n));
+    const struct api_param param = api_value_param(board_name(vm_board(L), p->names, i - p->n));
     api_check_looked(L, e->name, &param, &v[i]);
 }
 

@@ -81,7 +81,7 @@ static enum emit_number number_of(int k)
 struct reader {
     int step, first;
     bool shots;
-    enum api_names values;
+    enum name_kind values;
     struct api_value v[EMIT_PARAMS + MAX_VALUES];
     uint64_t named;
 };
@@ -115,7 +115,7 @@ static void spread(lua_State *L, struct reader *r, int at)
     for (int k = 0; k < EMIT_PARAMS; k++)
         lua_getfield(L, at, api_emit_params[k].name);
     for (int k = 0; k < api_values(vm_board(L), r->values); k++)
-        lua_getfield(L, at, api_names_at(vm_board(L), r->values, k));
+        lua_getfield(L, at, board_name(vm_board(L), r->values, k));
 }
 
 /* Checks argument k by its parameter, or reads the name of a value in its place. */
@@ -143,7 +143,7 @@ static void check_all(lua_State *L, struct reader *r)
         check(L, r, k, &p, (int)number_of(k));
     }
     for (int k = 0; k < api_values(vm_board(L), r->values); k++) {
-        struct api_param p = api_value_param(api_names_at(vm_board(L), r->values, k));
+        struct api_param p = api_value_param(board_name(vm_board(L), r->values, k));
         p.optional = OPT;
         check(L, r, EMIT_PARAMS + k, &p, EMIT_NUMBER_VALUE + k);
     }

@@ -723,9 +723,9 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
         lua_newtable(L);
         lua_Integer n = 0;
         for (uint32_t i = 0; i < s[k]->live; i++) {
-            if (!api_names_at(b, (enum api_names)k, (int)i)) /* a row of the next kind, or of the one before */
+            if (!board_name(b, (enum name_kind)k, (int)i)) /* a row of the next kind, or of the one before */
                 continue;
-            api_names_push(L, (enum api_names)k, (int)i);
+            api_names_push(L, (enum name_kind)k, (int)i);
             lua_rawseti(L, -2, ++n);
         }
         return 1;

@@ -11,7 +11,7 @@ static const char *const words[KINDS] = { "bullet", "shot", "enemy" };
 static const char *const makers[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
 static const enum handle_kind things[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
 
-enum api_names api_value_names_of(enum handle_kind kind)
+enum name_kind api_value_names_of(enum handle_kind kind)
 {
     switch (kind) {
     case H_BULLET:
@@ -28,15 +28,15 @@ enum api_names api_value_names_of(enum handle_kind kind)
     }
 }
 
-enum api_names api_value_names(const struct api_entry *e)
+enum name_kind api_value_names(const struct api_entry *e)
 {
     for (int k = 0; e->flags & API_VALUES && k < KINDS; k++)
         if (e->name[0] == words[k][0])
-            return (enum api_names)(N_BULLET_VALUE + k);
+            return (enum name_kind)(N_BULLET_VALUE + k);
     return NAME_LISTS;
 }
 
-int api_values(const struct board *b, enum api_names names)
+int api_values(const struct board *b, enum name_kind names)
 {
     return names == NAME_LISTS ? 0 : (int)b->names[names].n;
 }
@@ -46,14 +46,14 @@ struct api_param api_value_param(const char *name)
     return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL };
 }
 
-fx *api_value_column(struct board *b, enum api_names names, int k)
+fx *api_value_column(struct board *b, enum name_kind names, int k)
 {
     if (names == N_ENEMY_VALUE)
         return enemies_value(&b->enemies, k);
     return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
 }
 
-void api_value_set(struct board *b, enum api_names names, uint32_t i, const struct api_value *v)
+void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)
 {
     for (int k = 0; k < api_values(b, names); k++)
         if (v[k].given)
@@ -111,7 +111,7 @@ static int read_kind(lua_State *L, const struct api_value *of)
 static void check_room(lua_State *L, const struct board *b, int kind, const char *name)
 {
     const int32_t room[KINDS] = { b->cart.m.bullet_values, b->cart.m.shot_values, b->cart.m.enemy_values };
-    const int n = api_values(b, (enum api_names)(N_BULLET_VALUE + kind));
+    const int n = api_values(b, (enum name_kind)(N_BULLET_VALUE + kind));
 
     if (n < room[kind])
         return;
@@ -126,7 +126,7 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[D_NAME].at);
     const int kind = read_kind(L, &v[D_OF]);
-    const enum api_names names = (enum api_names)(N_BULLET_VALUE + kind);
+    const enum name_kind names = (enum name_kind)(N_BULLET_VALUE + kind);
     const int k = api_values(b, names);
 
     if (!is_word(name))

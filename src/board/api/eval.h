@@ -5,7 +5,10 @@
 #ifndef BOARD_EVAL_H
 #define BOARD_EVAL_H
 
-#include "../board.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct board;
 
 enum {
     EVAL_LIMIT = 10000000, /* VM instructions a line may run, or work in C worth as many */

@@ -4,7 +4,7 @@
  * counts, and a small one will do.
  */
 #include "contrast.h"
-#include "../api.h"
+#include "../machine.h"
 #include "../video.h"
 
 static int apart(uint32_t a, uint32_t b)
@@ -68,7 +68,7 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
         uint16_t kind = s->kind[i];
         if (b->bullet_kinds.flags[kind] & KIND_CLOUD || b->bullet_kinds.shape[kind] == SHAPE_NONE)
             continue;
-        struct contrast_bullet one = { .kind = api_names_at(b, N_BULLET, kind),
+        struct contrast_bullet one = { .kind = board_name(b, N_BULLET, kind),
                                        .bank = s->bank[i],
                                        .x = fx_floor(s->x[i]),
                                        .y = fx_floor(s->y[i]),

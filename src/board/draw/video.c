@@ -533,26 +533,3 @@ struct draw_target video_draw(const struct board *b, const struct view *view, st
         rgb[i] = view_colour(v->colours, rgb[i]);
     return c;
 }
-
-size_t board_scratch(const struct board *b)
-{
-    return video_bullets_scratch(&b->cart.m);
-}
-
-size_t board_scratch_of(const struct cart *cart)
-{
-    return video_bullets_scratch(&cart->m);
-}
-
-uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
-{
-    struct video_work work;
-
-    if (!video_fits(b, WORK_LIMIT, &work)) { /* the board has a fault, or will have one */
-        memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-        fb_clip_all(fb);
-        fb_fill(fb, 0);
-        return 0;
-    }
-    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
-}

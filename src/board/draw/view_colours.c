@@ -19,7 +19,7 @@
  * alike little further, and makes more alike that was not. A row of numbers says what is added to a channel. Its sum is
  * 0, so a grey stays as it is.
  */
-#include "../board.h"
+#include "../view.h"
 
 enum { LEVELS = 256, ONE = 65536 };
 

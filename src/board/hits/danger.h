@@ -11,7 +11,9 @@
 
 #include "../../base/fx.h"
 #include "../../chips/motion.h"
-#include "../board.h"
+#include "../board_types.h"
+
+struct board;
 
 enum danger_shape {
     DANGER_CIRCLE,  /* a: radius */

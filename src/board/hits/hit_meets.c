@@ -11,7 +11,7 @@
 #include "hit_parts.h"
 #include <string.h>
 #include "../../base/int.h"
-#include "../api.h"
+#include "../machine.h"
 #include "../hit.h"
 
 enum {
@@ -132,8 +132,8 @@ static void too_much(const struct crowd *c)
     board_too_much(c->b,
                    "bullet.meet: too much work in one frame (%u bullets tagged \"%s\", %u tagged \"%s\"); lower "
                    "`board.bullets` in rom.lua or give fewer bullets these tags",
-                   count_tagged(c->s, c->first), api_names_at(c->b, N_TAG, c->first), count_tagged(c->s, c->tag),
-                   api_names_at(c->b, N_TAG, c->tag));
+                   count_tagged(c->s, c->first), board_name(c->b, N_TAG, c->first), count_tagged(c->s, c->tag),
+                   board_name(c->b, N_TAG, c->tag));
 }
 
 /* Puts bullet i into its list. */

@@ -13,6 +13,7 @@
 #include "luaparts.h"
 #include "../machine.h"
 #include "../script.h"
+#include "../tasks.h"
 #include "../vm.h"
 
 /* Registry keys are the addresses of these. */

@@ -11,6 +11,7 @@
 #include <string.h>
 #include "../../base/hash.h"
 #include "../machine.h"
+#include "../tasks.h"
 #include "../vm.h"
 
 uint64_t profile_work(const struct profile_line *line)

@@ -11,7 +11,8 @@
 
 #include <stdbool.h>
 #include <stdint.h>
-#include "../board.h"
+
+struct board;
 
 enum {
     PROFILE_ROOM = 1 << 14, /* lines, a power of two; what is more is counted in `other` */

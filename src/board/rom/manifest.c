@@ -14,7 +14,6 @@
 #include "../../chips/enemies.h"
 #include "../../chips/lasers.h"
 #include "../../chips/motion.h"
-#include "../../chips/nvram.h"
 #include "../../chips/options.h"
 #include "../../chips/registers.h"
 

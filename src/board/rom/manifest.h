@@ -19,6 +19,8 @@ enum {
     MAX_DIP_RANGE = 1 << 16, /* numbers from min to max: hosts list them */
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
+    NV_KIB = 32,            /* room for nvram when rom.lua says nothing */
+    NV_MOST_KIB = 1024,     /* the most */
     MAX_WORD = 16,          /* a name of a DIP, a DIP's value, a difficulty, with its NUL */
     MANIFEST_BYTES = 5256,  /* the lump's size at most, the same on every host */
     MANIFEST_WORK = 8 << 20 /* bytes of scratch manifest_read needs */

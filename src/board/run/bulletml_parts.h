@@ -6,7 +6,9 @@
 #ifndef RUN_BULLETML_PARTS_H
 #define RUN_BULLETML_PARTS_H
 
-#include "../machine.h"
+#include "../bulletml_run.h"
+#include "../tasks.h"
+#include "../vm.h"
 
 enum {
     MOST_COMMANDS = 100000, /* of a runner in a frame */

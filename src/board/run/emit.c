@@ -7,7 +7,6 @@
 #include <string.h>
 #include "../machine.h"
 
-static const char queue_key = 0;
 enum { FIRST_ROOM = 64, A_TARGET = 8 /* looking at so many is a unit of work */ };
 
 void emit_none(struct board *b)
@@ -15,26 +14,16 @@ void emit_none(struct board *b)
     b->output->emissions = (struct emissions){ 0 };
 }
 
-/* Makes room for one more. The list of the frame before is there in the registry, but a restore forgets where. */
+/* Makes room for one more. The list of the frame before is still there, but a restore forgets where. */
 static void grow(const struct board *b, struct emissions *q)
 {
-    lua_State *L = b->vm.running;
-    uint32_t room = q->room ? 2 * q->room : FIRST_ROOM;
+    size_t size = (q->room ? 2 * q->room : FIRST_ROOM) * sizeof *q->list;
+    struct emission *list = b->calls->emit_room(b, q->list, &size);
 
-    luaL_checkstack(L, 4, NULL);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &queue_key) == LUA_TUSERDATA && !q->list)
-        room = (uint32_t)(lua_rawlen(L, -1) / sizeof *q->list);
-    else {
-        lua_pop(L, 1);
-        void *list = memset(lua_newuserdatauv(L, room * sizeof *q->list, 0), 0, room * sizeof *q->list);
-        if (q->n)
-            memcpy(list, q->list, q->n * sizeof *q->list);
-        lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &queue_key);
-    }
-    q->list = lua_touserdata(L, -1);
-    q->room = room;
-    lua_pop(L, 1);
+    if (q->n)
+        memcpy(list, q->list, q->n * sizeof *list);
+    q->list = list;
+    q->room = (uint32_t)(size / sizeof *list);
 }
 
 /* Has the number a name? *v: the value that it names. */

@@ -7,6 +7,7 @@
  * are lists of drops ("drops 3", "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they
  * are applied in the same frame, after those raised before.
  */
+#include "../bulletml_run.h"
 #include "../events_run.h"
 #include <string.h>
 #include "../../base/int.h"
@@ -488,7 +489,7 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 /* At its most, the register that fills up, the ship's or else the run's, leaves an item with its points alone. */
 static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
-    const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
+    const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
     int reg = name ? api_player_register(L, b, p, name) : -1;
 
     if (reg >= 0)
@@ -502,7 +503,7 @@ static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t k
 {
     for (int k = 0; k < ITEM_REGISTERS; k++) {
         const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
-        const char *name = n ? api_names_at(b, N_ITEM_REGISTER, k) : NULL;
+        const char *name = n ? board_name(b, N_ITEM_REGISTER, k) : NULL;
         int reg = n ? api_player_register(L, b, p, name) : -1;
         if (reg >= 0)
             board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);

@@ -5,7 +5,9 @@
 #ifndef BOARD_FORCE_H
 #define BOARD_FORCE_H
 
-#include "../board.h"
+#include <stdbool.h>
+
+struct board;
 
 enum force_kind {
     FORCE_HIT,    /* a bullet or an enemy that is there hits the player, safe or not; without one it dies */

@@ -10,15 +10,30 @@
 #include "../machine.h"
 #include "../video.h"
 
-void board_too_much(struct board *b, const char *format, ...)
+static void raise_fault(struct board *b, enum board_fault_kind kind, const char *format, va_list args)
 {
     char text[320];
+
+    vsnprintf(text, sizeof text, format, args);
+    b->calls->fault(b, kind, text);
+}
+
+void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
+{
     va_list args;
 
     va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
+    raise_fault(b, kind, format, args);
     va_end(args);
-    vm_fault(b->vm.running, FAULT_LOOP, "%s", text);
+}
+
+void board_too_much(struct board *b, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    raise_fault(b, FAULT_LOOP, format, args);
+    va_end(args);
 }
 
 void board_charge_picture(struct board *b)

@@ -69,7 +69,7 @@ void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uin
     }
 }
 
-void api_pictures_keep(lua_State *L, enum api_names of, int32_t kind, const struct api_pictures *p)
+void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const struct api_pictures *p)
 {
     if (!p->n)
         return;
@@ -92,7 +92,7 @@ void api_pictures_keep(lua_State *L, enum api_names of, int32_t kind, const stru
 }
 
 /* Pushes the names of a kind's pictures, or false. */
-static bool push_names(lua_State *L, enum api_names of, int32_t kind)
+static bool push_names(lua_State *L, enum name_kind of, int32_t kind)
 {
     return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[of]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;
 }
@@ -109,7 +109,7 @@ static int unknown(lua_State *L, const char *thing, const char *name)
     return api_error(L, thing, "its kind has no picture \"%s\"", name);
 }
 
-unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const char *thing,
+unsigned api_picture_named(lua_State *L, enum name_kind of, int32_t kind, const char *thing,
                            const struct api_value *name)
 {
     int top = lua_gettop(L);
@@ -130,7 +130,7 @@ unsigned api_picture_named(lua_State *L, enum api_names of, int32_t kind, const 
     return n;
 }
 
-void api_picture_push(lua_State *L, enum api_names of, int32_t kind, unsigned n)
+void api_picture_push(lua_State *L, enum name_kind of, int32_t kind, unsigned n)
 {
     int top = lua_gettop(L);
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 #include "../../../base/bytes.h"
+#include "../../../../fb/fb.h"
 #include "../../../../fb/utf8.h"
 #include "../../api.h"
 #include "../../lualib.h"

@@ -327,7 +327,7 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 }
 
 /* Declares a kind of bullets or shots but for graze and damage; returns its index. */
-static int define(lua_State *L, struct bullet_kinds *k, enum api_names what, const char *entry, struct api_value *v)
+static int define(lua_State *L, struct bullet_kinds *k, enum name_kind what, const char *entry, struct api_value *v)
 {
     const struct api_shape shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
@@ -676,7 +676,7 @@ static void push_q32(lua_State *L, int64_t v)
     lua_pushnumber(L, (double)v / 4294967296.0);
 }
 
-void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum api_names names, uint32_t i, int p)
+void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i, int p)
 {
     const struct bullet_kinds *kinds = names == N_SHOT ? &b->shot_kinds : &b->bullet_kinds;
     int64_t x, y;
@@ -1195,9 +1195,9 @@ uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
     if (bullet != NO_SLOT || shot != NO_SLOT)
         return (uint64_t)(bullet + 1) + (uint64_t)(shot + 1) * NAMED_SHOTS;
     for (int k = 0; k < api_values(b, N_BULLET_VALUE); k++)
-        api_suggest_nearer(name, api_names_at(b, N_BULLET_VALUE, k), &best, &found);
+        api_suggest_nearer(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
     for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
-        api_suggest_nearer(name, api_names_at(b, N_SHOT_VALUE, k), &best, &found);
+        api_suggest_nearer(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
     if (found)
         api_error(L, DEF, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
     api_error(L, DEF, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key, name);

@@ -3,6 +3,7 @@
  * (api_reserved.c).
  */
 #include <string.h>
+#include "../../bulletml_run.h"
 #include "../api_parts.h"
 
 enum {

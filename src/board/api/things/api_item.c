@@ -218,12 +218,12 @@ static bool can_fill(lua_State *L, const struct board *b, const char *name)
 static void refuse_register(lua_State *L, const struct board *b, int r)
 {
     const struct item_kinds *k = &b->item_kinds;
-    const char *name = api_names_at(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
+    const char *name = board_name(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
     uint32_t i = 0;
 
     while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full[i] != r + 1)
         i++;
-    const char *item = api_names_at(b, N_ITEM, (int)i);
+    const char *item = board_name(b, N_ITEM, (int)i);
     if (near)
         api_error_at(L, DEF, item, "item \"%s\": unknown register \"%s\" (did you mean \"%s\"?)", item, name, near);
     api_error_at(L, DEF, item,
@@ -234,13 +234,13 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
 void api_items_check(lua_State *L, struct board *b)
 {
     for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++)
-        if (!api_register_declared(L, api_names_at(b, N_ITEM_REGISTER, r)))
+        if (!api_register_declared(L, board_name(b, N_ITEM_REGISTER, r)))
             refuse_register(L, b, r);
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
-        const char *name = api_names_at(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
+        const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
         if (name && !can_fill(L, b, name))
             api_error_at(
-                L, DEF, api_names_at(b, N_ITEM, (int)i),
+                L, DEF, board_name(b, N_ITEM, (int)i),
                 "full: register \"%s\" has no max (write registers = { %s = { max = n } } in player.def or game.def)",
                 name, name);
     }

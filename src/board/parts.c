@@ -1,0 +1,120 @@
+/*
+ * parts.c - the parts of the board, in their order, and what each has room for.
+ */
+#include "machine.h"
+
+#include <string.h>
+
+static const struct column core_columns[] = {
+    REGISTER(core, frame),      REGISTER(core, clock),
+    REGISTER(core, difficulty), REGISTERS(core, random),
+    REGISTER(core, frozen),     REGISTER(core, notes),
+    REGISTERS(core, extended),  REGISTER(core, over),
+    REGISTER(core, since),      REGISTERS(core, continues),
+    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "the number of random values drawn since the seed"),
+};
+static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
+
+static const struct chip core_chip = { "board", core_columns, sizeof core_columns / sizeof *core_columns, true, false };
+static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
+                                         false };
+
+enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
+
+/* The first n groups of values. */
+static uint32_t value_groups(int32_t n)
+{
+    return SLOTS_GROUP(GROUP_VALUE + n) - SLOTS_GROUP(GROUP_VALUE);
+}
+
+/* The groups of columns that manifest m asks for. */
+static uint32_t bullet_groups(const struct manifest *m)
+{
+    return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
+           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
+}
+
+static uint32_t shot_groups(const struct manifest *m)
+{
+    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) |
+           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
+}
+
+static uint32_t enemy_groups(const struct manifest *m)
+{
+    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
+}
+
+static uint32_t laser_groups(const struct manifest *m)
+{
+    return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+}
+
+/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
+ * board, the number of slots, and the groups of columns, by manifest m. */
+#define PART_LIST(PART)                                                                                                \
+    PART(script_chip, script, 0, 0)                                                                                    \
+    PART(core_chip, core, 0, 0)                                                                                        \
+    PART(input_chip, input, PADS, 0)                                                                                   \
+    PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
+    PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
+    PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
+    PART(shots_chip, shots, m->shots, shot_groups(m))                                                                  \
+    PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                        \
+    PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
+    PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                   \
+    PART(player_chip, player, PADS, 0)                                                                                 \
+    PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
+    PART(motions_chip, motions, m->motions, 0)                                                                         \
+    PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
+    PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_WIDE) : 0)        \
+    PART(pal_chip, pal, COLOURS, 0)                                                                                    \
+    PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
+    PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
+    PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
+    PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
+    PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
+    PART(lines_chip, lines, m->lines, 0)                                                                               \
+    PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
+    PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
+    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)                                                          \
+    PART(screen_chip, screen, 0, 0)                                                                                    \
+    PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
+    PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
+    PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
+    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
+    PART(registers_chip, registers, m->registers, 0)                                                                   \
+    PART(options_chip, options, m->options, 0)                                                                         \
+    PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
+    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
+    PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
+    PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
+    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
+    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
+    PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
+    PART(ml_params_chip, ml_params, m->bulletml, 0)
+
+#define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
+#define AS_CAPACITY(chip, name, slots, groups) (uint32_t)(slots),
+#define AS_GROUPS(chip, name, slots, groups)   (uint32_t)(groups),
+#define AS_ONE(chip, name, slots, groups)      +1
+
+const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
+_Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST must have PARTS lines");
+
+struct part_room parts_room(const struct manifest *m)
+{
+    return (struct part_room){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
+}
+
+const struct slots *part_named(const struct board *b, const char *name)
+{
+    for (int i = 0; i < PARTS; i++)
+        if (!strcmp(machine_parts[i].chip->name, name))
+            return part_of(b, i);
+    return NULL;
+}
