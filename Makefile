@@ -63,9 +63,10 @@ THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no
 comma   := ,
 LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(SYSTEM_L) $(THROWS)
 
-BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/snd/*.c src/chips/*.c src/chips/*/*.c src/board/*.c src/board/*/*.c \
-                         src/board/*/*/*.c)
-CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/cab/*.c src/cab/*/*.c))
+# Layers, the lowest first (tests/house/layers.py): what the library has, and what only the program has.
+BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/sound/*.c src/entities/*.c src/rom/*.c src/machine/*.c src/machine/*/*.c \
+                         src/script/*.c src/script/*/*.c src/board/*.c)
+CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/common/*.c src/demo/*.c src/cab/*.c src/cab/*/*.c))
 STD_LUA   := $(wildcard scripts/*.lua scripts/*/*.lua)
 # The examples that `curtain help lua NAME` prints.
 EXAMPLES  := $(sort $(wildcard share/help/*.md))
@@ -162,7 +163,7 @@ $(OUT)/%.o: %.c
 $(OUT)/src/cab/command_help.o: ALL_C += '-DCURTAIN_CFLAGS="$(SEMANTIC) $(OPT) $(HARDEN_C) $(CFLAGS)"'
 $(OUT)/platform/sdl2.o: ALL_C += $(patsubst -I%,-isystem %,$(SDL_C))
 # Clang's -O3 unrolls the loops of sound, which is slower than -O2; gcc is told so in the files, clang has no such words.
-$(OUT)/src/snd/%.o $(OUT)/src/chips/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))
+$(OUT)/src/sound/%.o: ALL_C += $(if $(findstring clang,$(CC)),$(patsubst -O3,-O2,$(filter -O3,$(OPT))))
 # -Wpedantic has two exceptions: the 128-bit products of src/base/fx.h (__extension__), and the constants of quadmath.h.
 QUAD_TESTS := $(OUT)/machine/test_fine $(OUT)/machine/test_lead
 $(QUAD_TESTS): ALL_C += -Wno-pedantic
@@ -304,7 +305,7 @@ players: say-play-web-windows-players $(LUA_H)
 # ---- libcurtain: the board as calls, with no name of its own but those of curtain.h ----
 
 WEB     := build/web
-LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/cab/demo/demo%.c,_read _put _record _write) src/cab/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
+LIB_OBJ := $(patsubst %.c,$(OUT)/lib/%.o,$(BOARD_SRC) $(patsubst %,src/demo/demo%.c,_read _put _record _write) src/demo/demo.c $(wildcard src/lib/*.c)) $(OUT)/lib/gen/std.o
 LIB_C   := -DWITHOUT_HELP -fPIC -fvisibility=hidden -ffunction-sections -fdata-sections
 
 $(OUT)/lib/gen/std.o: $(OUT)/gen/std.c
@@ -342,7 +343,7 @@ VERSION = $(shell sed -n 's/^.define CURTAIN_VERSION "\(.*\)"/\1/p' src/cab/host
 build/curtain.pc: share/curtain.pc.in src/cab/host/version.h
 	@sed 's,@PREFIX@,$(PREFIX),; s,@VERSION@,$(VERSION),' $< > $@
 
-RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,ports/libretro/core ports/libretro/inside src/cab/share/mark)
+RETRO_OBJ := $(patsubst %,$(OUT)/lib/%.o,platform/libretro/core platform/libretro/inside src/cab/share/mark)
 $(OUT)/curtain_libretro.so: $(RETRO_OBJ) $(OUT)/libcurtain.a | $(filter %.o,$(LUA_L))
 	$(SAY) "  LINK  $@"
 	$(Q)$(CC) $(ALL_C) $(LIB_C) -shared -Wl,-z,defs -Wl,--exclude-libs,ALL $^ \
@@ -357,8 +358,8 @@ WEB_C      = --target=wasm32-wasi $(WEB_OPT) -DWITHOUT_HELP -ffunction-sections 
              -fdata-sections -I$(LUA_SRC) -Ibuild/cross/include -Itools/cross/wasi
 WEB_LUA   := $(LUA_OBJ:$(OUT)/%=$(WEB)/%)
 WEB_OBJ   := $(patsubst $(OUT)/lib/%,$(WEB)/obj/%,$(LIB_OBJ)) \
-             $(WEB)/obj/ports/web/web.o $(WEB)/obj/ports/web/no_host.o
-WEB_PAGE  := $(patsubst %,ports/web/%,page.html player.css player.js worklet.js build.sh)
+             $(WEB)/obj/platform/web/web.o $(WEB)/obj/platform/web/no_host.o
+WEB_PAGE  := $(patsubst %,platform/web/%,page.html player.css player.js worklet.js build.sh)
 
 $(WEB)/lua/%.o: $(LUA_H)
 	@mkdir -p $(@D)
@@ -379,7 +380,7 @@ $(WEB)/core.wasm: $(WEB_OBJ) $(WEB_LUA)
 		-Wl,--export=__stack_pointer -Wl,--export-table -Wl,--stack-first -Wl,-z,stack-size=2097152 $^ -lm -o $@
 $(WEB)/player.html: $(WEB)/core.wasm $(WEB_PAGE) $(OUT)/curtain-bare
 	$(SAY) "  MAKE  $@"
-	$(Q)OUT=$(OUT) ports/web/build.sh $(WEB)/core.wasm $@
+	$(Q)OUT=$(OUT) platform/web/build.sh $(WEB)/core.wasm $@
 
 # Players are in one folder, where the programs of build/ look for them, and by a link those of build/NAME.
 build/players/player.html: $(WEB)/player.html
@@ -396,7 +397,7 @@ web: say-null-web
 	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
 # The limit of work lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := board/vm board/vm_count board/board board/api/eval
+SHORT := script/vm script/vm_count board/board script/api/eval
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"

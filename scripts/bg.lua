@@ -1,6 +1,6 @@
 -- bg.lua - bg.def and bg.show: backgrounds by name, and the fade from one to the next. Which one is shown is state of
 -- the board (sys.bg_shown), so a new game begins without any.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local scenes = {} -- number -> function
 local names = {}  -- number -> name

@@ -1,7 +1,7 @@
 -- boot.lua - from power-on to the score table and round again: title, attract, choices, game, results, name entry.
 -- boot.run starts one task. What is seen before, between and after is in pieces: the screens in screens/, the way there
 -- in boot/front.lua and boot/after.lua; here is what stays while a game is played.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local boot = {}
 
 -- Items of the pause menu.

@@ -5,7 +5,7 @@
 --
 -- Here is what a game has all the time. A fight and what of it only some bosses need stand in pieces, boss/NAME.lua,
 -- which are read when a fight begins.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local boss = {}
 
 local bosses = {} -- name -> definition; its cast is a list, of one that is alone itself

@@ -1,5 +1,5 @@
 -- game.lua - the run that is played: its registers, by name, and what can be read of it.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local name, scope -- of the stage that was played last
 local defined = false

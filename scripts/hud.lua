@@ -1,6 +1,6 @@
 -- hud.lua - what stands on the screen during play, as rows of text: scores and lives, the boss, the stage's banner.
 -- Also the few words for putting text that the menus share. A field that leaves room to its right gets a side panel.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local hud = {}
 
 hud.cols, hud.rows = rom.screen.w // 8, rom.screen.h // 8

@@ -1,6 +1,6 @@
 -- menu.lua - a list to choose from, in front of any picture. The screens of a game stand in screens/, one piece each;
 -- boot.lua says when each is shown.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local menu = {}
 
 -- A declared name as a line of text: "rose_red" is ROSE RED.

@@ -1,6 +1,6 @@
 -- mission.lua - mission.def: short tasks of their own, made of what can be practised. How well each was done is kept as
 -- a save "mission/NAME", by the same rule as scores. boot.lua shows and plays them: boot/mission.lua, screens/missions.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local mission = {}
 
 local list, named = {}, {} -- definitions, in the order they were declared, and by name

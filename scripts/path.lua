@@ -1,5 +1,5 @@
 -- path.lua - routes for enemies: a list of points, each reached exactly after its `over` frames.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local path = {}
 
 local known = {} -- the routes path.def made: nothing else is taken for one

@@ -1,8 +1,8 @@
 -- pattern.lua - shapes made of bullets; the rest of them is in figure.lua. Every pattern is a loop over bullet.fire (or
 -- shot.fire), or over the function given as `each`. That gets a new table of arguments for every bullet, so it may
 -- change the table and call the next pattern with it. The five that take no time and have no `each` are fired at once
--- in C (src/board/api/things/api_volley.c), the same to the bit.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+-- in C (src/script/api/api_volley.c), the same to the bit.
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local pattern = {}
 
 local OWN = { "n", "spread", "sweep", "speed_to", "width", "step", "every", "arms", "lock", "sides", "points", "inner",

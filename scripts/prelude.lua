@@ -1,5 +1,5 @@
 -- prelude.lua - words every script knows: wait_until, wait_for, by_difficulty.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local FEW = 12 -- names that one sentence may list
 

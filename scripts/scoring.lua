@@ -1,6 +1,6 @@
 -- scoring.lua - score.rule, score.count, score.tally: what a deed is worth beyond what its enemy or item says. All that
 -- counts stands in the players' registers, so it is fresh in each game and in each try.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local MOST = 1000000000000 -- points that score.add takes at once
 local EDGE = 2147483647    -- the most a register can be

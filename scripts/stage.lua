@@ -3,7 +3,7 @@
 --
 -- A practice start runs the same code with `skip` set to the name of a mark. Until the stage comes to that mark it
 -- skips: stage.at only sets the clock, and waves, clears and boss fights are passed over.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local stage = {}
 
 local stages = {} -- name -> function

@@ -1,6 +1,6 @@
 -- talk.lua - dialogue: who talks, and talk.run, say and choose. What a talk looks like is the piece talk/box, which is
 -- read when one begins.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local talk = {}
 
 -- How all talks of the game look: share of black over the picture; bank of the plates; font of the words, one of

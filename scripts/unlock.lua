@@ -1,7 +1,7 @@
 -- unlock.lua - unlock.def and unlock.has: what players have earned. It is kept as saves "unlock/NAME", so in a demo's
 -- start, and written by runs alone whose scores are kept. boot.lua asks what was earned when a stage is cleared and when
 -- a run is over: unlock/earn.lua.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local unlock = {}
 
 local list = {}  -- definitions, as they were declared: name, when, title, hint

@@ -8,8 +8,8 @@
 #include <string.h>
 #include "../src/base/bytes.h"
 #include "../src/base/hash.h"
-#include "../src/base/rom.h"
-#include "../src/board/rom/compressed.h"
+#include "../src/rom/rom.h"
+#include "../src/rom/compressed.h"
 
 /* The header and all checksums of a ROM, as far as its directory makes sense. */
 static inline void repair_rom(uint8_t *p, size_t size)

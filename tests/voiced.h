@@ -7,7 +7,7 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "../src/chips/sound/voices.h"
+#include "../src/sound/voices.h"
 
 /* Three notes of each instrument, from low to high, some frames long. The sum of what is heard. */
 static inline uint32_t voiced(const struct tune *t, const struct snd_tables *tables)

@@ -35,7 +35,7 @@ list_library() {
     echo "644 build/libcurtain.a lib/libcurtain.a"
     echo "755 build/libcurtain.so lib/libcurtain.so.1"
     echo "755 build/curtain_libretro.so lib/libretro/curtain_libretro.so"
-    echo "644 ports/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
+    echo "644 platform/libretro/curtain_libretro.info share/libretro/info/curtain_libretro.info"
 }
 
 # Those that make players made, make web or make library.

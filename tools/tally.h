@@ -6,7 +6,7 @@
 #define TOOLS_TALLY_H
 
 #include <string.h>
-#include "../src/board/machine.h"
+#include "../src/machine/machine.h"
 
 enum { TALLY_ENEMIES = 4096 };
 

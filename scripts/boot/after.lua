@@ -1,5 +1,5 @@
 -- boot/after.lua - all that is after a game that nobody left: ending and staff, then names and scores.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local SCORES = 6 * 60 -- frames it stands
 

@@ -1,6 +1,6 @@
 -- boot/args.lua - what boot.run was given, looked at once while the game loads: here what each game gives, in
 -- boot/check.lua the rest.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local PLAIN <const> = { players = true, stages = true, demo = true, continues = true }
 

@@ -1,5 +1,5 @@
 -- boot/check.lua - what boot.run was given beyond players and stages (boot/args.lua), looked at while the game loads.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local SCREENS = {
   "title", "mode", "difficulty", "ship", "pause", "continue", "results", "name", "ending", "staff", "scores", "history",

@@ -1,6 +1,6 @@
 -- boot/continue.lua - who lost the last life may go on, n times. While another flies, by START; else the board stands
 -- and asks.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local BLINK <const>, SEEN <const> = 60, 40 -- frames
 

@@ -1,6 +1,6 @@
 -- boot/front.lua - all that is before a game: the title and what can be looked at from there, demos while nobody comes,
 -- and the choices.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local ATTRACT = 10 * 60 -- frames the title waits before it shows a demo
 local SCORES = 6 * 60   -- frames the score table stands by itself

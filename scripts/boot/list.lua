@@ -1,5 +1,5 @@
 -- boot/list.lua - the list of what can be practised, for the cabinet.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local TOLD = 12 -- sys.mark calls in one frame: fewer than the board can hand out
 

@@ -1,5 +1,5 @@
 -- boot/mission.lua - a mission, from its first frame to its result, as often as somebody tries it.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local ROW <const> = (rom.field.y + rom.field.h) // 8 - 2
 local COL <const>, COLS <const> = (rom.field.x + 7) // 8, rom.field.w // 8

@@ -1,6 +1,6 @@
 -- boot/music.lua - the music of screens: each piece of boot.run's `music` plays over what was before while its screen is
 -- shown, the title's until a game begins. And the list of the music room.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 -- "clear" and "over" are the last words of a game, which are no screen, and the opening is a function of the game's.
 local SCREENS <const> = {

@@ -1,5 +1,5 @@
 -- boot/piece.lua - a part of a game that is played by itself: by practice, and by missions.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local function fight(owner, f, ended)
   local scope = task.scope(owner)

@@ -1,5 +1,5 @@
 -- boot/practice.lua - what a practice start begins with.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 -- practice is "boss/phase", "stage" or "stage:mark". Returns a function that starts that part in a scope owned by
 -- `owner`, and returns the scope.

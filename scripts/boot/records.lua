@@ -1,7 +1,7 @@
 -- boot/records.lua - what a run leaves behind: the tally of a stage, what it unlocked, its rows in the score tables. It
 -- is kept in nvram, which the cabinet writes for runs alone that were played from their title on, forwards, at full
 -- speed and by nobody else.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local records = {}
 
 local FEW = 14 -- the most stages that a row tells of; nvram.h

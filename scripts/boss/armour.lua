@@ -1,5 +1,5 @@
 -- boss/armour.lua - the frames of a phase, behind those that are safe, in which less damage is taken.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 -- Returns the task, which is to be stopped with the phase.
 return function(team, phase)

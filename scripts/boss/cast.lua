@@ -1,5 +1,5 @@
 -- boss/cast.lua - a phase of several at once: whose bars there are, and what each runs.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 -- One bar for all: what each has lost, all have.
 local function shared(team, hp)

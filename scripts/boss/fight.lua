@@ -1,6 +1,6 @@
 -- boss/fight.lua - a fight, from the boss's way in to its end. boss.fight and practice read it; so what only a fight needs
 -- takes no memory in between.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local ABOVE = -48 -- y of the place above the field where a boss comes from and leaves to
 local FLIGHT = 60 -- frames its way in or out takes

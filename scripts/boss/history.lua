@@ -1,5 +1,5 @@
 -- boss/history.lua - boss.history: how often a phase with a spell was fought and captured.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 return function(find, name, id, args)
   local a = sys.check("boss.history", name, id, args)

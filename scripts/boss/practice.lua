@@ -1,5 +1,5 @@
 -- boss/practice.lua - the phase of a boss by its id.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 return function(api, b, id, of)
   local ids = {}

@@ -1,7 +1,7 @@
 -- boss/rows.lua - what the hud shows of a fight: bars with a pip for each phase to come, the clock in large digits, the
 -- title, a mark below at the field's edge, and a spell's name, which is declared in the middle of the field and slides up
 -- to its place, with its bonus and how often it was captured. Over the field all that is three rows and no more.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local LEFT <const>, WIDTH <const> = hud.place.left, hud.place.width
 local CLOCK <const> = 4                -- columns of two large digits

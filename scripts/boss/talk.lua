@@ -1,6 +1,6 @@
 -- boss/talk.lua - the talks before a phase, or behind the last. Nobody can be hurt meanwhile: the boss is safe, the
 -- bullets are gone.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 return function(list, team)
   local scene = sys.scene(sys.task()) -- takes what they put along

@@ -1,6 +1,6 @@
 -- boss/warning.lua - what announces a boss: the picture darkens between two bars in which WARNING runs, a red light
 -- beats, and in the middle stands a card with its epithet and its name.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local OPENS <const> = 16 -- frames the bars take to open, and to close
 local PACE <const> = 3   -- frames a letter
 local BEAT <const> = 40  -- frames from one light to the next

@@ -1,6 +1,6 @@
 -- menu/book.lua - pages that are turned: left and right lead to the next, up and down to another chapter. The score
 -- tables, the history and the list of unlocks are such.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local LEFT, RIGHT, UP, DOWN = hud.glyph(139, "<"), hud.glyph(140, ">"), hud.glyph(150, "^"), hud.glyph(151, "v")

@@ -1,5 +1,5 @@
 -- menu/choose.lua - menu.choose: a title and a list below it, which leave nothing behind.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 return function(a)

@@ -2,7 +2,7 @@
 --
 -- A page lies over the field, a cell off its edges, whatever else is on the screen. What moves on it is for the eye: a
 -- press counts from a page's second frame on, and nobody waits for a picture.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = {}
 
 local IDLE = 30 * 60 -- frames after which a page that nobody answers gives up

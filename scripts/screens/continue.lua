@@ -1,5 +1,5 @@
 -- screens/continue.lua - shall player p go on? Ten seconds, shorter by one with each bomb.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local SECONDS = 9

@@ -1,5 +1,5 @@
 -- screens/difficulty.lua - how hard it is to be.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 -- names: easiest first; present: the one to begin at; texts: what boot.run says of some, by name. Returns one; nil:

@@ -1,5 +1,5 @@
 -- screens/ending.lua - what stands there when all stages are cleared and the game has no ending of its own.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local OVER = 12 * 60 -- frames

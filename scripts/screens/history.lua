@@ -1,6 +1,6 @@
 -- screens/history.lua - the spells of all bosses: how often each was tried and captured. A chapter for each difficulty,
 -- a page or more for each boss; a spell has its name once it was tried.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
 local STAR = hud.glyph(138, "*")

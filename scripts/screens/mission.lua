@@ -1,5 +1,5 @@
 -- screens/mission.lua - how a mission went, over its last picture, and whether it is tried again.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local STAR, DOT = hud.glyph(138, "*"), "-"

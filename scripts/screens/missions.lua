@@ -1,6 +1,6 @@
 -- screens/missions.lua - the list of missions: the stars of each, and below it what the chosen one asks for and how well
 -- it was done.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local STAR = hud.glyph(138, "*")

@@ -1,5 +1,5 @@
 -- screens/mode.lua - which of the game's modes.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 -- modes: a list of { name, text?, closed? }. Returns the name of one; nil: back.

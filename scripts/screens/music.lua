@@ -1,5 +1,5 @@
 -- screens/music.lua - the music room: the pieces by their titles; fire plays one, what was before goes on in the end.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local LONG <const> = 60 * 60 * 10 -- frames it stays while a piece plays

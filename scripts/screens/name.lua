@@ -1,5 +1,5 @@
 -- screens/name.lua - the names of those whose scores are among the best, all at once: a wheel of letters each.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local MIN <const>, MAX <const> = 3, 8 -- letters of a name

@@ -1,6 +1,6 @@
 -- screens/page.lua - a page of the game's own, which the title's list leads to: the library puts its head and its foot,
 -- darkens what is behind it, and takes away what the game put there.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 -- p: { name, show }; show(row, rows) runs in a task and has so many rows from that one on. Ends when somebody presses,

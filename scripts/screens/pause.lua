@@ -1,5 +1,5 @@
 -- screens/pause.lua - the game's own pause, which stands in the demo too: a window over a darker picture.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local ROOM = 8 -- columns beside the widest item

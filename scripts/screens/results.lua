@@ -1,6 +1,6 @@
 -- screens/results.lua - what a stage brought, over its last picture: values run up to what they are, one after the
 -- other, and then each player's grade is stamped below them, where the game gives grades.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local SHORTEST, LONGEST = 60, 300 -- frames; in the first, fire is not asked: players still press it when a boss bursts

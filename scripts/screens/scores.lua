@@ -1,5 +1,5 @@
 -- screens/scores.lua - the score tables: a chapter for each difficulty, a page for the best of all and one for each ship.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
 local RANKS <const> = 10 -- rows of a table

@@ -1,6 +1,6 @@
 -- screens/ship.lua - each player's ship, both at once: its picture, a word about it, and figures; then which of its
 -- forms, if it has some.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local SLIDE = 20 -- px from the side that a picture comes

@@ -1,5 +1,5 @@
 -- screens/staff.lua - who made it: names that scroll by where the board has lines, else a page a part.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local ROW = 12       -- px from one row to the next

@@ -1,5 +1,5 @@
 -- screens/title.lua - the title: a logo, a line that asks for START, and then a list of where one can go.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page = sys.read("menu/page")
 
 local WORDS = {

@@ -1,5 +1,5 @@
 -- screens/unlocks.lua - what can be earned: titles of what has been, hints for the rest.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 local page, book = sys.read("menu/page"), sys.read("menu/book")
 
 local STAR, DOT = hud.glyph(138, "*"), "-"

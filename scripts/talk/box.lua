@@ -1,6 +1,6 @@
 -- talk/box.lua - what a talk looks like: a plate at the foot of the field with the words on it, a plate with a name, two
 -- portraits that stand on it, a list to choose from. Returns a function that makes one.
-local sys = ... -- functions that only the standard library gets; src/board/api/api_sys.c explains each
+local sys = ... -- functions that only the standard library gets; src/script/api/api_sys.c explains each
 
 local ROWS = 3   -- of words, two cells apart
 local TALL = 14  -- cells a portrait takes above the first row

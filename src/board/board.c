@@ -2,21 +2,21 @@
  * board.c - power, RAM, the tick order, hashes and snapshots.
  */
 #include "board.h"
-#include "machine.h"
+#include "../machine/machine.h"
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
 #include "../base/hash.h"
 #include "../base/ieee.h"
-#include "bulletml_run.h"
-#include "events_run.h"
-#include "hit.h"
-#include "lasers_run.h"
-#include "options_run.h"
-#include "sound.h"
-#include "tasks.h"
-#include "video.h"
-#include "vm.h"
+#include "../script/bulletml_run.h"
+#include "../script/events_run.h"
+#include "../machine/collision/hit.h"
+#include "../machine/lasers_run.h"
+#include "../script/options_run.h"
+#include "../machine/sound.h"
+#include "../script/tasks.h"
+#include "../machine/video/video.h"
+#include "../script/vm.h"
 #include "../base/host.h"
 
 enum { RAM_ALIGN = 64 };
@@ -355,7 +355,7 @@ void board_move(struct board *b)
     enemies_move(&b->enemies, &b->keep, &we);
     bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
     if (b->ml_roots.s.live)
-        board_ml_run(b);
+        bulletml_run(b);
     hit_queries(b, query);
     bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     if (b->items.s.top)
@@ -391,7 +391,7 @@ static int move_and_hit(lua_State *L)
     phase_done(b, PHASE_MOTION);
     hit_run(b);
     if (b->ml_fresh.n)
-        board_ml_let_go(b);
+        bulletml_let_go(b);
     emit_run(b);
     return 0;
 }

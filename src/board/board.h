@@ -17,10 +17,12 @@
 #include <stdint.h>
 #include "../../fb/fb.h"
 #include "../base/pads.h"
-#include "../base/rom.h"
-#include "../chips/slots.h"
-#include "board_types.h"
-#include "view.h"
+#include "../rom/rom.h"
+#include "../base/slots.h"
+#include "../machine/board_types.h"
+#include "../machine/video/view.h"
+
+enum { CORE_VERSION = 9 /* raised whenever the same ROM and demo could give another hash */ };
 
 struct board;
 struct cart;

@@ -4,7 +4,7 @@
 #include "board.h"
 
 #include <string.h>
-#include "sound.h"
+#include "../machine/sound.h"
 
 /* ---- the frame's samples ---- */
 

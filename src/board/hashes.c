@@ -7,7 +7,7 @@
  */
 #include <string.h>
 #include "../base/hash.h"
-#include "machine.h"
+#include "../machine/machine.h"
 
 static const uint8_t *chip_at(const struct board *b, int i)
 {

@@ -5,12 +5,12 @@
 #include "../../fb/blit.h"
 #include <string.h>
 #include "../base/int.h"
-#include "machine.h"
-#include "tasks.h"
-#include "vm.h"
-#include "hit.h"
-#include "lasers_run.h"
-#include "machine.h"
+#include "../machine/machine.h"
+#include "../script/tasks.h"
+#include "../script/vm.h"
+#include "../machine/collision/hit.h"
+#include "../machine/lasers_run.h"
+#include "../machine/machine.h"
 
 static int32_t to_screen(fx v, int corner)
 {

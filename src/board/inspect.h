@@ -10,8 +10,8 @@
 #define BOARD_INSPECT_H
 
 #include "board.h"
-#include "../chips/motion.h"
-#include "../chips/sound/voices.h"
+#include "../entities/motion.h"
+#include "../sound/voices.h"
 
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER, INSPECT_LASER };
 enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };

@@ -14,7 +14,7 @@
 #include "film/apng.h"
 #include "film/gif.h"
 #include "film/y4m.h"
-#include "host/files.h"
+#include "../common/files.h"
 #include "host/progress.h"
 #include "host/report.h"
 #include "host/views.h"

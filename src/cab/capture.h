@@ -10,7 +10,7 @@
 #define CAB_CAPTURE_H
 
 #include "line/args.h"
-#include "host/result.h"
+#include "../common/result.h"
 
 /* What is not done has been told on plat_log. */
 enum result capture_run(const struct args *a);

@@ -151,7 +151,7 @@ struct program *program_open(int argc, char **argv)
     if (!p)
         return NULL;
     host_enter(&host);
-    (void)report_cause(); /* forget a failure of the program that ran before in this process */
+    (void)result_cause(); /* forget a failure of the program that ran before in this process */
     p->result = run(p, argc, argv);
     host_leave(&host);
     return p;

@@ -7,7 +7,7 @@
 #ifndef CAB_COMMAND_H
 #define CAB_COMMAND_H
 
-#include "host/result.h"
+#include "../common/result.h"
 #include "line/args.h"
 
 /* Plays a game, and then those that are dropped on its window: *running is to be called, if there is one. a must last

@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../board/api_table.h"
+#include "../script/api/api_table.h"
 #include "../board/board.h"
-#include "../board/trial/trial.h"
+#include "trial/trial.h"
 #include "../../platform/platform.h"
 #include "editor/annotations.h"
 #include "editor/lua_example.h"

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../../platform/platform.h"
-#include "host/files.h"
+#include "../common/files.h"
 #include "host/report.h"
 #include "host/version.h"
 #include "line/game.h"

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include "../../platform/platform.h"
 #include "../base/err.h"
-#include "host/result.h"
-#include "host/files.h"
+#include "../common/result.h"
+#include "../common/files.h"
 #include "host/progress.h"
 #include "host/report.h"
 #include "line/game.h"

@@ -7,14 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 #include "film/contact.h"
-#include "host/files.h"
+#include "../common/files.h"
 #include "host/report.h"
 #include "speaker/tape.h"
 #include "store/output_paths.h"
 #include "../../platform/platform.h"
 #include "pack/png.h"
 #include "tables/shade.h"
-#include "demo/trace.h"
+#include "../demo/trace.h"
 #include "line/unseen.h"
 
 enum { HASH_FRAMES = 600 /* without a demo or --frames */ };

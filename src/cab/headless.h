@@ -9,7 +9,7 @@
 #define CAB_HEADLESS_H
 
 #include "line/args.h"
-#include "host/result.h"
+#include "../common/result.h"
 
 enum result headless_render(const struct args *a);
 enum result headless_hash(const struct args *a);

@@ -11,12 +11,12 @@
 #include <string.h>
 #include "../../platform/platform.h"
 #include "demo/bisect.h"
-#include "host/clean.h"
-#include "host/files.h"
+#include "../common/clean.h"
+#include "../common/files.h"
 #include "host/progress.h"
 #include "line/game.h"
 #include "host/report.h"
-#include "demo/markers.h"
+#include "../demo/markers.h"
 #include "demo/replay.h"
 #include "verify_json.h"
 
@@ -471,7 +471,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     if (demo_load(&v->demo, path, err, sizeof err))
         result = verify_loaded(v, path);
     else
-        result = refuse(v, report_cause(), "%s", err);
+        result = refuse(v, result_cause(), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);

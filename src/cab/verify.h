@@ -28,7 +28,7 @@
 #define CAB_VERIFY_H
 
 #include "line/args.h"
-#include "host/result.h"
+#include "../common/result.h"
 
 /* Returns the worst result of all demos. */
 enum result verify_run(const struct args *a);

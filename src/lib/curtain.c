@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../base/err.h"
-#include "../board/hits/danger.h"
-#include "../board/rom/compressed.h"
+#include "../machine/collision/danger.h"
+#include "../rom/compressed.h"
 #include "lib.h"
 
 static uint8_t *aligned(uint8_t *p)

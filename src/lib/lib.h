@@ -6,8 +6,8 @@
 #define LIB_LIB_H
 
 #include "../board/board.h"
-#include "../board/rom/cart.h"
-#include "../cab/demo/demo.h"
+#include "../rom/cart.h"
+#include "../demo/demo.h"
 #include "curtain.h"
 #include "pads_log.h"
 

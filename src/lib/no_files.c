@@ -4,7 +4,7 @@
  */
 #include "../../platform/platform.h"
 #include "../base/err.h"
-#include "../cab/host/files.h"
+#include "../common/files.h"
 
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size)
 {

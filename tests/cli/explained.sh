@@ -31,7 +31,7 @@ texts() { python3 tests/cli/explained.py --texts "$api" >"$scratch/texts" && [ "
 check "the page has texts" texts
 objects() { # FLAG...
     local file
-    for file in $(find src/board/api -name '*.c'); do
+    for file in $(find src/script/api -name '*.c'); do
         # shellcheck disable=SC2046
         gcc -std=c11 -D_DEFAULT_SOURCE $(sed -n 's/^WARN *:= //p' Makefile) -Werror "$@" \
             $(pkg-config --cflags lua5.4 | sed 's/-I/-isystem /g') \

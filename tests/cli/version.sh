@@ -5,7 +5,7 @@
 curtain=$OUT/curtain-null
 
 release=$(sed -n 's/^#define CURTAIN_VERSION "\(.*\)"$/\1/p' src/cab/host/version.h)
-core=$(sed -n 's/^ *CORE_VERSION = \([0-9]*\),.*/\1/p' src/board/board.h)
+core=$(sed -n 's/.*CORE_VERSION = \([0-9]*\).*/\1/p' src/board/board.h)
 lua=$(printf '#include <lua.h>\nLUA_RELEASE\n' | ${CC:-cc} -E -P $(pkg-config --cflags lua5.4) - |
     tail -1 | tr -d '"' | sed 's, *\. *,.,g; s,  *, ,g')
 first() { "$curtain" "$@" | head -n 1; }

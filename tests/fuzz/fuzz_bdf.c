@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/rom/face.h"
+#include "../../src/rom/face.h"
 #include "../../src/cab/pack/bdf.h"
 
 static void need(bool good)

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/cab/demo/demo.h"
-#include "../../src/cab/demo/demo_text.h"
+#include "../../src/demo/demo.h"
+#include "../../src/demo/demo_text.h"
 #include "../repair.h"
 
 static void repair(uint8_t *p, size_t n, uint32_t format)

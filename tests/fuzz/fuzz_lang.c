@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/rom/words.h"
+#include "../../src/rom/words.h"
 #include "../../src/cab/pack/lang.h"
 
 static void need(bool good)

@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/rom/manifest.h"
-#include "../../src/board/script.h"
+#include "../../src/rom/manifest.h"
+#include "../../src/script/script.h"
 #include "../../src/cab/check/symbols.h"
 #include "../../src/cab/check/builtins.h"
 

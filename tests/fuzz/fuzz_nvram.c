@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/bytes.h"
-#include "../../src/chips/nvram.h"
+#include "../../src/machine/nvram.h"
 
 static void need(bool good)
 {

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/sound/recording.h"
-#include "../../src/snd/adpcm.h"
-#include "../../src/snd/tune.h"
+#include "../../src/sound/adpcm.h"
+#include "../../src/sound/tune.h"
 
 static void need(bool good)
 {

@@ -7,9 +7,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/rom/cart.h"
-#include "../../src/board/rom/compressed.h"
-#include "../../src/board/rom/lzma.h"
+#include "../../src/rom/cart.h"
+#include "../../src/rom/compressed.h"
+#include "../../src/rom/lzma.h"
 #include "../../src/cab/pack/compress.h"
 #include "../repair.h"
 

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/cab/mml/mml.h"
-#include "../../src/snd/pitch.h"
-#include "../../src/snd/tune.h"
+#include "../../src/sound/pitch.h"
+#include "../../src/sound/tune.h"
 #include "../voiced.h"
 
 static void need(bool good)

@@ -39,11 +39,11 @@ refuse "planted: another plot" "differ" same_plot "$scratch/drift.svg"
 # An engine that is not what the tables justify: hits are not swept. It is built beside the one there is.
 engine_copy
 for file in hit_parts.h hit.c; do
-    sed 's/= swept ?/= false ?/g' "src/board/hits/$file" >"$copy/src/board/hits/$file"
+    sed 's/= swept ?/= false ?/g' "src/machine/collision/$file" >"$copy/src/machine/collision/$file"
 done
 unswept() {
-    ! cmp -s src/board/hits/hit_parts.h "$copy/src/board/hits/hit_parts.h" || return 2
-    ! cmp -s src/board/hits/hit.c "$copy/src/board/hits/hit.c" || return 2
+    ! cmp -s src/machine/collision/hit_parts.h "$copy/src/machine/collision/hit_parts.h" || return 2
+    ! cmp -s src/machine/collision/hit.c "$copy/src/machine/collision/hit.c" || return 2
     engine_build lab 'hit*' -llibfixmath || return 2
     "$scratch/lab" --exact --out "$scratch/new" collision
 }

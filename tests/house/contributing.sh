@@ -14,8 +14,8 @@ names() { # PAGE: files that are not the examples' own
     return $bad
 }
 check "the files it names are there" names $page
-echo 'See `src/chips/gone.c`.' >"$scratch/page.md"
-refuse "planted: one is not" "src/chips/gone.c" names "$scratch/page.md"
+echo 'See `src/entities/gone.c`.' >"$scratch/page.md"
+refuse "planted: one is not" "src/entities/gone.c" names "$scratch/page.md"
 
 # The n-th block of C or shell, without its indent, into a file.
 block() { # KIND N
@@ -40,7 +40,7 @@ sample() {
         python3 -c 'import sys; sys.exit(open(sys.argv[1]).read() not in open(sys.argv[2]).read())' \
             "$scratch/sample" "$1"
 }
-check "the sample of code is src/chips/shown/pal.c's" sample src/chips/shown/pal.c
+check "the sample of code is src/machine/video/pal.c's" sample src/machine/video/pal.c
 
 # What the examples add, in a copy of the source.
 copy=$scratch/copy
@@ -63,12 +63,12 @@ objects() { # NAME...
 libraries() { pkg-config --libs lua5.4; echo -lm -pthread; }
 
 chip() {
-    { echo '#ifndef R'; echo '#define R'; echo '#include "../base/fx.h"'; echo '#include "slots.h"'
-        find_block 'struct ripples {'; echo '#endif'; } >"$copy/src/chips/ripples.h" &&
-        { echo '#include "ripples.h"'; find_block 'COLUMN(ripples, x)'; } >"$copy/src/chips/ripples.c" &&
-        compile -c "$copy/src/chips/ripples.c" -o "$scratch/ripples.o" &&
+    { echo '#ifndef R'; echo '#define R'; echo '#include "../base/fx.h"'; echo '#include "../base/slots.h"'
+        find_block 'struct ripples {'; echo '#endif'; } >"$copy/src/entities/ripples.h" &&
+        { echo '#include "ripples.h"'; find_block 'COLUMN(ripples, x)'; } >"$copy/src/entities/ripples.c" &&
+        compile -c "$copy/src/entities/ripples.c" -o "$scratch/ripples.o" &&
         clang-format --style=file:.clang-format --dry-run -Werror \
-            "$copy/src/chips/ripples.c" "$copy/src/chips/ripples.h"
+            "$copy/src/entities/ripples.c" "$copy/src/entities/ripples.h"
 }
 check "its chip compiles" chip
 
@@ -81,10 +81,10 @@ api() {
             /^#define NO_PARAMS/ { while ((getline line <sign) > 0) print line }
             { print }
             /^static const struct api_entry entries/ { while ((getline line <row) > 0) print line }' \
-            src/board/api/api_rng.c >"$copy/src/board/api/api_rng.c" || return
-    grep -q '^static int rng_sign' "$copy/src/board/api/api_rng.c" || return
+            src/script/api/api_rng.c >"$copy/src/script/api/api_rng.c" || return
+    grep -q '^static int rng_sign' "$copy/src/script/api/api_rng.c" || return
     # shellcheck disable=SC2046
-    compile "$copy/src/board/api/api_rng.c" $(objects board/api/api_rng.o) \
+    compile "$copy/src/script/api/api_rng.c" $(objects script/api/api_rng.o) \
         "$OUT/gen/no_rom.o" "$OUT/src/cab/main.o" $(libraries) -o "$scratch/curtain" &&
         mkdir -p "$scratch/game" && cp -r examples/first/* "$scratch/game/" &&
         echo "$signs" >"$scratch/game/main.lua" && "$scratch/curtain" hash "$scratch/game" --frames 2 &&

@@ -46,7 +46,7 @@ there() { # NAMES (a file)
 entries() { # NAMES (a file)
     local name bad=0
     while read -r name; do
-        grep -rqF "\"$name\"" src/board/api ||
+        grep -rqF "\"$name\"" src/script/api ||
             { echo "gone, and a frozen ROM has its arguments checked by it: $name"; bad=1; }
     done <"$1"
     return $bad

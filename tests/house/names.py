@@ -8,6 +8,7 @@ import sys
 NO_PREFIX = {
     "plat_": "the seam to a port",
     "program_": "the program, for ports whose host has the loop",
+    "snd_": "src/sound",
     "int64_": "int.h's functions of the wider type",
     "luapattern_ luatable_ luatext_ luautf8_ luamath_": "luaparts.h says what each file of the library gives",
     "board_eval board_profile": "operations on a board, in headers of their own",

@@ -17,5 +17,5 @@ refuse "planted: a name from nowhere" "planted.h: other_make" names "$scratch/pl
     echo '}'
 } >"$scratch/planted/long.c"
 refuse "planted: a function of 101 lines" "long.c:2: a function of 101 lines" \
-    names src/board/vm.h "$scratch/planted/long.c"
+    names src/script/vm.h "$scratch/planted/long.c"
 finish

@@ -3,8 +3,9 @@
 # no host, no clock and no rounding that differs. It looks at the objects in the link map of curtain-null.
 . "$(dirname "$0")/../tap.sh"
 
-sources() { find src/base fb src/snd src/chips src/board -name '*.c'; }
-below="src/base\|fb\|src/snd\|src/chips\|src/board"
+layers='src/base fb src/sound src/entities src/rom src/machine src/script src/board'
+sources() { find $layers -name '*.c'; }
+below=${layers// /\\|}
 linked() { sed -n "s,^LOAD \($OUT/\($below\)/[^ ]*\.o\)$,\1,p" "$OUT/curtain-null.map"; }
 
 all_linked() {
@@ -58,7 +59,7 @@ calls() {
 
 # The parts and the pictures know no script.
 low_calls() {
-    nm -uA $(linked | grep -v /src/board/) |
+    nm -uA $(linked | grep -v -e /src/script/ -e /src/board/) |
         awk '$NF ~ /^lua|strtod$/ { print $1 " calls " $NF; bad = 1 } END { exit bad }'
 }
 
@@ -75,12 +76,12 @@ host_calls() {
 check "the link map names every object below the cabinet" all_linked
 check "no writable memory below the cabinet" writable $(linked)
 check "nothing below the cabinet calls what it must not" calls $(linked)
-check "Lua and the reading of numbers are for the board alone" low_calls
+check "Lua and the reading of numbers are for scripts and the board alone" low_calls
 check "what the host has set is for host.c alone" host_calls
 
 # planted WHAT TEXT: hit.c with the text at its end, compiled and looked at
 planted() {
-    sed "s,#include \",&$PWD/src/board/hits/," src/board/hits/hit.c >"$scratch/planted.c"
+    sed "s,#include \",&$PWD/src/machine/collision/," src/machine/collision/hit.c >"$scratch/planted.c"
     echo "$2" >>"$scratch/planted.c"
     ${CC:-cc} -std=c11 -O2 -D_DEFAULT_SOURCE $(pkg-config --cflags lua5.4) -c "$scratch/planted.c" \
         -o "$scratch/planted.o" || return 0

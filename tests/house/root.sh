@@ -3,7 +3,7 @@
 . "$(dirname "$0")/../tap.sh"
 
 allowed=".ci .clang-format .editorconfig .gitignore CHANGELOG.md CONTRIBUTING.md LICENSE Makefile README.md
-    docs examples fb platform ports roms scripts share src tests tools"
+    docs examples fb platform roms scripts share src tests tools"
 
 # entries DIR: the names in it that are tracked or staged; without git, all names but that of the build directory.
 entries() {

@@ -21,13 +21,13 @@ refuse "planted: another plot" "limiter" same_plots "$scratch/plots"
 
 # An engine without tails: the voice that is taken clicks.
 mkdir -p "$scratch/copy/src"
-ln -s "$PWD/src/base" "$PWD/src/snd" "$scratch/copy/src/"
-cp -r src/chips "$scratch/copy/src/chips"
+ln -s "$PWD/src/base" "$scratch/copy/src/"
+cp -r src/sound "$scratch/copy/src/sound"
 sed -i 's/copy(s, VOICES + voice, voice);/copy(s, VOICES + voice, voice), s->inst[VOICES + voice] = 0;/' \
-    "$scratch/copy/src/chips/sound/voices.c"
+    "$scratch/copy/src/sound/voices.c"
 without_tails() {
-    ! cmp -s src/chips/sound/voices.c "$scratch/copy/src/chips/sound/voices.c" || return 2
-    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -c "$scratch/copy/src/chips/sound/voices.c" \
+    ! cmp -s src/sound/voices.c "$scratch/copy/src/sound/voices.c" || return 2
+    ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -w -D_DEFAULT_SOURCE -c "$scratch/copy/src/sound/voices.c" \
         -o "$scratch/voices.o" || return 2
     # shellcheck disable=SC2046
     ${CC:-cc} -o "$scratch/ear" "$OUT"/tools/sound/*.o "$OUT"/tools/report/*.o "$scratch/voices.o" \

@@ -47,9 +47,9 @@ check "shots hit the nearest enemy, every sprite is drawn, and steps back find t
 refuse "a section it does not have" "sections: machine boss crowd prices" "$bench" nothing
 engine_copy
 sed 's/\(events_push(.*EV_SHOT, who, whom\))/\1 ^ 1)/' \
-    src/board/hits/hit_shots.c >"$copy/src/board/hits/hit_shots.c"
+    src/machine/collision/hit_shots.c >"$copy/src/machine/collision/hit_shots.c"
 another() {
-    ! cmp -s src/board/hits/hit_shots.c "$copy/src/board/hits/hit_shots.c" || return 2
+    ! cmp -s src/machine/collision/hit_shots.c "$copy/src/machine/collision/hit_shots.c" || return 2
     engine_build bench hit_shots || return 2
     "$scratch/bench" battle
 }

@@ -41,7 +41,7 @@ torture   tests/nightly.sh          torture screens
 ubsan     tests/nightly.sh          asan ubsan
 uninstall tests/cli/install.sh      makes uninstall
 valgrind  tests/nightly.sh          msan valgrind
-web       ports/web/test.sh         --web -o
+web       platform/web/test.sh         --web -o
 windows   Makefile                  --no-print-directory windows
 END
 }

@@ -59,8 +59,8 @@ words() { # FILE...: those of pages, whole; of C and Lua, the texts
 check "the list of allowed lines is short" [ "$(wc -l <"$scratch/allowed")" -le 20 ]
 check "every allowed line has a reason" sh -c '! grep -v ": .* # ." "$1"' - "$scratch/allowed"
 check "README.md and the manual" words README.md $(tree 'docs/*.md' 'docs/**/*.md' | sort -u)
-check "menus and messages" words $(tree 'src/*.[ch]' 'platform/*.[ch]' 'ports/*.[ch]' 'scripts/*.lua') \
-    ports/web/page.html ports/web/player.js
+check "menus and messages" words $(tree 'src/*.[ch]' 'platform/*.[ch]' 'scripts/*.lua') \
+    platform/web/page.html platform/web/player.js
 help() {
     local command page=$scratch/help.md
     for command in '' play help config $("$OUT/curtain-null" help | sed -nE 's/^  curtain ([a-z]+) .*/\1/p'); do

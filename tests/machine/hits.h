@@ -5,7 +5,7 @@
 #ifndef TESTS_HITS_H
 #define TESTS_HITS_H
 
-#include "../../src/board/hit.h"
+#include "../../src/machine/collision/hit.h"
 #include "rig.h"
 
 __extension__ typedef __int128 wide;

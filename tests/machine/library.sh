@@ -210,7 +210,7 @@ WHAT
 
 # ---- the example ----
 
-check 'the example is built' "$cc" -std=c11 -O1 -w -I"$repo/src/lib" "$repo/ports/example/frames.c" \
+check 'the example is built' "$cc" -std=c11 -O1 -w -I"$repo/src/lib" "$repo/platform/example/frames.c" \
     "$OUT/libcurtain.so" -Wl,-rpath,"$OUT" -lm -o frames
 demo=$repo/roms/testcard/demos/card.demo
 same 'it plays a demo' "600 frames, $("$curtain" hash testcard.rom --demo "$demo" --frames 600 --every 600 |

@@ -20,18 +20,18 @@ part() {
 part tests/template.sh
 part tests/port.sh "$OUT/curtain-null"
 part tests/port.sh "$OUT/curtain"
-part ports/libretro/test.sh --short
-part ports/web/test.sh --short
+part platform/libretro/test.sh --short
+part platform/web/test.sh --short
 
 listed() { # PAGE
     local file bad=0
-    for file in platform/*.c ports/*/; do
+    for file in platform/*.c platform/*/; do
         case $file in platform/stdio.c | platform/posix.c | platform/iso.c | *_*.c) continue ;; esac
         grep -qF "\`${file%/}\`" "$1" || { echo "$1: no row of ${file%/}: make ports"; bad=1; }
     done
     return $bad
 }
 check 'docs/measured/ports.md has a row of each port' listed docs/measured/ports.md
-grep -v ports/web docs/measured/ports.md >"$scratch/bad.md"
-refuse 'planted: one is missing' 'no row of ports/web' listed "$scratch/bad.md"
+grep -v platform/web docs/measured/ports.md >"$scratch/bad.md"
+refuse 'planted: one is missing' 'no row of platform/web' listed "$scratch/bad.md"
 finish

@@ -20,14 +20,14 @@
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
 #include "../../fb/blit.h"
-#include "../../src/board/api.h"
-#include "../../src/board/machine.h"
+#include "../../src/script/api/api.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/bulletml/compile.h"
-#include "../../src/cab/demo/demo.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/mml/mml.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../src/cab/sound/recording.h"
-#include "../../src/snd/adpcm.h"
+#include "../../src/sound/adpcm.h"
 
 /* A game in memory. */
 /* The most lumps a test's game has: the library's pieces are lumps too. */

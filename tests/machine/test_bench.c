@@ -9,7 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/board/board.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../tools/bench/crowd.h"
 

@@ -3,7 +3,7 @@
  * there, plain and as a view dims them; their motion; fades; what a game without them has of them.
  */
 #include "../../fb/row.h"
-#include "../../src/board/video.h"
+#include "../../src/machine/video/video.h"
 #include "rig.h"
 
 static struct rng rng;

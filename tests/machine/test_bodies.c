@@ -2,7 +2,7 @@
  * test_bodies.c - enemies with parts: where each is and was, against a reference that asks each thing for its place;
  * damage against 128 bits; and by hand what authors see.
  */
-#include "../../src/board/events_run.h"
+#include "../../src/script/events_run.h"
 #include "rig.h"
 
 __extension__ typedef unsigned __int128 whole;

@@ -15,7 +15,7 @@
 #include "../temp.h"
 #include "../../src/cab/demo/replay.h"
 #include "../../src/cab/host/config.h"
-#include "../../src/cab/host/files.h"
+#include "../../src/common/files.h"
 #include "../../src/cab/play/cab.h"
 #include "../../src/cab/store/replays.h"
 #include "../../src/cab/store/roms.h"

@@ -1,7 +1,7 @@
 /*
  * test_contrast.c - which bullets stand out from what lies behind them, pixel by pixel, against a plain oracle.
  */
-#include "../../src/board/draw/contrast.h"
+#include "../../src/machine/video/contrast.h"
 #include "rig.h"
 
 static struct rig_game g;

@@ -2,8 +2,8 @@
  * test_crowd.c - crowds of bullets, drawn back to front, front to back, and by a painter that sets one byte after the
  * other; and moved in the one pass over blocks, against a plain loop.
  */
-#include "../../src/board/hit.h"
-#include "../../src/board/video.h"
+#include "../../src/machine/collision/hit.h"
+#include "../../src/machine/video/video.h"
 #include "rig.h"
 
 static struct rng rng;

@@ -2,7 +2,7 @@
  * test_eval.c - lines of Lua between frames: what they say, what they change, and that a restored board is as it was.
  */
 #include "rig.h"
-#include "../../src/board/api/eval.h"
+#include "../../src/script/api/eval.h"
 
 static const char scene[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 2 } })\n"

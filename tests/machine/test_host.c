@@ -9,9 +9,9 @@
 #include <math.h>
 #include <unistd.h>
 #include "../../src/base/host.h"
-#include "../../src/board/api/eval.h"
-#include "../../src/board/rom/manifest.h"
-#include "../../src/board/script.h"
+#include "../../src/script/api/eval.h"
+#include "../../src/rom/manifest.h"
+#include "../../src/script/script.h"
 #include "../../src/cab/cli.h"
 #include "rig.h"
 #include "../temp.h"

@@ -3,7 +3,7 @@
  * arithmetic in 128 bits, what they give, and where they come from.
  */
 #include "../../src/base/trig.h"
-#include "../../src/board/hit.h"
+#include "../../src/machine/collision/hit.h"
 #include "rig.h"
 
 __extension__ typedef __int128 wide;

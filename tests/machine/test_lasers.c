@@ -3,9 +3,9 @@
  * game that has none.
  */
 #include <math.h>
-#include "../../src/board/api.h"
+#include "../../src/script/api/api.h"
 #include "../../src/board/inspect.h"
-#include "../../src/board/lasers_run.h"
+#include "../../src/machine/lasers_run.h"
 #include "rig.h"
 
 static struct rig_game g;

@@ -4,7 +4,7 @@
  * ends, "deep" does.
  */
 #include "rig.h"
-#include "../../src/board/sound.h"
+#include "../../src/machine/sound.h"
 
 static struct snd_tables tables;
 static struct rig_game game;

@@ -3,7 +3,7 @@
  * messages, digests and states, whatever stands in the table, and whatever stands among the guesses.
  */
 #include "rig.h"
-#include "../../src/board/api/eval.h"
+#include "../../src/script/api/eval.h"
 
 static const char scene[] = "value.def('curl')\n"
                             "value.def('fade', { start = 2 })\n"

@@ -3,8 +3,8 @@
  * library's for the author's line; and the run is the same one.
  */
 #include "rig.h"
-#include "../../src/board/api/eval.h"
-#include "../../src/board/lua/profile.h"
+#include "../../src/script/api/eval.h"
+#include "../../src/script/profile.h"
 
 enum { FRAMES = 20, STACK = 200 /* work of growing a stack */ };
 

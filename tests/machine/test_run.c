@@ -8,8 +8,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <lauxlib.h>
 #include <cmocka.h>
-#include "../../src/cab/demo/demo.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../tools/tally.h"
 

@@ -4,7 +4,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 #include "../../platform/platform.h"
-#include "../../src/board/api/eval.h"
+#include "../../src/script/api/eval.h"
 #include "../../src/cab/host/folder.h"
 #include "../../src/cab/play/session.h"
 #include "rig.h"

@@ -3,8 +3,8 @@
  * changes nothing, whichever frames are heard.
  */
 #include "rig.h"
-#include "../../src/board/sound.h"
-#include "../../src/snd/tables.h"
+#include "../../src/machine/sound.h"
+#include "../../src/sound/tables.h"
 
 static struct snd_tables tables;
 static struct rig_game game;

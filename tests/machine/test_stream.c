@@ -4,8 +4,8 @@
  */
 #include "rig.h"
 #include <math.h>
-#include "../../src/board/sound.h"
-#include "../../src/snd/tables.h"
+#include "../../src/machine/sound.h"
+#include "../../src/sound/tables.h"
 
 static struct snd_tables tables;
 static struct rig_game game;

@@ -13,9 +13,9 @@
 #include <unistd.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/script.h"
+#include "../../src/script/script.h"
 #include "../../src/cab/check/symbols.h"
-#include "../../src/cab/host/files.h"
+#include "../../src/common/files.h"
 #include "../../src/cab/pack/tree.h"
 #include "../../src/cab/check/builtins.h"
 

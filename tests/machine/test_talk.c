@@ -1,7 +1,7 @@
 /*
  * test_talk.c - dialogue: letters, pages, choices, who answers; what players cannot meanwhile; skips, stops, snapshots.
  */
-#include "../../src/board/std.h"
+#include "../../src/script/std.h"
 #include "rig.h"
 
 enum { BOX_COL = 2, BOX_ROW = 33, NAME_ROW = 30, LAST_ROW = 37, BOX_COLS = 26 }; /* of the rig's field, 240 x 320 */

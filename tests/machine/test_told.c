@@ -2,9 +2,9 @@
  * test_told.c - what a script is told, and what it is not: writes to what is read only, registers at 0, names that are
  * kept for later, two fights at once, waits where there can be none, and nil for all.
  */
-#include "../../src/board/api/api_parts.h"
+#include "../../src/script/api/api_parts.h"
 #include "rig.h"
-#include "../../src/board/api/eval.h"
+#include "../../src/script/api/eval.h"
 
 static const char kinds[] =
     "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } }) shot.def('bolt', { sprite = 'dot', hit = { circle = 3 "

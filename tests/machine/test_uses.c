@@ -9,7 +9,7 @@
  */
 #define _POSIX_C_SOURCE 200809L /* unsetenv */
 #include "rig.h"
-#include "../../src/board/api/api_parts.h"
+#include "../../src/script/api/api_parts.h"
 
 enum { MOST = 512, PROPS = 32 };
 

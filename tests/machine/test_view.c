@@ -2,7 +2,7 @@
  * test_view.c - how a player sees the picture. By every view: a run is what it is, each way of drawing makes the same
  * picture, a dim darkens what lies behind and nothing else, a soft flash is a quarter, colours are view_colour's.
  */
-#include "../../src/board/video.h"
+#include "../../src/machine/video/video.h"
 #include "../../src/cab/tables/shade.h"
 #include "rig.h"
 

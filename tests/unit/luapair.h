@@ -11,9 +11,9 @@
 #include <lua.h>
 #include <lualib.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/lualib.h"
-#include "../../src/board/machine.h"
-#include "../../src/board/vm.h"
+#include "../../src/script/lua/lualib.h"
+#include "../../src/machine/machine.h"
+#include "../../src/script/vm.h"
 
 enum { HEAP = 64 << 20 };
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/cab/host/clean.h"
+#include "../../src/common/clean.h"
 
 static void becomes(const char *want, const char *text)
 {

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/rom/lzma.h"
+#include "../../src/rom/lzma.h"
 #include "../../src/cab/pack/compress.h"
 #include "../repair.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
-#include "../../src/board/rom/face.h"
+#include "../../src/rom/face.h"
 #include "../../src/cab/pack/bdf.h"
 
 static struct faces_set set;

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
-#include "../../src/board/rom/words.h"
+#include "../../src/rom/words.h"
 #include "../../src/cab/pack/lang.h"
 
 static struct lang l;

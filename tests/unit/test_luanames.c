@@ -14,7 +14,7 @@
 #include <lauxlib.h>
 #include <lua.h>
 #include <lualib.h>
-#include "../../src/board/lualib.h"
+#include "../../src/script/lua/lualib.h"
 
 static const char SORTS[] =
     "local first, second = ...\n"

@@ -9,7 +9,7 @@
 #include <cmocka.h>
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
-#include "../../src/board/rom/manifest.h"
+#include "../../src/rom/manifest.h"
 
 struct result {
     struct manifest m;

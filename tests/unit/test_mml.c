@@ -13,7 +13,7 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/rng.h"
 #include "../../src/cab/mml/mml.h"
-#include "../../src/snd/tune.h"
+#include "../../src/sound/tune.h"
 #include "../voiced.h"
 
 static const struct mml_about about = { .volume = 200, .priority = 3, .limit = 5, .title = "" };

@@ -14,13 +14,13 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/cab/host/files.h"
+#include "../../src/common/files.h"
 #include "../../src/cab/host/library.h"
 #include "../../src/cab/sound/encode.h"
 #include "../../src/cab/sound/flaws.h"
 #include "../../src/cab/sound/recording.h"
 #include "../../src/cab/sound/wav.h"
-#include "../../src/snd/tune.h"
+#include "../../src/sound/tune.h"
 #include "../temp.h"
 
 /* A host without shared libraries has this in place of what library.h declares. */

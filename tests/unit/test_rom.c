@@ -11,8 +11,8 @@
 #include "../../src/base/bytes.h"
 #include "../../src/base/hash.h"
 #include "../../src/base/rng.h"
-#include "../../src/base/rom.h"
-#include "../../src/board/rom/cart.h"
+#include "../../src/rom/rom.h"
+#include "../../src/rom/cart.h"
 
 /* A ROM in memory of exactly its size, so that a sanitizer sees any read beyond it. */
 struct block {

@@ -8,8 +8,8 @@
 #include <string.h>
 #include <cmocka.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/script.h"
-#include "../../src/board/std.h"
+#include "../../src/script/script.h"
+#include "../../src/script/std.h"
 
 #define POWER "operator ^ is not available (results differ between machines); use x*x or math.sqrt"
 #define GC    "__gc is not available (finalizers run at different times on different machines)"

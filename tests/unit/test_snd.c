@@ -14,10 +14,10 @@
 #include "../../src/base/rng.h"
 #include "../../src/cab/sound/encode.h"
 #include "../../src/cab/mml/mml.h"
-#include "../../src/chips/sound/voices.h"
-#include "../../src/snd/adpcm.h"
-#include "../../src/snd/fm.h"
-#include "../../src/snd/wave.h"
+#include "../../src/sound/voices.h"
+#include "../../src/sound/adpcm.h"
+#include "../../src/sound/fm.h"
+#include "../../src/sound/wave.h"
 
 static struct snd_tables tables;
 

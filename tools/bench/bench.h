@@ -6,7 +6,7 @@
 #ifndef BENCH_BENCH_H
 #define BENCH_BENCH_H
 
-#include "../../src/cab/demo/demo.h"
+#include "../../src/demo/demo.h"
 #include "../report/report.h"
 #include "scene.h"
 

@@ -8,7 +8,7 @@
 #include "bench.h"
 #include "crowd.h"
 #include "../../platform/platform.h"
-#include "../../src/board/video.h"
+#include "../../src/machine/video/video.h"
 
 enum {
     REFERENCES = 3,

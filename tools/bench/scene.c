@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/base/bytes.h"
-#include "../../src/board/rom/cart.h"
+#include "../../src/rom/cart.h"
 #include "../../src/cab/bulletml/compile.h"
 
 enum { ROTATIONS = 16, RAM_ALIGN = 64 };

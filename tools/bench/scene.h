@@ -7,7 +7,7 @@
 #define BENCH_SCENE_H
 
 #include "../../src/board/board.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/pack/pack.h"
 
 /* What zero means stands behind each. */

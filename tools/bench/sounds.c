@@ -6,8 +6,8 @@
 #include <string.h>
 #include "../../src/cab/sound/encode.h"
 #include "../../src/cab/mml/mml.h"
-#include "../../src/chips/sound/seq.h"
-#include "../../src/chips/sound/voices.h"
+#include "../../src/sound/seq.h"
+#include "../../src/sound/voices.h"
 #include "bench.h"
 
 enum { LONG = 48000, ROUNDS = 40, FRAMES = 10, RECORDED = 16, NOTES = 8 };

@@ -6,8 +6,8 @@
 #define BENCH_WORST_H
 
 #include <stdint.h>
-#include "../../src/board/machine.h"
-#include "../../src/board/vm.h"
+#include "../../src/machine/machine.h"
+#include "../../src/script/vm.h"
 
 struct worst {
     const char *what;

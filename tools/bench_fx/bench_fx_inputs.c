@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include "../../src/base/rng.h"
-#include "../../src/board/machine.h"
-#include "../../src/cab/demo/demo.h"
+#include "../../src/machine/machine.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 #include "../numbers.h"
 #include "bench_fx.h"

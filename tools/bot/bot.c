@@ -27,8 +27,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../platform/platform.h"
-#include "../../src/board/machine.h"
-#include "../../src/cab/demo/demo.h"
+#include "../../src/machine/machine.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 #include "../tally.h"
 

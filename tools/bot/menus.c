@@ -11,8 +11,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/api_table.h"
-#include "../../src/board/machine.h"
+#include "../../src/script/api/api_table.h"
+#include "../../src/machine/machine.h"
 #include "bot.h"
 
 enum {
@@ -27,7 +27,6 @@ enum {
     KNOWN = 1 << 14,
     OTHER = 8 /* cells that are others on another screen: where an arrow stands, or a number, makes none */
 };
-
 
 struct move {
     uint8_t right, down, fire;

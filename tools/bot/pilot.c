@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/survive/plan.h"
 #include "bot.h"
 

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 #include "../../src/board/board.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "board.h"
 

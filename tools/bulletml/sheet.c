@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../fb/text.h"
 #include "../../src/board/board.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/pack/png.h"
 #include "board.h"
 #include "tool.h"

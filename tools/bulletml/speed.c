@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../bench/bench.h"
 #include "board.h"
 #include "list.h"

@@ -57,7 +57,8 @@ weigher() {
                 -o "$OUT/rows"
             exit
         fi
-        below="src/base $(ls -d src/snd 2>/dev/null) src/chips src/board fb"
+        # the layers below the program, also of commits in which they had other names
+        below=$(ls -d fb src/{base,snd,sound,chips,entities,rom,machine,script,board} 2>/dev/null)
         objects=$(find $below -name '*.c' | sed "s|^\(.*\)\.c\$|$OUT/\1.o|")
         $CC $FLAGS tools/compare/weigh.c $objects $LIBS -o "$OUT/weigh"
     ) || fail "weigh.c or rows.c does not build with $1: what it uses of the board is named otherwise there"

@@ -13,17 +13,13 @@
 #include "../../fb/fb.h"
 #include "../../src/base/heap.h"
 #include "../../src/base/pads.h"
-#include "../../src/base/rom.h"
 #include "../../src/board/board.h"
+#if __has_include("../../src/machine/machine.h")
+#include "../../src/machine/machine.h"
+#include "../../src/rom/rom.h"
+#else /* of commits before the tree had layers */
+#include "../../src/base/rom.h"
 #include "../../src/board/machine.h"
-
-#if defined __has_include
-#if __has_include("../../src/board/draw/view_colours.c")
-#define PLAIN NULL, /* the view that board_draw takes; older ones have none */
-#endif
-#endif
-#ifndef PLAIN
-#define PLAIN
 #endif
 
 struct weigh {
@@ -122,7 +118,7 @@ static void play(struct board *b, int frames)
     for (int i = 0; i < frames; i++) {
         const uint16_t pads[PADS] = { pads_at(i), 0 };
         board_tick(b, pads);
-        board_draw(b, PLAIN & fb, rgb, scratch);
+        board_draw(b, NULL, &fb, rgb, scratch);
         check_fault(b);
     }
     double took = now() - from;

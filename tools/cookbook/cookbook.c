@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/board/board.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/machine.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../src/cab/pack/png.h"
 

@@ -12,12 +12,13 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 sorted='if (k.texts || !k.ascending)'
-[ "$(grep -cF "$sorted" src/board/lua/luatable.c)" = 1 ] ||
-    { echo "unsorted.sh: src/board/lua/luatable.c has no line to change"; exit 1; }
-sed 's/if (k\.texts || !k\.ascending)/if (!k.texts \&\& !k.ascending)/' src/board/lua/luatable.c >"$scratch/luatable.c"
+[ "$(grep -cF "$sorted" src/script/lua/luatable.c)" = 1 ] ||
+    { echo "unsorted.sh: src/script/lua/luatable.c has no line to change"; exit 1; }
+sed 's/if (k\.texts || !k\.ascending)/if (!k.texts \&\& !k.ascending)/' src/script/lua/luatable.c >"$scratch/luatable.c"
 # shellcheck disable=SC2046
-${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/board/lua $(pkg-config --cflags lua5.4) \
-    "$scratch/luatable.c" $(find "$out/src" "$out/fb" -name '*.o' ! -name luatable.o) "$out"/gen/{std,no_rom}.o \
+${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/script/lua \
+    $(pkg-config --cflags lua5.4) "$scratch/luatable.c" \
+    $(find "$out/src" "$out/fb" -name '*.o' ! -name luatable.o) "$out"/gen/{std,no_rom}.o \
     "$out"/platform/{null,stdio,posix,posix_process}.o $(pkg-config --libs lua5.4) -lm -pthread -o "$scratch/unsorted"
 
 # Three runs, for each has another order.

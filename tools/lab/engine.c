@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../src/board/api.h"
+#include "../../src/script/api/api.h"
 
 const struct box ENGINE_EVERYWHERE = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
 

@@ -6,8 +6,8 @@
 #ifndef LAB_ENGINE_H
 #define LAB_ENGINE_H
 
-#include "../../src/board/hit.h"
-#include "../../src/board/machine.h"
+#include "../../src/machine/collision/hit.h"
+#include "../../src/machine/machine.h"
 
 /* A pixel in fx. */
 #define PX(n) ((fx)((n)*65536))

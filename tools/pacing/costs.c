@@ -6,7 +6,7 @@
 #include <string.h>
 #include <time.h>
 #include "../../platform/platform.h"
-#include "../../src/cab/demo/demo.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 #include "../../src/cab/picture/compose.h"
 #include "../../src/cab/run/ahead.h"

@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../src/board/board.h"
-#include "../../src/board/rom/cart.h"
-#include "../../src/cab/demo/demo.h"
+#include "../../src/rom/cart.h"
+#include "../../src/demo/demo.h"
 #include "../../src/cab/pack/pack.h"
 
 enum { STACK_BYTES = 4 << 20, PATTERN = 0xa5, FRAMES = 600, MANY = 1024 };

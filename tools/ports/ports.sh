@@ -35,7 +35,7 @@ row() {
     passed=$(grep -c '^ok ' "$log") not=$(grep -c '^not ok ' "$log")
     # shellcheck disable=SC2206
     files=(${is[files]}) shown=${files[0]}
-    case $shown in ports/*) shown=$(dirname "$shown") ;; esac
+    case $shown in platform/*/*) shown=$(dirname "$shown") ;; esac
     lines=$(cat "${files[@]}" | wc -l)
     [ -z "${is[built]:-}" ] || size=$(($(stat -c %s "$(eval echo "${is[built]}")") / 1024))
     [ "$not" = 0 ] && [ "$passed" -gt 0 ] || failed=1

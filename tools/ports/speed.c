@@ -12,8 +12,8 @@
 #include <string.h>
 #include <time.h>
 #include "../../src/board/board.h"
-#include "../../src/board/rom/cart.h"
-#include "../../src/board/rom/compressed.h"
+#include "../../src/rom/cart.h"
+#include "../../src/rom/compressed.h"
 #include "../../src/lib/curtain.h"
 
 enum { TURNS = 61, FRAMES = 120, OPENINGS = 15 };

@@ -9,8 +9,8 @@
 #ifndef SOUND_EAR_H
 #define SOUND_EAR_H
 
-#include "../../src/chips/sound/voices.h"
-#include "../../src/snd/fm.h"
+#include "../../src/sound/voices.h"
+#include "../../src/sound/fm.h"
 #include "../report/report.h"
 
 void section_waves(void);

@@ -2,16 +2,16 @@
  * formats.c - the page's last section: how sound lies in a ROM.
  * floor: tools
  */
-#include "../../src/snd/adpcm.h"
+#include "../../src/sound/adpcm.h"
 #include "ear.h"
 
 void section_formats(void)
 {
     report_section("Formats");
-    report_text("In a ROM, `tune/NAME` and `sound/NAME` are tunes (`src/snd/tune.h`). A tune consists of a header, "
+    report_text("In a ROM, `tune/NAME` and `sound/NAME` are tunes (`src/sound/tune.h`). A tune consists of a header, "
                 "instruments of %d\n"
-                "bytes (`src/snd/inst.h`), markers, waves and curves, and tracks of events. The audio data "
-                "(`src/snd/adpcm.h`) of a sound\n"
+                "bytes (`src/sound/inst.h`), markers, waves and curves, and tracks of events. The audio data "
+                "(`src/sound/adpcm.h`) of a sound\n"
                 "follows its tune; the audio data of music is in `wave/NAME`. All tunes are validated when a ROM is "
                 "opened. [The\n"
                 "guide](../guide/25-sound.md) lists the audio files that can be used as samples.",

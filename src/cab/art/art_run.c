@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
-#include "../../chips/motion.h"
-#include "../host/files.h"
+#include "../../entities/motion.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "../pack/pack.h"
 #include "../pack/png.h"

@@ -6,7 +6,7 @@
 #define CAB_ART_RUN_H
 
 #include <stdbool.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* Lists the sprites of the game at path (a folder or a .rom file), or puts them on the picture `atlas`, a PNG;
  * NULL: not asked for. What is not done has been told on plat_log. */

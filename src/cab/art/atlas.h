@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../board/inspect.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 enum { ATLAS_SCALE = 3 /* pixels of the atlas for one of a sprite */ };
 

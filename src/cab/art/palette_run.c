@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "../pack/art.h"
 #include "../pack/png.h"

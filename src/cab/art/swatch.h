@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 enum { SWATCH_MOST = 240 /* colours: 15 of each bank */, SWATCH_BANK = 15, SWATCH_FILE = 1 << 20 /* bytes */ };
 

@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 enum {
     FILE_MAGIC = 0xa5e0,
@@ -128,7 +128,7 @@ static void *more(void *list, int n, size_t size)
 
 static bool no_memory(struct reader *r)
 {
-    host_is_why();
+    result_is_why();
     return refuse(r, "out of memory");
 }
 

@@ -6,8 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/clean.h"
-#include "../host/files.h"
+#include "../../common/clean.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "as_lua.h"
 #include "compile.h"

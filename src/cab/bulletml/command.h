@@ -6,7 +6,7 @@
 #define CAB_BULLETML_COMMAND_H
 
 #include <stdbool.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* Says of each of n documents what is in it and what is hardly meant, on standard output; or with lua prints the one
  * that is given as a script. What is wrong has been told on plat_log, a line a document. */

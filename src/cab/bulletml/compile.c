@@ -12,8 +12,8 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../../board/rom/bulletml.h"
-#include "../host/result.h"
+#include "../../rom/bulletml.h"
+#include "../../common/result.h"
 
 /* What of a node is written as a piece of its own. */
 enum piece { PIECE_ACTION, PIECE_TOP, PIECE_FIRE, PIECE_BULLET, PIECE_INSIDE /* a bullet's actions */, PIECES };
@@ -52,7 +52,7 @@ static void *grow(struct compiler *c, void *at, size_t n, size_t *room, size_t s
         return at;
     void *more = realloc(at, (*room ? 2 * *room : 256) * size);
     if (!more) {
-        host_is_why();
+        result_is_why();
         fail(c, 0, "out of memory");
     } else
         *room = *room ? 2 * *room : 256;
@@ -504,7 +504,7 @@ static uint8_t *lump(struct compiler *c, const uint32_t *tops, uint32_t n, size_
     *size = ML_HEADER + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
     uint8_t *out = malloc(*size), *to = out;
     if (!out) {
-        host_is_why();
+        result_is_why();
         fail(c, 0, "out of memory");
         return NULL;
     }
@@ -528,7 +528,7 @@ bool bulletml_compile(const struct document *d, const char *file, uint8_t **out,
 
     *out = NULL;
     if (!c.place) {
-        host_is_why();
+        result_is_why();
         fail(&c, 0, "out of memory");
     }
     const uint32_t n = c.failed ? 0 : compile(&c, tops);

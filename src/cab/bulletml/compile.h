@@ -1,5 +1,5 @@
 /*
- * compile.h - a BulletML document to the program that a board runs (src/board/rom/bulletml.h).
+ * compile.h - a BulletML document to the program that a board runs (src/rom/bulletml.h).
  * floor: cab
  */
 #ifndef CAB_BULLETML_COMPILE_H

@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 static const char *const elements[NODE_ELEMENTS] = {
     [NODE_BULLETML] = "bulletml",
@@ -77,7 +77,7 @@ void *document_keep(struct document_reader *r, const void *bytes, size_t n)
     struct piece *piece = malloc(sizeof *piece + n);
 
     if (!piece) {
-        host_is_why();
+        result_is_why();
         document_bad(r, 1, 1, "out of memory");
         return NULL;
     }
@@ -106,7 +106,7 @@ int32_t document_add(struct document_reader *r, int32_t parent, enum document_el
     if (d->n == DOCUMENT_NODES)
         document_bad(r, line, column, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
     else if (d->n == d->room && !grow(d)) {
-        host_is_why();
+        result_is_why();
         document_bad(r, line, column, "out of memory");
     }
     if (r->failed)

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 #define BIT(element) (1u << (element))
 
@@ -185,7 +185,7 @@ static void check_labels(struct document_reader *r)
     int n = 0;
 
     if (!labels) {
-        host_is_why();
+        result_is_why();
         document_bad(r, 1, 1, "out of memory");
         return;
     }

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../host/library.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* ---- libexpat, as its version 1 declares it in expat.h ---- */
 
@@ -381,7 +381,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
     char why[128];
 
     if (!x) {
-        host_is_why();
+        result_is_why();
         document_bad(r, 1, 1, "out of memory");
         return;
     }
@@ -391,7 +391,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
         library_missing(LIBRARY_EXPAT, why, sizeof why);
         document_bad(r, 1, 1, "%s", why);
     } else if (!(x->parser = x->f.create(NULL))) {
-        host_is_why();
+        result_is_why();
         document_bad(r, 1, 1, "out of memory");
     }
     if (x->parser) {

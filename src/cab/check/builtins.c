@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../board/api_table.h"
-#include "../../board/std.h"
+#include "../../script/api/api_table.h"
+#include "../../script/std.h"
 #include "../pack/pack.h"
 
 static const char *const libraries[] = { "string", "table", "math", "utf8" };

@@ -9,8 +9,8 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "check_parts.h"
-#include "../host/clean.h"
-#include "../host/files.h"
+#include "../../common/clean.h"
+#include "../../common/files.h"
 #include "../host/progress.h"
 #include "../host/report.h"
 

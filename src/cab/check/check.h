@@ -10,7 +10,7 @@
 #define CAB_CHECK_H
 
 #include <stdbool.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* Checks the folder; nearest: as pack. RESULT_DONE: nothing was found; RESULT_DIFFERS: diagnostics; RESULT_REFUSED: not
  * a game's folder, as plat_log says. */

@@ -14,8 +14,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
-#include "../../board/run/force.h"
+#include "../../rom/cart.h"
+#include "../../script/force.h"
 #include "../run/sections.h"
 #include "../run/sweep.h"
 

@@ -11,9 +11,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../board/api_table.h"
-#include "../../board/script.h"
-#include "../host/files.h"
+#include "../../script/api/api_table.h"
+#include "../../script/script.h"
+#include "../../common/files.h"
 #include "../pack/pack.h"
 
 static bool same(const char *a, const char *b)

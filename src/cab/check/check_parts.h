@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../../fb/utf8.h"
-#include "../../board/rom/manifest.h"
+#include "../../rom/manifest.h"
 #include "symbols.h"
 #include "diagnostics.h"
 #include "../pack/tree.h"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 #define BOARD(name) offsetof(struct manifest, name)
 

@@ -10,12 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../board/board.h"
-#include "../../board/draw/contrast.h"
+#include "../../machine/video/contrast.h"
 #include "../../board/inspect.h"
-#include "../../board/rom/cart.h"
-#include "../../board/run/force.h"
+#include "../../rom/cart.h"
+#include "../../script/force.h"
 #include "../pack/art.h"
-#include "../demo/demo.h"
+#include "../../demo/demo.h"
 #include "../host/progress.h"
 #include "../run/guard.h"
 #include "../run/sections.h"

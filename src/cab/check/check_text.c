@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../fb/utf8.h"
-#include "../../chips/shown/fix.h"
-#include "../../board/rom/cart.h"
+#include "../../entities/fix.h"
+#include "../../rom/cart.h"
 #include "../pack/lang.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../pack/pack.h"
 
 /* Where a text is shown: codes below `from` are not judged, those over `most` cannot be shown. sure: it is shown. */

@@ -6,7 +6,7 @@
  * leads to, or fits a format. So what is found is certain to be unused, unless a script spells it letter by letter.
  */
 #include "check_parts.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "../pack/pack.h"
 
 #include <stdio.h>

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/clean.h"
+#include "../../common/clean.h"
 
 enum { TEXT = 640 };
 

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/cursor.h"
+#include "../../base/cursor.h"
 
 /* Texts that live until the arena is closed. */
 struct arena {

@@ -13,9 +13,9 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/clean.h"
-#include "../host/files.h"
-#include "demo.h"
+#include "../../common/clean.h"
+#include "../../common/files.h"
+#include "../../demo/demo.h"
 #include "../host/report.h"
 
 enum {

@@ -9,7 +9,7 @@
 #define CAB_BISECT_H
 
 #include <stdio.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* RESULT_DONE: equal. RESULT_DIFFERS: the frame, and what differs in it, is on standard output. RESULT_REFUSED: not
  * such files, not of the same frames and parts, or equal but of different lengths; RESULT_HOST: no memory; with these

@@ -4,7 +4,7 @@
  * A part that this build's board does not have differs from the first frame on.
  */
 #include "replay.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 #include <stdio.h>
 #include <stdlib.h>

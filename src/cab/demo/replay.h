@@ -5,9 +5,9 @@
 #ifndef CAB_REPLAY_H
 #define CAB_REPLAY_H
 
-#include "../../board/rom/cart.h"
-#include "demo.h"
-#include "../host/result.h"
+#include "../../rom/cart.h"
+#include "../../demo/demo.h"
+#include "../../common/result.h"
 #include "../run/guard.h"
 
 enum verdict_kind {

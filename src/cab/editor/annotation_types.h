@@ -6,7 +6,7 @@
 #define CAB_ANNOTATION_TYPES_H
 
 #include <stddef.h>
-#include "../../board/api_table.h"
+#include "../../script/api/api_table.h"
 #include "prose.h"
 
 /* Adds the aliases that the types below name: words, and names that a game declares. */

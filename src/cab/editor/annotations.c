@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include "../../board/api_table.h"
+#include "../../script/api/api_table.h"
 #include "../host/version.h"
 #include "annotation_types.h"
 

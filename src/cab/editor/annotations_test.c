@@ -4,7 +4,7 @@
  */
 #include <stdio.h>
 #include <string.h>
-#include "../../board/trial/trial.h"
+#include "../trial/trial.h"
 #include "../host/version.h"
 #include "annotations.h"
 

@@ -9,9 +9,9 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include "../../board/api_table.h"
-#include "../../board/std.h"
-#include "../../board/trial/trial.h"
+#include "../../script/api/api_table.h"
+#include "../../script/std.h"
+#include "../trial/trial.h"
 #include "../check/builtins.h"
 #include "../host/version.h"
 

@@ -2,8 +2,8 @@
  * config.c - see config.h. One table is the parser, the ranges and the help.
  */
 #include "config.h"
-#include "../../board/rom/manifest.h"
-#include "files.h"
+#include "../../rom/manifest.h"
+#include "../../common/files.h"
 #include "views.h"
 
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "config.h"
 
 #include <stdio.h>
-#include "files.h"
+#include "../../common/files.h"
 
 /* A file as it could be; a test reads it. */
 static const char *const example[] = {

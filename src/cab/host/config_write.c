@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "result.h"
+#include "../../common/result.h"
 #include "config.h"
-#include "files.h"
+#include "../../common/files.h"
 
 /* A text that grows. */
 struct text {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "clean.h"
+#include "../../common/clean.h"
 
 enum { SECOND = 1000000, TELL_AFTER = SECOND, TELL_EVERY = SECOND / 4, TIME = 24 /* bytes of ", 9999:59 left" */ };
 

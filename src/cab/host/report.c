@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "clean.h"
+#include "../../common/clean.h"
 #include "progress.h"
 
 enum { LINE = 2048, LOG_LINE = 512, PRINT = 8192 };
@@ -54,35 +54,9 @@ void report_print(const char *format, ...)
     fputs(text, stdout);
 }
 
-static bool host_failed;
-
-void host_is_why(void)
-{
-    host_failed = true;
-}
-
-bool result_host(char *err, size_t size, const char *format, ...)
-{
-    va_list args;
-
-    va_start(args, format);
-    vsnprintf(err, size, format, args);
-    va_end(args);
-    host_is_why();
-    return false;
-}
-
-enum result report_cause(void)
-{
-    const bool host = host_failed;
-
-    host_failed = false;
-    return host ? RESULT_HOST : RESULT_REFUSED;
-}
-
 enum result report_error(const char *err)
 {
-    return report_line(report_cause(), "%s", err);
+    return report_line(result_cause(), "%s", err);
 }
 
 static void log_lines(const char *text)

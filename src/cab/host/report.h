@@ -8,16 +8,12 @@
 
 #include <stdbool.h>
 #include "../../board/board.h"
-#include "result.h"
+#include "../../common/result.h"
 
 /* One line, "curtain: ..."; returns result. */
 enum result report_line(enum result result, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Why game_open, demo_load, packing or unpacking has said no: RESULT_HOST when the host is (result_host), else
- * RESULT_REFUSED. To be asked once, right after it. */
-enum result report_cause(void);
-
-/* The same, and the sentence on plat_log. */
+/* A sentence on plat_log; returns result_cause(). */
 enum result report_error(const char *err);
 
 /* The last sentence that said why something failed, without the program's name; "": there was none. */

@@ -3,7 +3,7 @@
  */
 #include "args_parts.h"
 
-#include "../demo/demo.h"
+#include "../../demo/demo.h"
 #include "../host/views.h"
 #include "../share/export.h"
 

@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../demo/demo.h"
+#include "../../demo/demo.h"
 #include "../host/report.h"
 #include "../share/own.h"
 #include "../store/roms.h"
@@ -106,7 +106,7 @@ static void search(struct search *s, const char *file)
     roms_path(rom, s->demo->id, s->demo->rom_hash);
     if (plat_path(rom, path, sizeof path))
         try_path(s, path);
-    (void)report_cause(); /* games that could not be opened are of no interest */
+    (void)result_cause(); /* games that could not be opened are of no interest */
 }
 
 static bool refuse(const struct search *s, const char *file, char *err, size_t err_size)

@@ -5,7 +5,7 @@
 #ifndef CAB_DEMO_GAME_H
 #define CAB_DEMO_GAME_H
 
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "args.h"
 
 struct demo_game {

@@ -6,9 +6,9 @@
 #define CAB_GAME_H
 
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "args.h"
-#include "../demo/demo.h"
+#include "../../demo/demo.h"
 #include "../pack/pack.h"
 
 /* The game linked into the program; size 0: none. An exported one (share/own.h) comes before it. */

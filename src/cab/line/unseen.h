@@ -8,7 +8,7 @@
 
 #include "args.h"
 #include "game.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../run/guard.h"
 
 struct unseen {

@@ -6,7 +6,7 @@
 #define CAB_HEAR_H
 
 #include <stdbool.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 struct board;
 struct hear;

@@ -9,7 +9,7 @@
 #include "../../base/bytes.h"
 #include "../../base/edit.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../board/board.h"
 #include "hear.h"
 #include "../host/report.h"

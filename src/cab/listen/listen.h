@@ -6,7 +6,7 @@
 #define CAB_LISTEN_H
 
 #include "../line/args.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* *running is to be called where a sound is heard. */
 enum result listen_run(const struct args *a, struct running *running);

@@ -5,7 +5,7 @@
 #ifndef CAB_NOTES_H
 #define CAB_NOTES_H
 
-#include "../../snd/tune.h"
+#include "../../sound/tune.h"
 
 /* Prints the tune, a line an event: TRACK TICK WHAT VALUES; the conductor's track is -. Lines are explained in
  * docs/measured/music.md. A track that is endless is printed up to its loop's end and says where it goes on: TRACK END

@@ -7,9 +7,9 @@
 
 #include <stdbool.h>
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
-#include "../demo/demo.h"
-#include "../host/result.h"
+#include "../../rom/cart.h"
+#include "../../demo/demo.h"
+#include "../../common/result.h"
 #include "../line/args.h"
 
 struct bench {

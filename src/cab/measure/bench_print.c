@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/clean.h"
+#include "../../common/clean.h"
 #include "rooms.h"
 #include "../host/report.h"
 

@@ -12,10 +12,10 @@
 
 #include "../../board/board.h"
 #include "../../board/inspect.h"
-#include "../../board/lua/profile.h"
-#include "../../board/rom/cart.h"
-#include "../demo/demo.h"
-#include "../host/result.h"
+#include "../../script/profile.h"
+#include "../../rom/cart.h"
+#include "../../demo/demo.h"
+#include "../../common/result.h"
 #include "../run/sections.h"
 
 enum {

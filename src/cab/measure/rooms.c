@@ -7,8 +7,8 @@
 #include "rooms.h"
 
 #include <string.h>
-#include "../../chips/lasers.h"
-#include "../../chips/motion.h"
+#include "../../entities/lasers.h"
+#include "../../entities/motion.h"
 
 enum { SPARE = 4 /* of what was used one part in so many more */, POOL = 64, LIST = 16, LUA = 256 };
 

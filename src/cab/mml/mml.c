@@ -10,9 +10,9 @@
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../snd/adpcm.h"
-#include "../../snd/pitch.h"
+#include "../../common/result.h"
+#include "../../sound/adpcm.h"
+#include "../../sound/pitch.h"
 
 /* The file's name, the line and the column of a place in it. */
 static void write_place(const struct mml *m, uint32_t at, char *out, size_t size)
@@ -45,7 +45,7 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
         const uint32_t room = t->room ? 2 * t->room : 256;
         struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
         if (bigger == NULL) {
-            host_is_why();
+            result_is_why();
             mml_bad(m, m->now, "out of memory");
         }
         t->events = bigger;

@@ -9,8 +9,8 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/trig.h"
-#include "../../snd/tables.h"
-#include "../host/result.h"
+#include "../../sound/tables.h"
+#include "../../common/result.h"
 
 /* The number of that piece; takes the bytes. */
 static uint32_t keep_piece(struct mml *m, uint32_t at, uint8_t *bytes, uint32_t n)
@@ -33,7 +33,7 @@ static uint8_t *room(struct mml *m, uint32_t at, size_t n)
     uint8_t *p = calloc(1, n);
 
     if (p == NULL) {
-        host_is_why();
+        result_is_why();
         mml_bad(m, at, "out of memory");
     }
     return p;

@@ -6,7 +6,7 @@
 
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../snd/pitch.h"
+#include "../../sound/pitch.h"
 
 static const char *const kinds[INST_KINDS] = { "pulse", "triangle", "saw", "sine", "fm",
                                                "noise", "sample",   "fm4", "wave" };

@@ -7,7 +7,7 @@
 #define CAB_MML_PARTS_H
 
 #include <setjmp.h>
-#include "../../snd/tune.h"
+#include "../../sound/tune.h"
 #include "mml.h"
 
 enum {

@@ -6,7 +6,7 @@
 
 #include <string.h>
 #include "../../base/edit.h"
-#include "../../snd/pitch.h"
+#include "../../sound/pitch.h"
 
 enum { WHOLE = 4 * TUNE_QUARTER, KEYS = 7, GRACES = 4, GRACE = WHOLE / 32 /* ticks, unless it says another length */ };
 

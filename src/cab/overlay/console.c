@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../board/api/eval.h"
+#include "../../script/api/eval.h"
 
 /* HID usages. */
 enum {

@@ -13,7 +13,7 @@
 #include "../../../fb/resize.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 enum { MAX_STACK = 64 << 20 /* bytes of one sprite's pictures */ };
 

@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 struct art_picture {
     uint8_t *rgba; /* rows on end; malloc */

@@ -6,8 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../chips/motion.h"
+#include "../../common/result.h"
+#include "../../entities/motion.h"
 
 enum { TICKS = 60, SECOND = 1000, HALF = 1 << 15 /* half a px */ };
 

@@ -14,7 +14,7 @@
 #ifndef CAB_ASE_SPRITE_H
 #define CAB_ASE_SPRITE_H
 
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "../ase/ase.h"
 #include "art.h"
 

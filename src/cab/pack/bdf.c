@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../board/cursor.h"
-#include "../../board/rom/face.h"
+#include "../../common/result.h"
+#include "../../base/cursor.h"
+#include "../../rom/face.h"
 
 enum { LINE = 1024, NUMBERS = 4, NAME = 80 };
 

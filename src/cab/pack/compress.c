@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
-#include "../../board/rom/compressed.h"
-#include "../../board/rom/lzma.h"
+#include "../../rom/compressed.h"
+#include "../../rom/lzma.h"
 
 enum { HASH_BITS = 17, DEPTH = 64 /* places that are looked at for a match */ };
 

@@ -7,9 +7,9 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../board/cursor.h"
-#include "../../board/rom/face.h"
+#include "../../common/result.h"
+#include "../../base/cursor.h"
+#include "../../rom/face.h"
 
 /* ---- the characters ---- */
 

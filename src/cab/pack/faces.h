@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include "../../../fb/utf8.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "art.h"
 
 /* A set of code points. */

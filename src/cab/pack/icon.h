@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 #define ICON_LUMP "icon"
 

@@ -10,8 +10,8 @@
 #include "../../../fb/utf8.h"
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../board/rom/words.h"
+#include "../../common/result.h"
+#include "../../rom/words.h"
 
 struct reader {
     struct lang *l;

@@ -9,7 +9,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* ---- the lump ---- */
 

@@ -13,7 +13,7 @@
 #include "../../base/bytes.h"
 #include "../../base/err.h"
 #include "../../base/hash.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "png.h"
 #include "../xml/xml.h"
 

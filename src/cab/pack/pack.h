@@ -14,7 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../base/rom.h"
+#include "../../rom/rom.h"
 
 /* The standard library and the built-in game, made by tools/embed.c when the program is built. */
 struct embedded {

@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../base/hash.h"
 
 enum { STB_MOST = 512 << 20 }; /* bytes in one piece */

@@ -9,9 +9,9 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../base/heap.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 
 enum {
     MAX_FILES = 1 << 16, /* in a folder and all below it */
@@ -50,7 +50,7 @@ const char *tree_failed(const struct tree *p)
 {
     if (p->n == MAX_FILES)
         return "too many files";
-    host_is_why();
+    result_is_why();
     return "out of memory";
 }
 

@@ -12,9 +12,9 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../run/clock.h"
-#include "../../chips/nvram.h"
+#include "../../machine/nvram.h"
 #include "cab_parts.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 
 enum {
     SECOND = 1000000,

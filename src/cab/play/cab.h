@@ -10,9 +10,9 @@
 #define CAB_CAB_H
 
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
-#include "../demo/demo.h"
-#include "../host/result.h"
+#include "../../rom/cart.h"
+#include "../../demo/demo.h"
+#include "../../common/result.h"
 
 struct cab_options;
 

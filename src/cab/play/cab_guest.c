@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../store/roms.h"
 #include "cab_parts.h"
 

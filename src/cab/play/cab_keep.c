@@ -14,7 +14,7 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../../base/hash.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../store/roms.h"
 #include "cab_parts.h"
 

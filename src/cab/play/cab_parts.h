@@ -11,7 +11,7 @@
 #include "../overlay/prompt.h"
 #include "cab.h"
 #include "../host/config.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../overlay/console.h"
 #include "../host/folder.h"
 #include "../host/pace.h"

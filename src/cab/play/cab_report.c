@@ -13,9 +13,9 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
-#include "../demo/demo_dump.h"
-#include "../demo/demo_text.h"
-#include "../host/clean.h"
+#include "../../demo/demo_dump.h"
+#include "../../demo/demo_text.h"
+#include "../../common/clean.h"
 
 #define REPORTS "user:reports"
 #define TOLD    REPORTS "/told" /* has the name of the last crash's report that a player was told of */

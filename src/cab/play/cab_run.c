@@ -8,8 +8,8 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
-#include "../host/clean.h"
-#include "../host/files.h"
+#include "../../common/clean.h"
+#include "../../common/files.h"
 
 enum {
     LOOK_EVERY = 15,  /* frames between two looks at the game's folder */

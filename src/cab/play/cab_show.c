@@ -10,7 +10,7 @@
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
 #include "../film/last.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../overlay/message.h"
 #include "../overlay/page.h"
 #include "../pack/png.h"

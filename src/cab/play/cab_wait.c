@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "cab_parts.h"
-#include "../host/clean.h"
+#include "../../common/clean.h"
 #include "../overlay/page.h"
 
 enum {

@@ -13,7 +13,7 @@
 #define CAB_PRACTICE_H
 
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "../run/sections.h"
 #include "../screens/screen.h"
 #include "../store/records.h"

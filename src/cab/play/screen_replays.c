@@ -7,7 +7,7 @@
 #include <string.h>
 #include <time.h>
 #include "../../../platform/platform.h"
-#include "../host/clean.h"
+#include "../../common/clean.h"
 #include "cab_parts.h"
 
 /* ---- a replay in words ---- */

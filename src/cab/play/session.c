@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 enum { LOOK_EVERY = 16 /* ticks between two looks at the clock */ };
 

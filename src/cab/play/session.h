@@ -13,7 +13,7 @@
 #ifndef CAB_SESSION_H
 #define CAB_SESSION_H
 
-#include "../demo/demo.h"
+#include "../../demo/demo.h"
 #include "../run/guard.h"
 #include "../pack/pack.h"
 

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 /* True if an entry can contain the path: it has no line breaks or control characters. */
 bool desktop_may_name(const char *path);

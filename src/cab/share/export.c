@@ -8,10 +8,10 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
-#include "../host/files.h"
+#include "../../rom/cart.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "../pack/compress.h"
 #include "../pack/pack.h"

@@ -13,7 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* EXPORT_PROGRAM: a copy of this program. EXPORT_ALL: all that are between these two, each in a zip file. */
 enum export_kind { EXPORT_PROGRAM, EXPORT_LINUX, EXPORT_WINDOWS, EXPORT_WEB, EXPORT_LIBRETRO, EXPORT_ALL };

@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 #include "../film/reel.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* Adds the notices of everything that may be in a download of a game, on any system. */
 void licences_notices(struct reel *out);

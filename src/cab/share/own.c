@@ -10,8 +10,8 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../../base/rom.h"
-#include "../host/files.h"
+#include "../../rom/rom.h"
+#include "../../common/files.h"
 #include "../host/version.h"
 #include "../pack/pack.h"
 #include "mark.h"

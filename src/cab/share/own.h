@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/rom/manifest.h"
-#include "../host/result.h"
+#include "../../rom/manifest.h"
+#include "../../common/result.h"
 
 struct own {
     const uint8_t *rom; /* malloc, until the program ends; NULL: this program carries none */

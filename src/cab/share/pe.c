@@ -13,8 +13,8 @@
 #include "../../../fb/utf8.h"
 #include "../../base/err.h"
 #include "../film/reel.h"
-#include "../host/clean.h"
-#include "../host/result.h"
+#include "../../common/clean.h"
+#include "../../common/result.h"
 #include "../host/version.h"
 #include "../pack/icon.h"
 

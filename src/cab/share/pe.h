@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 /* Does the file claim to be a Windows program? */
 bool pe_is(const uint8_t *file, size_t size);

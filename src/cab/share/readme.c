@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 #include <string.h>
-#include "../host/clean.h"
+#include "../../common/clean.h"
 #include "../host/keys.h"
 #include "../host/version.h"
 

@@ -5,7 +5,7 @@
 #ifndef CAB_README_H
 #define CAB_README_H
 
-#include "../../board/rom/manifest.h"
+#include "../../rom/manifest.h"
 #include "../film/reel.h"
 #include "export.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "../pack/pack.h"
 #include "desktop.h"

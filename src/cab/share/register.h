@@ -5,7 +5,7 @@
 #ifndef CAB_REGISTER_H
 #define CAB_REGISTER_H
 
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* Sets it up, again if it was set up before; with remove, removes what it wrote. Prints what changed. */
 enum result register_command(bool remove);

@@ -6,7 +6,7 @@
 #define CAB_RETRO_H
 
 #include <stddef.h>
-#include "../../board/rom/manifest.h"
+#include "../../rom/manifest.h"
 
 /* The line that such a file of ours begins with. */
 #define RETRO_INFO_FIRST "# A game made with Curtain."

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../board/board.h"
-#include "../../board/rom/manifest.h"
-#include "../host/clean.h"
+#include "../../rom/manifest.h"
+#include "../../common/clean.h"
 
 static const char title_mark[] = "@TITLE@", rom_mark[] = "@ROM@";
 static const char generator[] = "<meta name=\"generator\" content=\"Curtain, core ";

@@ -5,7 +5,7 @@
 #ifndef CAB_ENCODE_H
 #define CAB_ENCODE_H
 
-#include "../../snd/adpcm.h"
+#include "../../sound/adpcm.h"
 
 /* Writes n samples with their header, sample_size bytes. */
 void encode_sample(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, uint32_t loop,

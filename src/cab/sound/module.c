@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../../snd/adpcm.h"
-#include "../../snd/pitch.h"
+#include "../../sound/adpcm.h"
+#include "../../sound/pitch.h"
 #include "../host/library.h"
 
 /* ---- libopenmpt, as its version 0 declares it in libopenmpt.h ---- */

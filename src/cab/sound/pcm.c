@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../../snd/adpcm.h"
-#include "../../snd/pitch.h"
+#include "../../sound/adpcm.h"
+#include "../../sound/pitch.h"
 
 static int16_t rounded(double v)
 {

@@ -12,9 +12,9 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../../snd/pitch.h"
-#include "../../snd/tune.h"
+#include "../../common/result.h"
+#include "../../sound/pitch.h"
+#include "../../sound/tune.h"
 #include "encode.h"
 #include "module.h"
 #include "sndfile.h"

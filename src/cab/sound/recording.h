@@ -5,7 +5,7 @@
 #ifndef CAB_RECORDING_H
 #define CAB_RECORDING_H
 
-#include "../../board/rom/manifest.h"
+#include "../../rom/manifest.h"
 #include "pcm.h"
 
 /* Reads a file's bytes by the ending of its name, for this loop; pcm_free what it gives. ID3 tags around the file are

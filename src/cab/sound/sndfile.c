@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../../snd/adpcm.h"
+#include "../../sound/adpcm.h"
 #include "../host/library.h"
 #include "tags.h"
 

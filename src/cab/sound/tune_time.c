@@ -5,7 +5,7 @@
 #include "tune_time.h"
 
 #include <math.h>
-#include "../../snd/pitch.h"
+#include "../../sound/pitch.h"
 
 enum { MOST_EVENTS = 1 << 21 };
 

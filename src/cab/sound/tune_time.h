@@ -5,7 +5,7 @@
 #ifndef CAB_TUNE_TIME_H
 #define CAB_TUNE_TIME_H
 
-#include "../../snd/tune.h"
+#include "../../sound/tune.h"
 
 /* Seconds until the last track ends, or has played all it repeats once; and of those that repeat, how long that is, 0:
  * none does. */

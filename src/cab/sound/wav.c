@@ -10,7 +10,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../../snd/adpcm.h"
+#include "../../sound/adpcm.h"
 
 enum { INTEGERS = 1, FLOATS = 3 };
 #define UNFINISHED 0x7ffff000u /* lengths from here on, and 0, are of a program that wrote into a pipe */

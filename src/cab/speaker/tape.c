@@ -7,9 +7,9 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../board/board.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 
 enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND, MOST = 1 << 30 };
 

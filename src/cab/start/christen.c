@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../base/hash.h"
-#include "../host/clean.h"
+#include "../../common/clean.h"
 #include "../pack/tree.h"
 
 enum { NO_CHARACTER = 0xfffd };

@@ -8,12 +8,12 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../editor/annotations.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 #include "../host/views.h"
 #include "../pack/tree.h"
 #include "christen.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 static const char LUARC[] = "{\n"
                             "  \"runtime.version\": \"Lua 5.4\",\n"

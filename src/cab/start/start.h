@@ -8,7 +8,7 @@
 #ifndef CAB_START_H
 #define CAB_START_H
 
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../pack/pack.h"
 
 /* Files of the games, "shooter/art/kite.png"; made by tools/embed.c, in the order of their names. */

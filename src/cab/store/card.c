@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 #include "../../base/hash.h"
-#include "../host/clean.h"
+#include "../../common/clean.h"
 
 enum { FORMAT = 1, BEFORE = 12 /* bytes before the fields */ };
 static const char magic[] = "CCRD";

@@ -9,8 +9,8 @@
 #ifndef CAB_CARD_H
 #define CAB_CARD_H
 
-#include "../../chips/nvram.h"
-#include "../demo/demo.h"
+#include "../../machine/nvram.h"
+#include "../../demo/demo.h"
 #include "thumb.h"
 
 enum {

@@ -4,8 +4,8 @@
 #include "json.h"
 
 #include <inttypes.h>
-#include "../demo/demo.h"
-#include "../host/clean.h"
+#include "../../demo/demo.h"
+#include "../../common/clean.h"
 
 static void put_string(FILE *out, const char *text)
 {

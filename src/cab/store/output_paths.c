@@ -8,7 +8,7 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 
 enum { HEAD = 512 /* bytes of a file that show what it is */ };
 

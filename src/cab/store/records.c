@@ -8,8 +8,8 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../../base/err.h"
-#include "../host/result.h"
-#include "../host/files.h"
+#include "../../common/result.h"
+#include "../../common/files.h"
 
 static const char first_line[] = "practice 1";
 

@@ -10,9 +10,9 @@
 #include <time.h>
 #include "../../../platform/platform.h"
 #include "../../base/hash.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "roms.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 /* ---- names ---- */
 

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 
 #define FOLDER "user:roms"
 

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
-#include "../../base/rom.h"
+#include "../../rom/rom.h"
 #include "unsaved.h"
 
 enum { ROMS_PATH = 96 };

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include "../host/files.h"
+#include "../../common/files.h"
 
 /* Where the file of a path is in the list, or the list's end. */
 static struct unsaved **find(struct unsaved **list, const char *path)

@@ -5,7 +5,7 @@
 #ifndef CAB_MAP_H
 #define CAB_MAP_H
 
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 #include "section.h"
 
 /* A sheet of frames of a run, evenly over it: on the picture, darkened, the cells where a ship could be are blue, and

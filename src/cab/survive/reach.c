@@ -12,7 +12,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../../chips/player.h"
+#include "../../entities/player.h"
 
 #define MARGIN (1.0 / 64) /* px: what is computed in doubles is far nearer to the truth */
 

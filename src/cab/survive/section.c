@@ -4,7 +4,7 @@
 #include "section.h"
 
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 
 enum { AFTER = 30 /* frames that the course goes on where no way was found */ };
 

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../host/progress.h"
 #include "../host/report.h"
 #include "../pack/png.h"

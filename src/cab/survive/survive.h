@@ -6,8 +6,8 @@
 #define CAB_SURVIVE_H
 
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
-#include "../host/result.h"
+#include "../../rom/cart.h"
+#include "../../common/result.h"
 #include "../line/args.h"
 
 enum { SURVIVE_FRAMES = 7200, SURVIVE_EFFORT = 4 /* where nothing is said */ };

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/err.h"
-#include "../host/result.h"
+#include "../../common/result.h"
 #include "../../board/inspect.h"
-#include "../../chips/player.h"
-#include "../demo/demo.h"
+#include "../../entities/player.h"
+#include "../../demo/demo.h"
 
 enum { ALIGN = 64 };
 

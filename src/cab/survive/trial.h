@@ -7,7 +7,7 @@
 #define CAB_TRIAL_H
 
 #include "../../board/board.h"
-#include "../../board/hits/danger.h"
+#include "../../machine/collision/danger.h"
 
 /* What could hit the ship in a frame. */
 struct forecast_frame {

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 #include "../../../fb/blit.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 enum {
     BLEND_ADD = 0,

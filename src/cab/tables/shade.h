@@ -6,7 +6,7 @@
 #define CAB_SHADE_H
 
 #include "../../board/board.h"
-#include "../../board/rom/cart.h"
+#include "../../rom/cart.h"
 
 /* Fills tables[(dim - 1) * 256 + entry], for dims from VIEW_DIM_QUARTER on. The colour looked for has dim quarters of
  * each channel less. The entry is the nearest of those that games show (entry 0 and columns 1 to 15 of all banks) that

@@ -6,7 +6,7 @@
 #include "../../../platform/platform.h"
 #include "../run/clock.h"
 #include "../demo/replay.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "golden.h"
 #include "one.h"
 

@@ -7,7 +7,7 @@
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../host/clean.h"
+#include "../../common/clean.h"
 
 enum { LINE = 4096 };
 

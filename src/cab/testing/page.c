@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../../platform/platform.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../pack/png.h"
 #include "golden.h"
 

@@ -9,7 +9,7 @@
 #include "../../../platform/platform.h"
 #include "../run/clock.h"
 #include "../../base/edit.h"
-#include "../host/files.h"
+#include "../../common/files.h"
 #include "../host/progress.h"
 #include "../host/report.h"
 #include "../pack/tree.h"

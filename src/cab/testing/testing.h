@@ -8,9 +8,9 @@
 #ifndef CAB_TESTING_H
 #define CAB_TESTING_H
 
-#include "../../board/rom/cart.h"
-#include "../../board/trial/trial.h"
-#include "../host/result.h"
+#include "../../rom/cart.h"
+#include "../trial/trial.h"
+#include "../../common/result.h"
 #include "../line/args.h"
 
 struct testing {

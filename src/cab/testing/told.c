@@ -4,8 +4,8 @@
 #include "told.h"
 
 #include <string.h>
-#include "../host/clean.h"
-#include "../host/files.h"
+#include "../../common/clean.h"
+#include "../../common/files.h"
 #include "../host/report.h"
 
 static void indented(void *context, const char *words)

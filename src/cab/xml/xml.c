@@ -11,7 +11,7 @@
 #include <string.h>
 #include "../../../fb/utf8.h"
 #include "../../base/err.h"
-#include "../../board/cursor.h"
+#include "../../base/cursor.h"
 
 bool xml_refuse(struct xml *x, int line, const char *format, ...)
 {

@@ -1,0 +1,395 @@
+/*
+ * slots.c - see slots.h.
+ */
+#include "slots.h"
+#include <assert.h>
+#include <string.h>
+#include "hash.h"
+
+enum {
+    MOST_COLUMNS = 64, /* of a chip */
+    ALIGN = 64,        /* a cache line, so that columns do not share one */
+    LONG = 1024        /* bytes of a piece of a snapshot */
+};
+
+static uint32_t blocks(uint32_t n)
+{
+    return (n + SLOTS_BLOCK - 1) / SLOTS_BLOCK * SLOTS_BLOCK;
+}
+
+static uint64_t aligned(uint64_t n)
+{
+    return (n + ALIGN - 1) / ALIGN * ALIGN;
+}
+
+/* Values a column holds for so many slots, a multiple of SLOTS_BLOCK (a list has no blocks). */
+static uint64_t values(const struct column *c, uint64_t slots)
+{
+    return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
+}
+
+/* Slots there are columns for: of a pool whole blocks, of a list no more than can live. */
+static uint32_t room_for(const struct chip *chip, uint32_t cap)
+{
+    return chip->list ? cap : blocks(cap);
+}
+
+uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
+{
+    uint64_t room = room_for(chip, cap), size = 0;
+
+    if (!cap)
+        return 0;
+    if (!chip->list)
+        size = aligned(room / 8) + aligned(room * 4);
+    for (int i = 0; i < chip->count; i++)
+        if (!chip->columns[i].reg && slots_column_there(&chip->columns[i], groups))
+            size += aligned(values(&chip->columns[i], room) * chip->columns[i].width);
+    return size;
+}
+
+static void *carve(uint8_t **next, uint64_t bytes)
+{
+    void *at = *next;
+
+    *next += aligned(bytes);
+    return at;
+}
+
+void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next)
+{
+    struct slots *s = self;
+    uint64_t room = room_for(chip, cap);
+
+    *s = (struct slots){ .cap = cap, .groups = groups };
+    if (!chip->list) {
+        s->used = carve(next, room / 8);
+        s->gen = carve(next, room * 4);
+    }
+    for (int i = 0; i < chip->count; i++) {
+        const struct column *c = &chip->columns[i];
+        void *at = (uint8_t *)self + c->at;
+
+        if (c->reg)
+            memset(at, 0, (size_t)c->width * c->n);
+        else {
+            void *column = slots_column_there(c, groups) ? carve(next, values(c, room) * c->width) : NULL;
+            memcpy(at, &column, sizeof column);
+        }
+    }
+}
+
+static bool grow_high(struct slots *s)
+{
+    if (s->high >= s->cap)
+        return false;
+    s->used[s->high / 64] = 0;
+    for (uint32_t i = s->high; i < s->high + SLOTS_BLOCK; i++)
+        s->gen[i] = 1;
+    s->high += SLOTS_BLOCK;
+    return true;
+}
+
+/* The slots of a block that are free and not held, a bit each, from the first one on that has a generation left. */
+static uint64_t room_in(const struct slots *s, uint32_t block)
+{
+    uint64_t room = ~s->used[block];
+
+    if (block * 64 < s->held_top)
+        room &= ~s->held[block];
+    while (room && s->gen[block * 64 + bits_lowest(room)] == GENERATIONS)
+        room &= room - 1;
+    return room;
+}
+
+int32_t slots_take(struct slots *s)
+{
+    for (;; s->low++) {
+        if (s->low * 64 == s->high && !grow_high(s))
+            break;
+        uint64_t room = room_in(s, s->low);
+        if (!room)
+            continue;
+        uint32_t i = s->low * 64 + bits_lowest(room);
+        if (i >= s->cap)
+            break;
+        s->used[i / 64] |= 1ull << (i & 63);
+        s->live++;
+        if (i >= s->top)
+            s->top = i / 64 * 64 + 64;
+        return (int32_t)i;
+    }
+    s->refused++;
+    return NO_SLOT;
+}
+
+int32_t slots_append(struct slots *s)
+{
+    if (s->live >= s->cap) {
+        s->refused++;
+        return NO_SLOT;
+    }
+    return (int32_t)s->live++;
+}
+
+/* Slot i is free for its next tenant. */
+static void vacate(struct slots *s, uint32_t i)
+{
+    s->gen[i]++;
+    if (i / 64 < s->low)
+        s->low = i / 64;
+}
+
+void slots_drop(struct slots *s, uint32_t i)
+{
+    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->live--;
+    vacate(s, i);
+}
+
+void slots_hold(struct slots *s, uint64_t *words, uint32_t i)
+{
+    assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
+    if (!s->holding) {
+        s->held = words;
+        s->held_top = s->top;
+        memset(words, 0, s->top / 8);
+    }
+    s->used[i / 64] &= ~(1ull << (i & 63));
+    s->held[i / 64] |= 1ull << (i & 63);
+    s->live--;
+    s->holding++;
+}
+
+void slots_release(struct slots *s, uint32_t i)
+{
+    assert(i < s->held_top && (s->held[i / 64] >> (i & 63) & 1));
+    s->held[i / 64] &= ~(1ull << (i & 63));
+    vacate(s, i);
+    if (--s->holding == 0) {
+        s->held = NULL;
+        s->held_top = 0;
+    }
+}
+
+void slots_trim(struct slots *s)
+{
+    while (s->top && !s->holding && !s->used[s->top / 64 - 1])
+        s->top -= SLOTS_BLOCK;
+}
+
+/* The first slot from i on whose bit is set, or top. */
+static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
+{
+    while (i < top) {
+        uint64_t rest = words[i / 64] >> (i & 63);
+        if (rest)
+            return i + bits_lowest(rest);
+        i = i / 64 * 64 + 64;
+    }
+    return top;
+}
+
+uint32_t slots_next_held(const struct slots *s, uint32_t i)
+{
+    return next_bit(s->held, i, s->held_top);
+}
+
+uint32_t slots_next(const struct slots *s, uint32_t i)
+{
+    if (!s->used)
+        return i < s->live ? i : s->live;
+    return next_bit(s->used, i, s->top);
+}
+
+static uint64_t value_at(const uint8_t *p, int width)
+{
+    uint16_t w2;
+    uint32_t w4;
+    uint64_t w8;
+
+    switch (width) {
+    case 1:
+        return *p;
+    case 2:
+        memcpy(&w2, p, 2);
+        return w2;
+    case 4:
+        memcpy(&w4, p, 4);
+        return w4;
+    default:
+        memcpy(&w8, p, 8);
+        return w8;
+    }
+}
+
+static uint64_t fold_values(uint64_t h, const struct column *c, const uint8_t *p)
+{
+    for (int k = 0; k < c->n; k++)
+        h = hash_fold(h, value_at(p + (size_t)k * c->width, c->width));
+    return h;
+}
+
+static const uint8_t *column_at(const struct column *c, const void *self)
+{
+    const uint8_t *at;
+
+    memcpy(&at, (const uint8_t *)self + c->at, sizeof at);
+    return at;
+}
+
+static bool hashed_register(const struct column *c, uint32_t groups)
+{
+    return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
+}
+
+/* The columns that are hashed, found once for all slots. */
+struct hashed {
+    const struct column *column[MOST_COLUMNS];
+    const uint8_t *at[MOST_COLUMNS];
+    int n;
+};
+
+static void hashed_columns(struct hashed *h, const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+
+    assert(chip->count <= MOST_COLUMNS);
+    h->n = 0;
+    for (int c = 0; c < chip->count; c++) {
+        const struct column *col = &chip->columns[c];
+        if (col->reg || col->kind != COL_GAME || !slots_column_there(col, s->groups))
+            continue;
+        h->column[h->n] = col;
+        h->at[h->n++] = column_at(col, self);
+    }
+}
+
+bool slots_blank(const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+
+    for (int c = 0; c < chip->count; c++) {
+        const struct column *col = &chip->columns[c];
+        for (int k = 0; hashed_register(col, s->groups) && k < col->n; k++)
+            if (value_at((const uint8_t *)self + col->at + (size_t)k * col->width, col->width))
+                return false;
+    }
+    return true;
+}
+
+uint64_t slots_hash(const struct chip *chip, const void *self)
+{
+    const struct slots *s = self;
+    uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
+    struct hashed list;
+
+    for (int c = 0; c < chip->count; c++)
+        if (hashed_register(&chip->columns[c], s->groups))
+            h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
+    if (s->live == 0)
+        return h;
+    hashed_columns(&list, chip, self);
+    uint32_t end = s->used ? s->top : s->live;
+    for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
+        if (s->used)
+            h = hash_fold(h, (uint64_t)s->gen[i] << 32 | i);
+        for (int c = 0; c < list.n; c++) {
+            const struct column *col = list.column[c];
+            h = fold_values(h, col, list.at[c] + (size_t)i * col->width * col->n);
+        }
+    }
+    return h;
+}
+
+/* The values of one column of a slot, or of one register, at p. */
+static void visit_values(const struct column *c, const uint8_t *p, struct slots_value v, slots_visit *visit,
+                         void *context)
+{
+    v.column = c->name;
+    v.width = c->width;
+    v.n = c->n;
+    for (v.i = 0; v.i < c->n; v.i++) {
+        v.value = value_at(p + (size_t)v.i * c->width, c->width);
+        visit(context, &v);
+    }
+}
+
+static void visit_registers(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+{
+    const struct slots *s = self;
+    struct slots_value v = { .slot = NO_SLOT, .n = 1, .width = sizeof s->live };
+
+    v.column = "live";
+    v.value = s->live;
+    visit(context, &v);
+    v.column = "refused";
+    v.value = s->refused;
+    visit(context, &v);
+    for (int c = 0; c < chip->count; c++)
+        if (hashed_register(&chip->columns[c], s->groups))
+            visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
+}
+
+void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+{
+    const struct slots *s = self;
+    uint32_t end = s->used ? s->top : s->live;
+
+    visit_registers(chip, self, visit, context);
+    for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
+        struct slots_value v = { .slot = i, .gen = s->used ? s->gen[i] : 0 };
+        for (int c = 0; c < chip->count; c++) {
+            const struct column *col = &chip->columns[c];
+            if (!col->reg && col->kind == COL_GAME && slots_column_there(col, s->groups))
+                visit_values(col, column_at(col, self) + (size_t)i * col->width * col->n, v, visit, context);
+        }
+    }
+}
+
+/* One walk serves save, restore and counting. Long pieces start at cache lines, as they do in RAM: copying between
+ * places that differ by a few bytes within the page is up to 16 times slower on some processors. */
+static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
+{
+    const struct slots *s = self;
+    size_t at = 0;
+    struct {
+        uint8_t *p;
+        size_t n;
+    } piece;
+
+    if (!s->cap)
+        return 0;
+    for (int i = chip->list ? 0 : -2; i < chip->count; i++) {
+        if (i == -2)
+            piece.p = (uint8_t *)s->used, piece.n = s->high / 8;
+        else if (i == -1)
+            piece.p = (uint8_t *)s->gen, piece.n = (size_t)s->high * 4;
+        else if (chip->columns[i].reg || !slots_column_there(&chip->columns[i], s->groups))
+            continue;
+        else {
+            const struct column *c = &chip->columns[i];
+            memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
+            piece.n = (size_t)values(c, chip->list ? s->live : s->top) * c->width;
+        }
+        if (piece.n >= LONG)
+            at = (size_t)aligned(at);
+        if (save && piece.n)
+            memcpy(save + at, piece.p, piece.n);
+        if (restore && piece.n)
+            memcpy(piece.p, restore + at, piece.n);
+        at += piece.n;
+    }
+    return (size_t)aligned(at);
+}
+
+size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)
+{
+    return walk(chip, self, buf, NULL);
+}
+
+size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf)
+{
+    return walk(chip, self, NULL, buf);
+}

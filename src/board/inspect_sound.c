@@ -1,0 +1,91 @@
+/*
+ * inspect_sound.c - see inspect.h: what a mixer shows.
+ */
+#include "inspect.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include "../base/int.h"
+#include "../machine/machine.h"
+
+static const char *const kinds[INST_KINDS] = {
+    [INST_PULSE] = "pulse", [INST_TRIANGLE] = "tri",  [INST_SAW] = "saw", [INST_SINE] = "sine", [INST_FM] = "fm",
+    [INST_NOISE] = "noise", [INST_SAMPLE] = "sample", [INST_FM4] = "fm4", [INST_WAVE] = "wave",
+};
+
+/* The name of the sound or piece that an instrument stands in: the last one that begins before it, for they stand in
+ * their order. */
+static const char *tune_of_inst(const struct board *b, uint32_t inst)
+{
+    const struct cart *c = &b->cart;
+    const char *name = "";
+
+    for (int i = 0; i < c->sounds && cart_sound(c, i) <= inst; i++)
+        name = cart_sound_name(c, i);
+    for (int i = 0; i < c->tunes && cart_tune(c, i) <= inst; i++)
+        name = cart_tune_name(c, i);
+    return name;
+}
+
+static const char *piece(const struct board *b, uint16_t index)
+{
+    return index ? cart_tune_name(&b->cart, index - 1) : "";
+}
+
+void inspect_voice(const struct board *b, int i, struct inspect_voice *out)
+{
+    const struct voices *v = &b->voices;
+    const bool music = i < VOICES_MUSIC;
+
+    *out = (struct inspect_voice){ .music = music, .wave = "", .of = "" };
+    if (!board_has_sound(b) || (!voices_busy(v, i) && !voices_busy(v, VOICES + i)))
+        return;
+    const int slot = voices_busy(v, i) ? i : VOICES + i;
+    out->busy = true;
+    out->ends = slot != i || v->off[slot] <= v->age[slot];
+    out->wave = kinds[inst_of(b->cart.tune_data + v->inst[slot]).kind];
+    out->of = tune_of_inst(b, v->inst[slot]);
+    out->pitch = v->pitch[slot];
+    out->pan = v->pan1[slot] - TUNE_PAN;
+}
+
+/* A mix in which that voice is alone. */
+int inspect_voice_peak(const struct board *b, int i, const void *tables)
+{
+    int16_t sound[2 * BOARD_SOUND];
+    uint32_t inst[VOICE_SLOTS] = { 0 };
+    struct voices alone = b->voices;
+    int peak = 0;
+
+    if (!board_has_sound(b))
+        return 0;
+    alone.inst = inst;
+    inst[i] = b->voices.inst[i];
+    inst[VOICES + i] = b->voices.inst[VOICES + i];
+    if (inst[i] == 0 && inst[VOICES + i] == 0)
+        return 0;
+    voices_mix(&alone, b->cart.tune_data, tables, sound);
+    for (int k = 0; k < 2 * BOARD_SOUND; k++)
+        peak = int_max(peak, abs(sound[k]));
+    return peak;
+}
+
+void inspect_music(const struct board *b, struct inspect_music *out)
+{
+    const struct seq *s = &b->music;
+
+    *out = (struct inspect_music){ .name = "", .title = "", .mark = "", .next = "" };
+    if (!board_has_sound(b) || !s->tune)
+        return;
+    const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, s->tune - 1));
+    out->name = piece(b, s->tune);
+    out->title = tune_title(&t);
+    out->mark = s->mark ? tune_mark(&t, s->mark - 1) : "";
+    out->next = piece(b, s->next);
+    out->bar = seq_beats(s) / (uint64_t)t.bar;
+    out->beat = (int)(seq_beats(s) % (uint64_t)t.bar);
+    out->beats = t.bar;
+    out->tempo = s->tempo;
+    out->gain = b->voices.gain1 * 100 / VOICE_GAIN;
+    out->held = b->core.frozen > 0;
+}

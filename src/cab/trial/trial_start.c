@@ -1,0 +1,206 @@
+/*
+ * trial_start.c - what test.run is asked for: its table, read field by field.
+ */
+#include <lauxlib.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../script/api/api_parts.h"
+#include "trial_parts.h"
+
+static void wrong(lua_State *L, const char *field, const char *expected)
+{
+    vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, luaL_typename(L, -1));
+}
+
+/* The value on top is the field's; a text of it lies in the table. */
+static const char *text(lua_State *L, const char *field)
+{
+    if (lua_type(L, -1) != LUA_TSTRING)
+        wrong(L, field, "a string");
+    return lua_tostring(L, -1);
+}
+
+static lua_Integer whole(lua_State *L, const char *field, lua_Integer low, lua_Integer high)
+{
+    char expected[80];
+    int is;
+    const lua_Integer n = lua_tointegerx(L, -1, &is);
+
+    if (is && lua_type(L, -1) == LUA_TNUMBER && n >= low && n <= high)
+        return n;
+    snprintf(expected, sizeof expected, "a whole number from %lld to %lld", (long long)low, (long long)high);
+    if (lua_type(L, -1) == LUA_TNUMBER)
+        vm_fault(L, FAULT_SCRIPT, "test.run: %s: expected %s, got %s", field, expected, lua_tostring(L, -1));
+    wrong(L, field, expected);
+    return 0;
+}
+
+static bool truth(lua_State *L, const char *field)
+{
+    if (!lua_isboolean(L, -1))
+        wrong(L, field, "true or false");
+    return lua_toboolean(L, -1);
+}
+
+/* The table on top, { coins = "free", ships = 3 }, as "coins=free", which stay on the stack below it. */
+static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETTINGS])
+{
+    static const char expected[] = "{ NAME = string or number }";
+    const int table = lua_gettop(L);
+
+    if (!lua_istable(L, table))
+        wrong(L, field, "a table { NAME = value }");
+    luaL_checkstack(L, TRIAL_SETTINGS + 8, NULL);
+    const int n = api_sorted_names(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
+    for (int i = 0; i < n; i++) {
+        const int type = lua_getfield(L, table, list[i]);
+        if (type != LUA_TSTRING && type != LUA_TNUMBER)
+            vm_fault(L, FAULT_SCRIPT, "test.run: %s.%s: expected a string or a number, got %s", field, list[i],
+                     api_push_got(L, -1));
+        lua_pushfstring(L, "%s=%s", list[i], lua_tostring(L, -1));
+        list[i] = lua_tostring(L, -1);
+        lua_remove(L, -2);
+    }
+    lua_pushvalue(L, table);
+    lua_remove(L, table);
+    return n;
+}
+
+/* ---- fields ---- */
+
+static void read_stage(lua_State *L, struct trial_options *o)
+{
+    o->start.stage = text(L, "stage");
+}
+
+static void read_seed(lua_State *L, struct trial_options *o)
+{
+    o->start.seed = (uint64_t)whole(L, "seed", LUA_MININTEGER, LUA_MAXINTEGER);
+    o->start.seeded = true;
+}
+
+static void read_difficulty(lua_State *L, struct trial_options *o)
+{
+    o->start.difficulty = text(L, "difficulty");
+}
+
+static void read_frames(lua_State *L, struct trial_options *o)
+{
+    o->frames = (uint32_t)whole(L, "frames", 0, TRIAL_FRAMES);
+    o->framed = true;
+}
+
+static void read_pads(lua_State *L, struct trial_options *o)
+{
+    o->function = lua_isfunction(L, -1);
+    if (!o->function && lua_type(L, -1) != LUA_TSTRING)
+        wrong(L, "pads", "buttons such as \"fire,left@60:90\" or a function");
+    o->start.pads = o->function ? NULL : lua_tostring(L, -1);
+}
+
+static void read_demo(lua_State *L, struct trial_options *o)
+{
+    o->start.demo = text(L, "demo");
+}
+
+static void read_lang(lua_State *L, struct trial_options *o)
+{
+    o->start.lang = text(L, "lang");
+}
+
+static void read_lives(lua_State *L, struct trial_options *o)
+{
+    o->start.lives = (int)whole(L, "lives", 1, PRACTICE_LIVES);
+}
+
+static void read_invincible(lua_State *L, struct trial_options *o)
+{
+    o->start.invincible = truth(L, "invincible");
+}
+
+static void read_dips(lua_State *L, struct trial_options *o)
+{
+    o->start.n_dips = settings(L, "dips", o->start.dips);
+}
+
+static void read_registers(lua_State *L, struct trial_options *o)
+{
+    o->start.n_registers = settings(L, "registers", o->start.registers);
+}
+
+static void read_faults(lua_State *L, struct trial_options *o)
+{
+    o->faults = truth(L, "faults");
+}
+
+static const struct {
+    const char *name;
+    void (*read)(lua_State *L, struct trial_options *o);
+} fields[] = {
+    { "stage", read_stage },   { "seed", read_seed },           { "difficulty", read_difficulty },
+    { "frames", read_frames }, { "pads", read_pads },           { "demo", read_demo },
+    { "lang", read_lang },     { "lives", read_lives },         { "invincible", read_invincible },
+    { "dips", read_dips },     { "registers", read_registers }, { "faults", read_faults },
+};
+enum { FIELDS = sizeof fields / sizeof *fields };
+
+static void unknown(lua_State *L, const char *name)
+{
+    struct api_hint hint;
+
+    api_hint_begin(&hint, name);
+    for (int i = 0; i < FIELDS; i++)
+        api_hint_add(&hint, fields[i].name);
+    vm_fault(L, FAULT_SCRIPT, "test.run: unknown field \"%s\"%s", name, api_hint_push(L, &hint, "fields"));
+}
+
+static bool knows_option(lua_State *L, const char *key, const void *of)
+{
+    (void)L, (void)of;
+    for (int i = 0; key && i < FIELDS; i++)
+        if (!strcmp(fields[i].name, key))
+            return true;
+    return false;
+}
+
+static void check_names(lua_State *L)
+{
+    if (!luakeys_push_stray(L, 1, knows_option, NULL))
+        return;
+    if (!luakeys_text(L, -1))
+        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table such as { stage = \"one\", frames = 600 }");
+    unknown(L, luakeys_text(L, -1));
+}
+
+/* A demo has its own start and buttons; a practice start needs a stage. */
+static void check_pairs(lua_State *L, const struct trial_options *o)
+{
+    const struct trial_start *s = &o->start;
+    const bool practice = s->lives || s->invincible || s->n_registers;
+    const bool own = s->stage || s->difficulty || s->lang || s->pads || s->seeded || practice || s->n_dips;
+
+    if (s->demo && (own || o->function))
+        vm_fault(L, FAULT_SCRIPT,
+                 "test.run: a demo has its own start settings and buttons; combine demo only with frames and faults");
+    if (!s->stage && practice)
+        vm_fault(L, FAULT_SCRIPT, "test.run: lives, invincible and registers require stage");
+}
+
+void trial_read_options(lua_State *L, struct trial_options *o)
+{
+    *o = (struct trial_options){ 0 };
+    if (lua_isnil(L, 1)) {
+        lua_newtable(L);
+        lua_replace(L, 1);
+    }
+    if (!lua_istable(L, 1))
+        vm_fault(L, FAULT_SCRIPT, "test.run: expected a table such as { stage = \"one\", frames = 600 }, got %s",
+                 luaL_typename(L, 1));
+    check_names(L);
+    for (int i = 0; i < FIELDS; i++) {
+        if (lua_getfield(L, 1, fields[i].name) != LUA_TNIL)
+            fields[i].read(L, o);
+        lua_pop(L, 1);
+    }
+    check_pairs(L, o);
+}

@@ -1,0 +1,42 @@
+/*
+ * clean.c - see clean.h.
+ */
+#include "clean.h"
+
+#include <string.h>
+#include "../../fb/utf8.h"
+
+int clean_character(const char *s, uint32_t *c)
+{
+    const char *p = s;
+
+    if (!utf8_read(&p, s + strlen(s), c))
+        *c = 0xfffd;
+    return (int)(p - s);
+}
+
+void clean_line(char *s)
+{
+    utf8_blank(s, false);
+}
+
+void clean_lines(char *s)
+{
+    utf8_blank(s, true);
+}
+
+int clean_markup(const char *s, char out[CLEAN_MARKUP])
+{
+    uint32_t c;
+    const int n = clean_character(s, &c);
+
+    memcpy(out, s, (size_t)n);
+    out[n] = '\0';
+    if (c == 0xfffd || !utf8_may_show(c))
+        strcpy(out, c == 0xfffd ? "?" : " ");
+    else if (c == '<' || c == '>')
+        strcpy(out, c == '<' ? "&lt;" : "&gt;");
+    else if (c == '&' || c == '"')
+        strcpy(out, c == '&' ? "&amp;" : "&quot;");
+    return n;
+}

@@ -1,0 +1,125 @@
+/*
+ * files.c - see files.h. The seam has no word for why a file cannot be written; where its functions are made of ISO
+ * C's, errno has.
+ */
+#include "files.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+#include "../base/err.h"
+#include "result.h"
+
+const char *files_shown(const char *name, char path[FILES_PATH])
+{
+    bool own = strncmp(name, "user:", 5) == 0 || strncmp(name, "pictures:", 9) == 0;
+
+    if (!own || !plat_path(name, path, FILES_PATH))
+        snprintf(path, FILES_PATH, "%s", name);
+    return path;
+}
+
+/* "NAME: cannot be VERB (why)" */
+static void explain(const char *name, const char *verb, char *err, size_t err_size)
+{
+    char shown[FILES_PATH];
+    int why = errno;
+
+    files_shown(name, shown);
+    if (why)
+        snprintf(err, err_size, "%s: cannot be %s (%s)", shown, verb, strerror(why));
+    else
+        snprintf(err, err_size, "%s: cannot be %s", shown, verb);
+}
+
+static bool wrote(bool good, const char *path, char *err, size_t err_size)
+{
+    if (good)
+        return true;
+    explain(path, "written", err, err_size);
+    result_is_why();
+    return false;
+}
+
+bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size)
+{
+    errno = 0;
+    return wrote(plat_save(path, data, size), path, err, err_size);
+}
+
+bool files_append(const char *path, const void *data, size_t size, char *err, size_t err_size)
+{
+    errno = 0;
+    return wrote(plat_append(path, data, size), path, err, err_size);
+}
+
+bool files_load(const char *path, const char *name, void *to, size_t size, char *err, size_t err_size)
+{
+    errno = 0;
+    if (plat_load(path, to, size) == (long)size)
+        return true;
+    explain(name, "read", err, err_size);
+    return false;
+}
+
+long files_size(const char *path)
+{
+    errno = 0;
+    return plat_size(path);
+}
+
+const char *files_absent(const char *name, const char *what, char *err, size_t err_size)
+{
+    if (errno && errno != ENOENT && errno != ENOTDIR)
+        explain(name, "read", err, err_size);
+    else
+        snprintf(err, err_size, "%s: no such %s", name, what);
+    return err;
+}
+
+bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
+                size_t err_size)
+{
+    long n = files_size(path);
+
+    *data = NULL;
+    *size = 0;
+    if (n < 0) {
+        files_absent(name, "file", err, err_size);
+        return false;
+    }
+    if ((unsigned long)n > max)
+        return err_set(err, err_size, "%s: larger than %zu KiB", name, max >> 10);
+    uint8_t *bytes = malloc((size_t)n + 1);
+    if (bytes == NULL)
+        return result_host(err, err_size, "%s: out of memory", name);
+    if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
+        free(bytes);
+        return false;
+    }
+    bytes[n] = 0;
+    *data = bytes;
+    *size = (size_t)n;
+    return true;
+}
+
+void files_drop_mark(void *text, size_t *size)
+{
+    uint8_t *bytes = text;
+
+    if (*size < 3 || memcmp(bytes, "\xef\xbb\xbf", 3) != 0)
+        return;
+    *size -= 3;
+    memmove(bytes, bytes + 3, *size + 1);
+}
+
+bool files_read_text(const char *path, const char *name, size_t max, uint8_t **text, size_t *size, char *err,
+                     size_t err_size)
+{
+    if (!files_read(path, name, max, text, size, err, err_size))
+        return false;
+    files_drop_mark(*text, size);
+    return true;
+}

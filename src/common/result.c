@@ -1,0 +1,33 @@
+/*
+ * result.c - see result.h.
+ */
+#include "result.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+static bool host_failed;
+
+void result_is_why(void)
+{
+    host_failed = true;
+}
+
+bool result_host(char *err, size_t size, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    vsnprintf(err, size, format, args);
+    va_end(args);
+    result_is_why();
+    return false;
+}
+
+enum result result_cause(void)
+{
+    const bool host = host_failed;
+
+    host_failed = false;
+    return host ? RESULT_HOST : RESULT_REFUSED;
+}

@@ -1,0 +1,31 @@
+/*
+ * demo_load.c - a demo from a file; libcurtain, which opens none, is built without this one.
+ */
+#include "demo.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "demo_parts.h"
+#include "demo_text.h"
+#include "../common/files.h"
+
+bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
+{
+    char why[256], shown[FILES_PATH];
+    uint8_t *data;
+    size_t size;
+
+    memset(d, 0, sizeof *d);
+    if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
+        return false;
+    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* a report, maybe */
+        files_drop_mark(data, &size);
+        demo_text_decode(data, &size);
+    }
+    bool ok = demo_read(d, data, size, why, sizeof why);
+    if (!ok)
+        snprintf(err, err_size, "%s: %s", files_shown(path, shown), why);
+    free(data);
+    return ok;
+}

@@ -1,0 +1,291 @@
+/*
+ * demo_put.c - a demo as bytes; docs/reference/demo-format.md has them.
+ */
+#include <stdlib.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/hash.h"
+#include "demo_parts.h"
+
+static uint8_t *put(struct demo_sink *s, size_t n)
+{
+    if (s->n + n > s->room) {
+        size_t room = s->room * 2 + n + 1024;
+        uint8_t *grown = s->bad || s->fixed ? NULL : realloc(s->p, room);
+        if (!grown) {
+            s->bad = true;
+            return s->waste;
+        }
+        s->p = grown;
+        s->room = room;
+    }
+    s->n += n;
+    return s->p + s->n - n;
+}
+
+static void write8(struct demo_sink *s, uint32_t v)
+{
+    *put(s, 1) = (uint8_t)v;
+}
+
+static void write16(struct demo_sink *s, uint32_t v)
+{
+    bytes_put16(put(s, 2), (uint16_t)v);
+}
+
+static void write32(struct demo_sink *s, uint32_t v)
+{
+    bytes_put32(put(s, 4), v);
+}
+
+static void write64(struct demo_sink *s, uint64_t v)
+{
+    bytes_put64(put(s, 8), v);
+}
+
+static void write_str(struct demo_sink *s, const char *str)
+{
+    size_t n = strlen(str);
+
+    write8(s, (uint32_t)n);
+    memcpy(put(s, n), str, n);
+}
+
+static void open_record(struct demo_sink *s, uint32_t kind)
+{
+    s->record = s->n;
+    write32(s, kind);
+    write32(s, 0);
+}
+
+static void close_record(struct demo_sink *s, uint32_t *crc)
+{
+    if (!s->bad) {
+        size_t n = s->n - s->record;
+        bytes_put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
+        *crc = hash_crc32_add(*crc, s->p + s->record, n);
+    }
+    write32(s, *crc);
+}
+
+/* How often p[0] stands at the start of n bytes, at most 130. */
+static size_t run_of(const uint8_t *p, size_t n)
+{
+    size_t run = 1;
+
+    while (run < n && run < 130 && p[run] == p[0])
+        run++;
+    return run;
+}
+
+static void write_nvram(struct demo_sink *s, const uint8_t *p, size_t n)
+{
+    for (size_t i = 0; i < n;) {
+        size_t run = run_of(p + i, n - i), plain = 0;
+        if (run >= 3) {
+            write8(s, (uint32_t)run + 125);
+            write8(s, p[i]);
+            i += run;
+            continue;
+        }
+        while (i + plain < n && plain < 128 && run_of(p + i + plain, n - i - plain) < 3)
+            plain++;
+        write8(s, (uint32_t)plain - 1);
+        memcpy(put(s, plain), p + i, plain);
+        i += plain;
+    }
+}
+
+static void write_practice(struct demo_sink *s, const struct practice *p)
+{
+    write_str(s, p->section);
+    write32(s, (uint32_t)p->lives);
+    write8(s, p->invincible);
+    write8(s, (uint32_t)p->registers);
+    for (int i = 0; i < p->registers; i++) {
+        write_str(s, p->reg[i].name);
+        write32(s, (uint32_t)p->reg[i].value);
+    }
+}
+
+void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
+{
+    memcpy(put(s, 4), DEMO_MAGIC, 4);
+    write32(s, DEMO_FORMAT);
+    open_record(s, KIND_HEADER);
+    write32(s, d->core);
+    write64(s, d->game_hash);
+    write64(s, d->rom_hash);
+    write_str(s, d->id);
+    write_str(s, d->lua);
+    write64(s, d->start.seed);
+    for (int i = 0; i < MAX_DIPS; i++)
+        write32(s, (uint32_t)d->start.dip[i]);
+    write32(s, (uint32_t)d->start.difficulty);
+    write_practice(s, &d->start.practice);
+    write_str(s, d->start.lang);
+    write8(s, d->sparse);
+    write8(s, (uint32_t)d->parts);
+    for (int i = 0; i < d->parts; i++)
+        write_str(s, d->part[i]);
+    write32(s, (uint32_t)d->start.nvram_size);
+    write_nvram(s, d->nvram, d->start.nvram_size);
+    close_record(s, crc);
+}
+
+static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
+{
+    uint32_t run = 1;
+
+    while (f + run < end && memcmp(d->pads[f], d->pads[f + run], sizeof d->pads[f]) == 0)
+        run++;
+    return run;
+}
+
+static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t *row)
+{
+    for (int i = 0; row && i < d->parts; i++)
+        write64(s, row[i]);
+}
+
+/* A sparse second's runs. */
+static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
+{
+    static const uint16_t none[PADS];
+    const uint16_t *before = first ? d->pads[first - 1] : none;
+
+    for (uint32_t f = first, run; f < end; f += run) {
+        uint8_t head = 0;
+        run = pads_run(d, f, end);
+        for (int p = 0; p < PADS; p++)
+            head |= d->pads[f][p] != before[p] ? RUN_FIRST << p : 0;
+        write8(s, head | (run - 1));
+        for (int p = 0; p < PADS; p++)
+            if (head & RUN_FIRST << p)
+                write16(s, d->pads[f][p]);
+        before = d->pads[f];
+    }
+}
+
+/* The parts whose print is not that of the row before, and those prints. */
+static void write_prints(struct demo_sink *s, const struct demo *d, const uint64_t *before, const uint64_t *row)
+{
+    uint64_t other = 0;
+
+    for (int i = 0; i < d->parts; i++)
+        other |= (uint64_t)((uint16_t)before[i] != (uint16_t)row[i]) << i;
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+        write8(s, other >> 8 * i & 0xff);
+    for (int i = 0; i < d->parts; i++)
+        if (other >> i & 1)
+            write16(s, (uint16_t)row[i]);
+}
+
+/* Frames [first, end) and what follows them, of a sparse demo. */
+static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+{
+    const uint32_t i = (end + DEMO_SECOND - 1) / DEMO_SECOND;
+
+    write_runs(s, d, first, end);
+    if (row && demo_second_hashed(first, end) == HASHED_PRINTS)
+        write_prints(s, d, demo_row(d, i - 1), row);
+    else
+        write_row(s, d, row);
+}
+
+/* The checksum of a part after frame f: before the first tick it is the first row's. */
+static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
+{
+    const uint16_t *checksums = demo_checksums(d, f);
+
+    return checksums ? checksums[part] : (uint16_t)demo_row(d, 0)[part];
+}
+
+static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t f)
+{
+    uint64_t other = 0;
+
+    for (int i = 0; i < d->parts; i++)
+        other |= (uint64_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+        write8(s, other >> 8 * i & 0xff);
+    for (int i = 0; i < d->parts; i++)
+        if (other >> i & 1)
+            write16(s, checksum_of(d, f, i));
+}
+
+/* Frames [first, end) with the checksums of each, but for those of the last, and what follows. */
+static void write_dense(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
+{
+    for (uint32_t f = first, run; f < end; f += run) {
+        run = pads_run(d, f, end);
+        write16(s, run);
+        write16(s, d->pads[f][0]);
+        write16(s, d->pads[f][1]);
+    }
+    for (uint32_t f = first + 1; f < end; f++)
+        write_checksums(s, d, f);
+    write_row(s, d, row);
+}
+
+void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
+                     uint32_t *crc)
+{
+    uint32_t runs = 0, end = first + n;
+
+    for (uint32_t f = first; f < end; f += pads_run(d, f, end))
+        runs++;
+    open_record(s, KIND_SECOND);
+    write32(s, first);
+    write8(s, n);
+    write8(s, runs);
+    write8(s, (uint32_t)(!row ? HASHED_NO : d->sparse ? demo_second_hashed(first, end) : HASHED_WHOLE));
+    write8(s, 0);
+    (d->sparse ? write_sparse : write_dense)(s, d, first, end, row);
+    close_record(s, crc);
+}
+
+void demo_put_markers(struct demo_sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc)
+{
+    for (; *told < d->n_markers && d->markers[*told].frame <= frame; ++*told) {
+        const struct demo_marker *m = &d->markers[*told];
+        open_record(s, KIND_MARKER);
+        write32(s, m->frame);
+        write8(s, (uint32_t)m->marker.kind);
+        write_str(s, m->marker.name);
+        if (m->marker.value)
+            write32(s, (uint32_t)m->marker.value);
+        close_record(s, crc);
+    }
+}
+
+void demo_put_flags(struct demo_sink *s, unsigned flags, uint32_t *crc)
+{
+    open_record(s, KIND_FLAGS);
+    write32(s, flags);
+    close_record(s, crc);
+}
+
+void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc)
+{
+    open_record(s, KIND_END);
+    write32(s, d->frames);
+    write32(s, (uint32_t)d->fault);
+    if (demo_end_has_row(d))
+        write_row(s, d, demo_row(d, d->seconds - 1));
+    close_record(s, crc);
+}
+
+void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *told, uint32_t *crc)
+{
+    *crc = *frames = *told = 0;
+    demo_put_header(s, d, crc);
+    if (d->flags)
+        demo_put_flags(s, d->flags, crc);
+    for (uint32_t i = 0; i < d->seconds; i++) {
+        uint32_t f = demo_row_frame(d, i);
+        demo_put_second(s, d, *frames, f - *frames, demo_row(d, i), crc);
+        demo_put_markers(s, d, told, f, crc);
+        *frames = f;
+    }
+}

@@ -1,0 +1,483 @@
+/*
+ * demo_read.c - reading a demo's file; see demo.h, and docs/reference/demo-format.md for the bytes.
+ *
+ * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are
+ * in the file one by one.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../base/hash.h"
+#include "demo_parts.h"
+
+enum {
+    MAX_HEADER = (64 << 10) + NVRAM_MOST + NVRAM_MOST / 128,
+    OLD_NVRAM = 32768, /* the most before format 4 */
+    OLD_PARTS = 32,    /* the most before format 4 */
+    MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
+    MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
+};
+
+/* ---- reading ---- */
+
+struct source {
+    const uint8_t *p;
+    size_t left;
+    bool bad; /* something was asked for beyond the end; zeroes were given */
+};
+
+struct parse {
+    struct demo *d;
+    char *err;
+    size_t err_size;
+    size_t at;     /* byte of the record being read */
+    uint32_t crc;  /* of the record before */
+    bool header;   /* was read */
+    bool last;     /* no further second may come */
+    bool unhashed; /* the last second has no hashes */
+};
+
+static const uint8_t zeroes[256];
+
+static const uint8_t *take(struct source *s, size_t n)
+{
+    const uint8_t *p = s->p;
+
+    if (n > s->left) {
+        s->bad = true;
+        s->left = 0;
+        return zeroes;
+    }
+    s->p += n;
+    s->left -= n;
+    return p;
+}
+
+static uint8_t take8(struct source *s)
+{
+    return *take(s, 1);
+}
+
+static uint16_t take16(struct source *s)
+{
+    return bytes_get16(take(s, 2));
+}
+
+static uint32_t take32(struct source *s)
+{
+    return bytes_get32(take(s, 4));
+}
+
+static uint64_t take64(struct source *s)
+{
+    return bytes_get64(take(s, 8));
+}
+
+/* A string of printable ASCII that fits out; anything else is bad. */
+static void take_str(struct source *s, char *out, size_t size)
+{
+    size_t n = take8(s);
+    const uint8_t *p = take(s, n);
+
+    if (n >= size) {
+        s->bad = true;
+        return;
+    }
+    for (size_t i = 0; i < n; i++)
+        s->bad |= p[i] < 32 || p[i] > 126;
+    memcpy(out, p, n);
+    out[n] = 0;
+}
+
+static bool damaged(struct parse *p, const char *what)
+{
+    return err_set(p->err, p->err_size, "damaged record at byte %zu (%s)", p->at, what);
+}
+
+static bool good_id(const char *id)
+{
+    return id[0] && id[strspn(id, "abcdefghijklmnopqrstuvwxyz0123456789_")] == 0;
+}
+
+static bool take_nvram(struct source *s, uint8_t *out, size_t size)
+{
+    size_t n = 0;
+
+    while (s->left > 0 && !s->bad) {
+        size_t c = take8(s), run = c < 128 ? c + 1 : c - 125;
+        if (run > size - n)
+            return false;
+        if (c < 128)
+            memcpy(out + n, take(s, run), run);
+        else
+            memset(out + n, take8(s), run);
+        n += run;
+    }
+    return n == size && !s->bad;
+}
+
+static void take_start(struct source *s, struct board_start *start)
+{
+    start->seed = take64(s);
+    for (int i = 0; i < MAX_DIPS; i++)
+        start->dip[i] = (int32_t)take32(s);
+    start->difficulty = (int32_t)take32(s);
+    take_str(s, start->practice.section, sizeof start->practice.section);
+    s->bad |= start->difficulty < -1 || start->difficulty >= MAX_DIFFICULTIES;
+}
+
+/* The rest of a practice start, which format 2 does not have. */
+static void take_practice(struct source *s, struct practice *p)
+{
+    uint8_t n, invincible;
+
+    p->lives = (int32_t)take32(s);
+    invincible = take8(s);
+    n = take8(s);
+    s->bad |= p->lives < 0 || p->lives > 99 || invincible > 1 || n > PRACTICE_REGISTERS;
+    p->invincible = invincible;
+    p->registers = s->bad ? 0 : n;
+    for (int i = 0; i < p->registers; i++) {
+        take_str(s, p->reg[i].name, sizeof p->reg[i].name);
+        p->reg[i].value = (int32_t)take32(s);
+    }
+}
+
+/* The part whose checksums format 2 has, or -1. */
+static int script_of(const struct demo *d)
+{
+    for (int i = 0; i < d->parts; i++)
+        if (strcmp(d->part[i], "script") == 0)
+            return i;
+    return -1;
+}
+
+static bool read_header(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+
+    if (p->header)
+        return damaged(p, "second header");
+    p->header = true;
+    d->core = take32(s);
+    d->game_hash = take64(s);
+    d->rom_hash = take64(s);
+    take_str(s, d->id, sizeof d->id);
+    take_str(s, d->lua, sizeof d->lua);
+    take_start(s, &d->start);
+    if (d->format > 2)
+        take_practice(s, &d->start.practice);
+    if (d->format > 3)
+        take_str(s, d->start.lang, sizeof d->start.lang);
+    if (d->format > 4) {
+        const uint8_t sparse = take8(s);
+        s->bad |= sparse > 1;
+        d->sparse = sparse;
+    }
+    d->parts = take8(s);
+    if (s->bad)
+        return damaged(p, "header");
+    if (d->parts < 1 || d->parts > (d->format > 3 ? MAX_PARTS : OLD_PARTS))
+        return damaged(p, "the number of parts");
+    for (int i = 0; i < d->parts; i++)
+        take_str(s, d->part[i], sizeof d->part[i]);
+    d->start.nvram_size = take32(s);
+    if (s->bad || !good_id(d->id))
+        return damaged(p, "header");
+    int script = script_of(d);
+    if (script < 0)
+        return damaged(p, "no script part");
+    d->checksum_parts = d->format > 2 ? UINT64_MAX : (uint64_t)1 << script;
+    if (d->start.nvram_size > (d->format > 3 ? NVRAM_MOST : OLD_NVRAM))
+        return damaged(p, "nvram");
+    d->nvram = malloc(d->start.nvram_size + 1);
+    if (!d->nvram)
+        return err_set(p->err, p->err_size, "too large for the available memory");
+    if (!take_nvram(s, d->nvram, d->start.nvram_size))
+        return damaged(p, "nvram");
+    d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
+    return true;
+}
+
+/* The runs of n frames; false when they are not exactly n, or press a button that is none. */
+static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
+{
+    uint32_t f = d->frames, end = f + n;
+
+    for (int i = 0; i < runs; i++) {
+        uint32_t run = take16(s);
+        uint16_t one = take16(s), two = take16(s);
+        if (run < 1 || run > end - f || ((one | two) & ~PAD_ALL) != 0)
+            return false;
+        for (; run > 0; run--, f++) {
+            d->pads[f][0] = one;
+            d->pads[f][1] = two;
+        }
+    }
+    return f == end;
+}
+
+/* The same of a sparse second. */
+static bool take_short_runs(struct source *s, struct demo *d, uint32_t n, int runs)
+{
+    uint32_t f = d->frames, end = f + n;
+    uint16_t pads[PADS] = { 0 };
+
+    if (f)
+        memcpy(pads, d->pads[f - 1], sizeof pads);
+    for (int i = 0; i < runs; i++) {
+        const uint8_t head = take8(s);
+        const uint32_t run = 1u + (head & RUN_FRAMES);
+        for (int p = 0; p < PADS; p++)
+            if (head & RUN_FIRST << p)
+                pads[p] = take16(s);
+        if (run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
+            return false;
+        for (const uint32_t next = f + run; f < next; f++)
+            memcpy(d->pads[f], pads, sizeof pads);
+    }
+    return f == end;
+}
+
+/* A set of parts, one that is none is bad. */
+static uint64_t take_mask(struct source *s, const struct demo *d)
+{
+    uint64_t mask = 0;
+
+    for (int i = 0; i < demo_mask_bytes(d->format, d->parts); i++)
+        mask |= (uint64_t)take8(s) << 8 * i;
+    s->bad |= d->parts < 64 && mask >> d->parts != 0;
+    return mask;
+}
+
+/* The checksums of frame f, of which those that differ from the frame before are there. */
+static void take_checksums(struct source *s, struct demo *d, uint32_t f)
+{
+    uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
+    uint64_t other = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
+
+    for (int i = 0; i < d->parts; i++) {
+        uint16_t before = f > 1 ? to[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
+        to[i] = other >> i & 1 ? take16(s) : before;
+    }
+}
+
+/* The checksums, and if there is one the row, of n frames whose pads were taken. */
+static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
+{
+    uint32_t end = d->frames + n;
+
+    for (uint32_t f = d->frames + 1; f < end; f++)
+        take_checksums(s, d, f);
+    d->frames = end;
+    d->checksum_frames = hashed ? end : end - 1;
+    if (!hashed)
+        return;
+    uint64_t *row = demo_row(d, d->seconds++);
+    for (int i = 0; i < d->parts; i++)
+        row[i] = take64(s);
+    for (int i = 0; n > 0 && i < d->parts; i++)
+        d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
+}
+
+/* What stands behind a sparse second. */
+static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hashed)
+{
+    d->frames += n;
+    d->checksum_frames = hashed ? d->frames : d->frames - 1;
+    if (!hashed)
+        return;
+    uint64_t *row = demo_row(d, d->seconds);
+    const uint64_t other = hashed == HASHED_PRINTS ? take_mask(s, d) : 0;
+    for (int i = 0; i < d->parts; i++) {
+        if (hashed == HASHED_WHOLE)
+            row[i] = take64(s);
+        else
+            row[i] = other >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->seconds - 1)[i];
+    }
+    d->seconds++;
+}
+
+static bool good_hashed(const struct demo *d, uint32_t n, int hashed)
+{
+    if (!d->sparse || !hashed)
+        return hashed <= HASHED_WHOLE;
+    return hashed == (n ? demo_second_hashed(d->frames, d->frames + n) : HASHED_WHOLE);
+}
+
+static bool read_second(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    uint32_t first = take32(s), n = take8(s);
+    int runs = take8(s), hashed = take8(s), zero = take8(s);
+
+    if (first != d->frames || p->last || !good_hashed(d, n, hashed) || zero != 0)
+        return damaged(p, "frames out of order");
+    bool start = first == 0 && n == 0 && d->seconds == 0;
+    if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
+        return damaged(p, "number of frames");
+    if (d->frames + n > DEMO_MAX_FRAMES)
+        return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
+    if (!demo_room_frames(d, n) || !demo_room_second(d))
+        return err_set(p->err, p->err_size, "too large for the available memory");
+    if (!(d->sparse ? take_short_runs : take_runs)(s, d, n, runs))
+        return damaged(p, "pads");
+    if (d->sparse)
+        take_sparse(s, d, n, hashed);
+    else
+        take_hashes(s, d, n, hashed);
+    p->unhashed = !hashed;
+    p->last = p->unhashed || (n < DEMO_SECOND && !start);
+    return true;
+}
+
+static bool read_flags(struct parse *p, struct source *s)
+{
+    uint32_t flags = take32(s);
+
+    if (flags & ~(uint32_t)DEMO_FLAGS)
+        return damaged(p, "flags");
+    p->d->flags |= flags;
+    return true;
+}
+
+static bool read_marker(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    struct demo_marker m = { .frame = take32(s) };
+    uint32_t before = d->n_markers ? d->markers[d->n_markers - 1].frame : 0;
+
+    m.marker.kind = (enum board_marker_kind)take8(s);
+    take_str(s, m.marker.name, sizeof m.marker.name);
+    bool known = d->format > 3 ? m.marker.kind < MARKER_KINDS : d->format == 3 && m.marker.kind <= MARKER_LISTED;
+    if (d->format > 3 && s->left > 0) {
+        m.marker.value = (int32_t)take32(s);
+        known = known && m.marker.value != 0;
+    }
+    if (!known || d->seconds == 0 || m.frame < before || m.frame > d->frames)
+        return damaged(p, "moment");
+    if (!demo_room_marker(d))
+        return err_set(p->err, p->err_size, "too large for the available memory");
+    d->markers[d->n_markers++] = m;
+    return true;
+}
+
+/* The last row, whole: its low bits are known. */
+static bool take_last_row(struct source *s, struct demo *d)
+{
+    uint64_t *row = demo_row(d, d->seconds - 1);
+    bool same = true;
+
+    for (int i = 0; i < d->parts; i++) {
+        const uint64_t whole = take64(s);
+        same = same && (uint16_t)whole == (uint16_t)row[i];
+        row[i] = whole;
+    }
+    return same;
+}
+
+static bool read_end(struct parse *p, struct source *s)
+{
+    struct demo *d = p->d;
+    uint32_t frames = take32(s), fault = take32(s);
+
+    if (frames != d->frames || fault > FAULT_LOOP)
+        return damaged(p, "end mark");
+    if (fault == FAULT_NONE ? p->unhashed || d->seconds == 0 : frames ? !p->unhashed : d->seconds != 0)
+        return damaged(p, "the end mark does not match the frames");
+    d->fault = (enum board_fault_kind)fault;
+    if (demo_end_has_row(d) && !take_last_row(s, d))
+        return damaged(p, "the end mark does not match the frames");
+    d->complete = true;
+    return true;
+}
+
+static bool read_record(struct parse *p, uint32_t kind, struct source s)
+{
+    bool ok;
+
+    if (!p->header && kind != KIND_HEADER)
+        return damaged(p, "no header");
+    switch (kind) {
+    case KIND_HEADER:
+        ok = read_header(p, &s);
+        break;
+    case KIND_SECOND:
+        ok = read_second(p, &s);
+        break;
+    case KIND_MARKER:
+        ok = read_marker(p, &s);
+        break;
+    case KIND_FLAGS:
+        ok = read_flags(p, &s);
+        break;
+    default:
+        ok = read_end(p, &s);
+        break;
+    }
+    if (!ok)
+        return false;
+    return (s.bad || s.left) ? damaged(p, "size") : true;
+}
+
+/* The most bytes a record may have; 0: no such record. */
+static size_t most_bytes(uint32_t kind)
+{
+    switch (kind) {
+    case KIND_HEADER:
+        return MAX_HEADER;
+    case KIND_SECOND:
+        return MAX_SECOND;
+    case KIND_MARKER:
+        return MAX_MARKER;
+    case KIND_FLAGS:
+        return 4;
+    case KIND_END:
+        return 8 + 8 * MAX_PARTS;
+    default:
+        return 0;
+    }
+}
+
+static bool read_records(struct parse *p, const uint8_t *data, size_t size)
+{
+    while (size - p->at >= RECORD_HEAD && !p->d->complete) {
+        const uint8_t *r = data + p->at;
+        uint32_t kind = bytes_get32(r), n = bytes_get32(r + 4);
+        if (n > most_bytes(kind))
+            return damaged(p, "kind or size");
+        if (size - p->at < RECORD_OVER + (size_t)n)
+            break;
+        p->crc = hash_crc32_add(p->crc, r, RECORD_HEAD + n);
+        if (bytes_get32(r + RECORD_HEAD + n) != p->crc)
+            return damaged(p, "CRC");
+        if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEAD, .left = n }))
+            return false;
+        p->at += RECORD_OVER + n;
+    }
+    if (!p->header)
+        return err_set(p->err, p->err_size, "truncated header");
+    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "%zu extra bytes after its end", size - p->at)
+                                          : true;
+}
+
+bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
+{
+    struct parse p = { .d = d, .err = err, .err_size = err_size, .at = FILE_HEAD };
+
+    memset(d, 0, sizeof *d);
+    if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
+        return err_set(err, err_size, "not a demo");
+    d->format = bytes_get32(data + 4);
+    if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
+        return err_set(err, err_size, "demo format %u; this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
+                       DEMO_FORMAT);
+    if (size > DEMO_MAX_BYTES)
+        return err_set(err, err_size, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
+    if (read_records(&p, data, size))
+        return true;
+    demo_free(d);
+    return false;
+}

@@ -1,0 +1,412 @@
+/*
+ * demo_record.c - recording; see demo.h.
+ *
+ * The writer keeps the whole recording in memory (of a short one some two kilobytes a second, of a long one three
+ * hundred bytes), so going back is cutting it and writing the file anew.
+ */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../../platform/platform.h"
+#include "demo_parts.h"
+#include "../common/files.h"
+
+static void stop(struct demo_writer *w)
+{
+    w->on = false;
+    free(w->hash_cache);
+    w->hash_cache = NULL;
+}
+
+static bool out_of_memory(struct demo_writer *w)
+{
+    snprintf(w->err, sizeof w->err, "out of memory: recording stopped");
+    stop(w);
+    return false;
+}
+
+/* Is the file as it was left, as far as its size tells? Two programs that play one game have one spare file. */
+static bool is_ours(const struct demo_file *f)
+{
+    return f->size == 0 || plat_size(f->path) == (long)f->size;
+}
+
+/* Some of what was to be added may be in it. */
+static void lose(struct demo_file *f)
+{
+    const long size = plat_size(f->path);
+
+    f->lost = true;
+    f->size = size > 0 ? (size_t)size : 0;
+}
+
+/* Hands bytes to a file (whole: as its new content). */
+static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, char *err)
+{
+    char shown[FILES_PATH];
+    const bool ours = is_ours(f);
+    bool good = ours;
+
+    if (good)
+        good = (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
+    else
+        snprintf(err, DEMO_ERR, "%s: another program has changed the file", files_shown(f->path, shown));
+    if (good)
+        f->size = (whole ? 0 : f->size) + s->n;
+    else if (ours)
+        lose(f);
+    else
+        f->path[0] = 0;
+    return good;
+}
+
+/* What a file gets: its bytes are put into the sink by the file's own state. */
+typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
+
+/* Makes the bytes for one file and hands them over. */
+static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *bytes, bool whole, char *err)
+{
+    struct demo_sink s = { 0 };
+
+    if (!f->path[0] || f->lost)
+        return true;
+    bytes(w, f, &s);
+    bool bad = s.bad, good = !bad && deliver(f, &s, whole, err);
+    free(s.p);
+    return bad ? out_of_memory(w) : good;
+}
+
+/* The same for both files. That the spare one cannot be written is no failure of the recording. */
+static bool write_both(struct demo_writer *w, put_bytes *bytes, bool whole)
+{
+    bool good = write_one(w, &w->file, bytes, whole, w->err);
+
+    write_one(w, &w->spare, bytes, whole, w->spare_err);
+    return good;
+}
+
+static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
+{
+    demo_put_rows(s, &w->demo, &f->written, &f->told, &f->crc);
+}
+
+/* What is not in the file yet, with the newest row if that is of its end. */
+static void put_second(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
+{
+    struct demo *d = &w->demo;
+    bool hashed = d->seconds > 0 && demo_row_frame(d, d->seconds - 1) == d->frames;
+
+    demo_put_second(s, d, f->written, d->frames - f->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &f->crc);
+    f->written = d->frames;
+    demo_put_markers(s, d, &f->told, d->frames, &f->crc);
+}
+
+static void put_flags(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
+{
+    demo_put_flags(s, w->demo.flags, &f->crc);
+}
+
+static void put_end(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
+{
+    demo_put_markers(s, &w->demo, &f->told, w->demo.frames, &f->crc);
+    demo_put_end(s, &w->demo, &f->crc);
+}
+
+static bool add_row(struct demo_writer *w)
+{
+    struct demo *d = &w->demo;
+
+    if (!demo_room_second(d))
+        return false;
+    memcpy(demo_row(d, d->seconds++), w->hashes, sizeof w->hashes[0] * (size_t)d->parts);
+    return true;
+}
+
+static void take_parts(struct demo *d, const struct board *b)
+{
+    d->parts = board_parts(b);
+    for (int i = 0; i < d->parts; i++)
+        snprintf(d->part[i], sizeof d->part[i], "%s", board_part(b, i));
+    d->checksum_parts = UINT64_MAX;
+}
+
+static void take_identity(struct demo *d, const struct cart *cart)
+{
+    d->core = CORE_VERSION;
+    d->game_hash = rom_game_hash(cart->rom);
+    d->rom_hash = rom_hash(cart->rom);
+    snprintf(d->id, sizeof d->id, "%s", cart->m.id);
+    snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
+}
+
+/* The markers of the tick just over. */
+static bool take_markers(struct demo *d, const struct board *b)
+{
+    const struct board_out *out = board_last(b);
+
+    for (int i = 0; i < out->markers; i++) {
+        if (!demo_room_marker(d))
+            return false;
+        d->markers[d->n_markers++] = (struct demo_marker){ d->frames, out->marker[i] };
+    }
+    return true;
+}
+
+static bool take_given_start(struct demo *d, const struct board_start *start)
+{
+    size_t n = start->nvram ? start->nvram_size : 0;
+
+    d->start = *start;
+    d->start.nvram_size = n;
+    d->nvram = malloc(n + 1);
+    d->start.nvram = n ? d->nvram : NULL;
+    if (d->nvram && n)
+        memcpy(d->nvram, start->nvram, n);
+    return d->nvram != NULL;
+}
+
+bool demo_keep(struct demo_writer *w, const char *path)
+{
+    if (snprintf(w->file.path, sizeof w->file.path, "%s", path) < (int)sizeof w->file.path)
+        return write_one(w, &w->file, put_all, true, w->err);
+    snprintf(w->err, sizeof w->err, "the demo's path is too long");
+    w->file.path[0] = 0;
+    return false;
+}
+
+bool demo_retry(struct demo_writer *w)
+{
+    struct demo_file *f = &w->file;
+
+    if (!f->lost)
+        return true;
+    if (plat_size(f->path) == 0)
+        return false;
+    f->lost = false;
+    f->size = 0;
+    return write_one(w, f, put_all, true, w->err);
+}
+
+void demo_spare(struct demo_writer *w, const char *path)
+{
+    w->spare_err[0] = 0;
+    w->spare.lost = false;
+    snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->on ? path : "");
+    w->spare.size = 0;
+    write_one(w, &w->spare, put_all, true, w->spare_err);
+}
+
+void demo_spare_remove(struct demo_writer *w)
+{
+    if (w->spare.path[0] && is_ours(&w->spare))
+        plat_remove(w->spare.path);
+    demo_spare(w, NULL);
+}
+
+bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
+                const struct board_start *start, unsigned flags)
+{
+    struct demo *d = &w->demo;
+
+    demo_free(d);
+    memset(w, 0, sizeof *w);
+    w->on = true;
+    d->format = DEMO_FORMAT;
+    take_identity(d, cart);
+    if (!take_given_start(d, start))
+        return out_of_memory(w);
+    take_parts(d, b);
+    d->flags = flags;
+    w->hash_cache = calloc(1, board_hash_cache_size(b));
+    if (!w->hash_cache)
+        return out_of_memory(w);
+    if (!board_last(b)->fault) {
+        board_hashes_cached(b, w->hash_cache, w->hashes);
+        if (!add_row(w) || !take_markers(d, b))
+            return out_of_memory(w);
+    }
+    return !path || demo_keep(w, path);
+}
+
+/* The checksums of the newest frame, unless it faulted. */
+static void add_checksums(struct demo_writer *w, const struct board *b)
+{
+    struct demo *d = &w->demo;
+    uint16_t *checksums = d->sparse ? NULL : d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
+
+    if (board_last(b)->fault)
+        return;
+    board_hashes_cached(b, w->hash_cache, w->hashes);
+    for (int i = 0; i < d->parts && !d->sparse; i++)
+        checksums[i] = (uint16_t)w->hashes[i];
+    d->checksum_frames = d->frames;
+}
+
+static void go_sparse(struct demo *d)
+{
+    free(d->checksums);
+    d->checksums = NULL;
+    d->room_checksums = 0;
+    d->sparse = true;
+}
+
+bool demo_prints(struct demo_writer *w, enum demo_prints prints)
+{
+    w->prints = prints;
+    if (!w->on || prints != DEMO_PRINTS_SECONDS || w->demo.sparse)
+        return true;
+    go_sparse(&w->demo);
+    return write_both(w, put_all, true);
+}
+
+/* Has it just grown from a short one to a long one? */
+static bool grows_long(const struct demo_writer *w)
+{
+    return w->prints == DEMO_PRINTS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE;
+}
+
+bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
+{
+    struct demo *d = &w->demo;
+
+    if (!w->on)
+        return true;
+    if (d->frames >= DEMO_MAX_FRAMES) {
+        snprintf(w->err, sizeof w->err, "recording stopped: a demo can have at most %d frames", DEMO_MAX_FRAMES);
+        stop(w);
+        return false;
+    }
+    if (!demo_room_frames(d, 1))
+        return out_of_memory(w);
+    memcpy(d->pads[d->frames++], pads, sizeof d->pads[0]);
+    add_checksums(w, b);
+    if (!take_markers(d, b))
+        return out_of_memory(w);
+    if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
+        return true;
+    if (!add_row(w))
+        return out_of_memory(w);
+    if (!grows_long(w))
+        return write_both(w, put_second, false);
+    go_sparse(d);
+    return write_both(w, put_all, true);
+}
+
+void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])
+{
+    struct demo *d = &w->demo;
+
+    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_room_frames(d, 1))
+        memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
+}
+
+bool demo_flag(struct demo_writer *w, unsigned flags)
+{
+    if (!w->on || (w->demo.flags | flags) == w->demo.flags)
+        return true;
+    w->demo.flags |= flags;
+    return write_both(w, put_flags, false);
+}
+
+bool demo_rewind(struct demo_writer *w, uint32_t frame)
+{
+    struct demo *d = &w->demo;
+
+    if (!w->on)
+        return true;
+    d->frames = frame < d->frames ? frame : d->frames;
+    d->checksum_frames = d->checksum_frames < d->frames ? d->checksum_frames : d->frames;
+    while (d->n_markers && d->markers[d->n_markers - 1].frame > d->frames)
+        d->n_markers--;
+    uint32_t rows = d->frames / DEMO_SECOND + 1;
+    d->seconds = rows < d->seconds ? rows : d->seconds;
+    d->flags |= DEMO_BRANCHED;
+    return write_both(w, put_all, true);
+}
+
+/* The points of all players in the end: hashes cannot tell them once the core is another. */
+static bool take_points(struct demo *d, const struct board *b)
+{
+    for (int p = 0; p < PADS && d->seconds; p++) {
+        struct demo_marker m = { .frame = d->frames, .marker.kind = MARKER_LISTED };
+        if (!demo_room_marker(d))
+            return false;
+        snprintf(m.marker.name, sizeof m.marker.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
+        d->markers[d->n_markers++] = m;
+    }
+    return true;
+}
+
+bool demo_end(struct demo_writer *w, const struct board *b)
+{
+    struct demo *d = &w->demo;
+    const struct board_fault *fault = board_last(b)->fault;
+
+    if (!w->on)
+        return true;
+    const bool good = demo_retry(w);
+    if (!fault)
+        board_hashes_cached(b, w->hash_cache, w->hashes);
+    stop(w);
+    if (!take_points(d, b))
+        return out_of_memory(w);
+    if (d->frames > demo_row_frame(d, d->seconds ? d->seconds - 1 : 0)) {
+        if (!fault && !add_row(w))
+            return out_of_memory(w);
+        if (!write_both(w, put_second, false))
+            return false;
+    }
+    d->complete = true;
+    d->fault = fault ? fault->kind : FAULT_NONE;
+    return write_both(w, put_end, false) && good;
+}
+
+/* A copy of n of an array, with room for more behind them; NULL: no memory. */
+static void *copy_of(const void *from, size_t n, size_t more)
+{
+    char *p = malloc(n + more + 1);
+
+    if (p && n)
+        memcpy(p, from, n);
+    return p;
+}
+
+/* Ends a copy of a recording at the present, whose hashes these are. */
+static bool end_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
+{
+    const struct board_fault *fault = board_last(b)->fault;
+
+    if (!take_points(d, b))
+        return false;
+    if (!fault && d->frames > demo_row_frame(d, d->seconds ? d->seconds - 1 : 0))
+        memcpy(demo_row(d, d->seconds++), hashes, sizeof hashes[0] * (size_t)d->parts);
+    d->complete = true;
+    d->fault = fault ? fault->kind : FAULT_NONE;
+    return true;
+}
+
+uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size)
+{
+    struct demo d = w->demo;
+    const size_t row = sizeof d.track[0] * (size_t)d.parts;
+    uint64_t hashes[MAX_PARTS];
+
+    if (!w->on)
+        return NULL;
+    if (!board_last(b)->fault)
+        board_hashes(b, hashes);
+    d.track = copy_of(d.track, d.seconds * row, row);
+    d.markers = copy_of(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
+    d.room_markers = d.n_markers + PADS;
+    uint8_t *bytes = d.track && d.markers && end_copy(&d, b, hashes) ? demo_bytes(&d, size) : NULL;
+    free(d.track);
+    free(d.markers);
+    return bytes;
+}
+
+void demo_drop(struct demo_writer *w)
+{
+    stop(w);
+    demo_free(&w->demo);
+}

@@ -1,0 +1,104 @@
+/*
+ * demo_text.c - see demo_text.h.
+ */
+#include "demo_text.h"
+
+#include <string.h>
+#include "../base/bytes.h"
+
+static const char digits[65] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/* ---- writing ---- */
+
+static void end_line(struct demo_text *t)
+{
+    if (t->at == 0)
+        return;
+    t->line[t->at++] = '\n';
+    t->out(t->to, t->line, (size_t)t->at);
+    t->at = 0;
+}
+
+/* The bytes that are held, as four characters. */
+static void write_held(struct demo_text *t)
+{
+    const uint32_t v = (uint32_t)t->held[0] << 16 | (uint32_t)t->held[1] << 8 | t->held[2];
+
+    for (int i = 0; i < 4; i++)
+        t->line[t->at++] = i <= t->n ? digits[v >> (18 - 6 * i) & 63] : '=';
+    memset(t->held, 0, sizeof t->held);
+    t->n = 0;
+    if (t->at == DEMO_TEXT_LINE)
+        end_line(t);
+}
+
+void demo_text_begin(struct demo_text *t, void (*out)(void *to, const void *bytes, size_t n), void *to)
+{
+    static const char first[] = DEMO_TEXT_BEGIN "\n";
+
+    *t = (struct demo_text){ .out = out, .to = to };
+    out(to, first, sizeof first - 1);
+}
+
+void demo_text_add(struct demo_text *t, const void *bytes, size_t n)
+{
+    const uint8_t *p = bytes;
+
+    for (size_t i = 0; i < n; i++) {
+        t->held[t->n++] = p[i];
+        if (t->n == 3)
+            write_held(t);
+    }
+}
+
+void demo_text_end(struct demo_text *t)
+{
+    static const char last[] = DEMO_TEXT_END "\n";
+
+    if (t->n > 0)
+        write_held(t);
+    end_line(t);
+    t->out(t->to, last, sizeof last - 1);
+}
+
+/* ---- reading ---- */
+
+/* Where the line behind the first one that is DEMO_TEXT_BEGIN starts; 0: there is none. */
+static size_t find_start(const uint8_t *data, size_t size)
+{
+    const size_t n = sizeof DEMO_TEXT_BEGIN - 1;
+
+    for (size_t i = 0; i + n < size; i++) {
+        const uint8_t *end = memchr(data + i, '\n', size - i);
+        if (!end)
+            return 0;
+        if (memcmp(data + i, DEMO_TEXT_BEGIN, n) == 0)
+            return (size_t)(end - data) + 1;
+        i = (size_t)(end - data);
+    }
+    return 0;
+}
+
+bool demo_text_decode(uint8_t *data, size_t *size)
+{
+    size_t i = find_start(data, *size), n = 0;
+    uint32_t v = 0;
+    int bits = 0;
+
+    if (i == 0)
+        return false;
+    for (; i < *size; i++) {
+        if (data[i] == '\n' || data[i] == '\r' || data[i] == ' ' || data[i] == '\t')
+            continue;
+        if (bytes_digit64(data[i]) < 0)
+            break;
+        v = (v << 6 | (uint32_t)bytes_digit64(data[i])) & 0xffffff;
+        bits += 6;
+        if (bits >= 8) {
+            bits -= 8;
+            data[n++] = (uint8_t)(v >> bits);
+        }
+    }
+    *size = n;
+    return true;
+}

@@ -1,0 +1,44 @@
+/*
+ * demo_write.c - a whole demo as the bytes of its file, and into its file; see demo.h. What is written when, while it
+ * is recorded, is in demo_record.c, and the records in demo_put.c.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "demo_parts.h"
+#include "../common/files.h"
+
+uint8_t *demo_bytes(const struct demo *d, size_t *size)
+{
+    struct demo_sink s = { 0 };
+    uint32_t frames, told, crc;
+
+    demo_put_rows(&s, d, &frames, &told, &crc);
+    if (d->complete && d->frames > frames) { /* a fault has no row */
+        demo_put_second(&s, d, frames, d->frames - frames, NULL, &crc);
+        demo_put_markers(&s, d, &told, d->frames, &crc);
+    }
+    if (d->complete)
+        demo_put_end(&s, d, &crc);
+    *size = s.n;
+    if (!s.bad)
+        return s.p;
+    free(s.p);
+    return NULL;
+}
+
+bool demo_save(const struct demo *d, const char *path, char *err, size_t err_size)
+{
+    size_t size;
+
+    if (d->checksum_parts != UINT64_MAX) {
+        snprintf(err, err_size, "%s: the demo has no per-part checksums to write", path);
+        return false;
+    }
+    uint8_t *bytes = demo_bytes(d, &size);
+    bool ok = bytes && files_save(path, bytes, size, err, err_size);
+    if (!bytes)
+        snprintf(err, err_size, "%s: out of memory", path);
+    free(bytes);
+    return ok;
+}

@@ -1,0 +1,57 @@
+/*
+ * lines.c - see lines.h.
+ */
+#include "lines.h"
+#include <string.h>
+#include "../../fb/utf8.h"
+
+static const struct column columns[] = {
+    COLUMN(lines, x),
+    COLUMN(lines, y),
+    COLUMN(lines, dx),
+    COLUMN(lines, dy),
+    COLUMN(lines, follow),
+    COLUMN(lines, owner),
+    COLUMNS(lines, code, LINE_TEXT),
+    COLUMN(lines, length),
+    COLUMN(lines, width),
+    COLUMN(lines, letter),
+    COLUMN(lines, font),
+    COLUMN(lines, align),
+    COLUMN(lines, bank),
+    COLUMN(lines, flags),
+    COLUMN(lines, born),
+};
+
+const struct chip lines_chip = { "lines", columns, sizeof columns / sizeof *columns, false, false };
+
+bool lines_say(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock)
+{
+    const char *end = text + n;
+    uint32_t *to = l->code + (size_t)i * LINE_TEXT;
+    size_t count = utf8_count(text, n, LINE_TEXT + 1, NULL);
+
+    if (count > LINE_TEXT)
+        return false;
+    memset(to, 0, LINE_TEXT * sizeof *to);
+    while (text < end)
+        *to++ = utf8_next(&text, end);
+    l->length[i] = (uint16_t)count;
+    l->born[i] = clock;
+    return true;
+}
+
+uint32_t lines_seen(const struct lines *l, uint32_t i, uint32_t clock)
+{
+    uint32_t n = l->letter[i] ? (clock - l->born[i]) / l->letter[i] : l->length[i];
+
+    return n < l->length[i] ? n : l->length[i];
+}
+
+void lines_drop_of(struct lines *l, int64_t owner)
+{
+    EACH_LIVE (i, &l->s)
+        if (l->owner[i] == owner)
+            slots_drop(&l->s, i);
+    slots_trim(&l->s);
+}

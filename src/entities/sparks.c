@@ -1,0 +1,87 @@
+/*
+ * sparks.c - see sparks.h.
+ */
+#include "sparks.h"
+#include <string.h>
+#include "../base/trig.h"
+
+static const struct column kind_columns[] = {
+    COLUMN(spark_kinds, sprite), COLUMN(spark_kinds, life), COLUMN(spark_kinds, gravity),
+    COLUMN(spark_kinds, drag),   COLUMN(spark_kinds, bank),
+};
+
+static const struct column columns[] = {
+    COLUMN(sparks, x),    COLUMN(sparks, y),   COLUMN(sparks, vx),        COLUMN(sparks, vy),
+    COLUMN(sparks, kind), COLUMN(sparks, age), REGISTERS(sparks, stream),
+};
+
+#define COUNT(table) (int)(sizeof table / sizeof *table)
+const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
+const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
+
+/* Where number k of n starts. Sets what is added to its direction. */
+static void start(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
+{
+    fx x = 0, y = 0;
+
+    *outwards = 0;
+    if (burst->radius) {
+        *outwards = (ang)(((uint64_t)k << 32) / burst->n);
+        trig_polar(burst->radius, *outwards, &x, &y);
+    } else if (burst->n > 1) {
+        x = (fx)((int64_t)burst->along_x * k / (burst->n - 1));
+        y = (fx)((int64_t)burst->along_y * k / (burst->n - 1));
+    }
+    s->x[i] = fx_add(burst->x, x);
+    s->y[i] = fx_add(burst->y, y);
+}
+
+uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age)
+{
+    uint32_t n = 1;
+
+    if (kind + n == kinds->s.live || kinds->life[kind + n]) /* it has one, as most */
+        return kinds->bank[kind];
+    while (kind + n < kinds->s.live && kinds->life[kind + n] == 0)
+        n++;
+    uint32_t at = age * n / kinds->life[kind];
+    return kinds->bank[kind + (at < n ? at : n - 1)];
+}
+
+void sparks_burst(struct sparks *s, const struct spark_burst *burst)
+{
+    struct rng r;
+
+    memcpy(r.s, s->stream, sizeof r.s);
+    for (uint32_t k = 0; k < burst->n; k++) {
+        int32_t i = slots_take(&s->s);
+        if (i == NO_SLOT)
+            break;
+        ang off = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
+        fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
+        ang outwards;
+        start(s, (uint32_t)i, burst, k, &outwards);
+        s->kind[i] = burst->kind;
+        s->age[i] = 0;
+        trig_polar(speed, burst->dir + off + outwards, &s->vx[i], &s->vy[i]);
+    }
+    memcpy(s->stream, r.s, sizeof r.s);
+}
+
+void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep)
+{
+    EACH_LIVE (i, &s->s) {
+        uint16_t kind = s->kind[i];
+        if (kinds->drag[kind]) {
+            s->vx[i] -= fx_mul(s->vx[i], kinds->drag[kind]);
+            s->vy[i] -= fx_mul(s->vy[i], kinds->drag[kind]);
+        }
+        s->vy[i] = fx_add(s->vy[i], kinds->gravity[kind]);
+        s->x[i] = fx_add(s->x[i], s->vx[i]);
+        s->y[i] = fx_add(s->y[i], s->vy[i]);
+        if (++s->age[i] >= kinds->life[kind] || s->x[i] < keep->x0 || s->x[i] > keep->x1 || s->y[i] < keep->y0 ||
+            s->y[i] > keep->y1)
+            slots_drop(&s->s, i);
+    }
+    slots_trim(&s->s);
+}

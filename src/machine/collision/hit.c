@@ -1,0 +1,170 @@
+/*
+ * hit.c - see hit.h.
+ *
+ * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
+ * exact shape test (geom.h) looks at that whole path. A kind with swept = false is tested where it stands.
+ *
+ * Bullets are tested while they move, block by block, because their columns are in the cache then. The broad phase is
+ * in bullets_move: it finds the bullets near a player, who has moved before. For these it calls narrow_phase, and
+ * hit_run raises the events. `reach` covers the largest radius, the graze ring and the player's movement. Shots against
+ * enemies are in hit_shots.c.
+ *
+ * What leaves the field is tested too, for it may touch something on its way out: bullets_move holds the bullets that
+ * touched, and all shots; hit_shots releases the shots that hit no enemy, events_run the others.
+ */
+#include "../../base/int.h"
+#include "hit.h"
+#include "hit_parts.h"
+
+/* How far from the player a bullet that touches it can end its move, but for the bullet's own movement. */
+static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
+{
+    const struct shape_columns shapes = hit_bullet_shapes(&b->bullet_kinds);
+    fx most = 0;
+
+    for (uint32_t i = 0; i < b->bullet_kinds.s.live; i++) {
+        struct extent e = hit_extent(&shapes, i);
+        most = fx_max(most, fx_max(e.x, e.y));
+    }
+    return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
+}
+
+enum verdict { MISS, HIT, GRAZE };
+
+/* May the path of bullet i in this frame come within reach of the player, on both axes? */
+static inline bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
+{
+    const int64_t dx = (int64_t)s->x[i] - c->x, dy = (int64_t)s->y[i] - c->y;
+
+    return int64_abs(dx) <= reach + fx_abs(s->vx[i]) && int64_abs(dy) <= reach + fx_abs(s->vy[i]);
+}
+
+/* A bullet that is a circle, as most are: of its way, as the player sees it, two circles are asked. graze: the ring's
+ * radius, or less than 0. */
+static inline enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
+                                       bool swept)
+{
+    const int64_t wx = swept ? (int64_t)s->vx[i] - c->mx : 0, wy = swept ? (int64_t)s->vy[i] - c->my : 0;
+    const int64_t dx = (int64_t)s->x[i] - c->x - wx, dy = (int64_t)s->y[i] - c->y - wy;
+
+    if (geom_swept_circles(dx, dy, wx, wy, (int64_t)radius + c->a))
+        return HIT;
+    return graze >= 0 && geom_swept_circles(dx, dy, wx, wy, (int64_t)radius + graze) ? GRAZE : MISS;
+}
+
+/* One of any shape. */
+static enum verdict test_shape(const struct board *b, const struct body *c, uint32_t i, fx graze, bool swept)
+{
+    const struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i);
+    struct body ring;
+
+    if (hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, c, swept))
+        return HIT;
+    if (graze < 0)
+        return MISS;
+    ring = *c;
+    ring.a = graze;
+    return hit_bullet_touches(&b->bullets, &b->bullet_kinds, i, &bullet, &ring, swept) ? GRAZE : MISS;
+}
+
+static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct body *c, int64_t reach, uint32_t i)
+{
+    const struct bullets *s = &b->bullets;
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    const uint16_t kind = s->kind[i];
+    const unsigned flags = k->flags[kind];
+
+    if (!within(s, i, c, reach) || s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
+        return MISS;
+    b->counts.tested++;
+    const bool grazes = flags & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED), swept = flags & KIND_SWEPT;
+    const fx graze = grazes ? b->player_kinds.graze[b->player.kind[p]] : -1;
+    if (k->shape[kind] == SHAPE_CIRCLE)
+        return test_circle(s, i, c, k->a[kind], graze, swept);
+    return test_shape(b, c, i, graze, swept);
+}
+
+static void raise_bullet_hits(struct board *b, uint32_t p)
+{
+    const struct bullets *s = &b->bullets;
+
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        for (uint64_t m = s->near[block * PADS + p]; m; m &= m - 1) {
+            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + bits_lowest(m)));
+            bool grazes = s->grazes[block * PADS + p] & m & -m;
+            b->counts.hit += !grazes;
+            b->counts.grazed += grazes;
+            board_event(b, grazes ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), bullet);
+        }
+}
+
+static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
+{
+    const struct slots *s = &b->enemies.s;
+
+    for (uint32_t word = 0; word < s->top / SLOTS_BLOCK; word++)
+        for (uint64_t m = s->used[word]; m; m &= m - 1) {
+            uint32_t i = word * SLOTS_BLOCK + bits_lowest(m);
+            uint8_t flags = b->enemy_kinds.flags[b->enemies.kind[i]];
+            if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
+                continue;
+            struct body e = hit_enemy_body(b, i);
+            if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
+                board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
+        }
+}
+
+/* Those of a block's bullets that hit player p or graze. */
+static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
+{
+    struct board *b = q->context;
+    struct body c = hit_player_body(b, p);
+    uint64_t found = 0;
+
+    for (uint64_t m = near; m; m &= m - 1) {
+        enum verdict v = test_bullet(b, p, &c, q->reach, block * SLOTS_BLOCK + bits_lowest(m));
+        found |= v != MISS ? m & -m : 0;
+        *grazes |= v == GRAZE ? m & -m : 0;
+    }
+    return found;
+}
+
+void hit_queries(struct board *b, struct bullets_query query[PADS])
+{
+    for (uint32_t p = 0; p < PADS; p++) {
+        struct body c = hit_player_body(b, p);
+        fx graze = b->player_kinds.graze[b->player.kind[p]];
+        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, narrow_phase, b };
+    }
+}
+
+/* Raises the events of enemies that left, after those of all that touched them on their way out. */
+static void enemies_leave(struct board *b)
+{
+    EACH_LIVE (i, &b->enemies.s)
+        if (b->enemies.flags[i] & ENEMY_LEAVING)
+            board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
+}
+
+void hit_run(struct board *b)
+{
+    for (uint32_t p = 0; p < PADS; p++) {
+        struct body c = hit_player_body(b, p);
+        if (!b->player.in[p])
+            continue;
+        raise_bullet_hits(b, p);
+        if (b->lasers.s.live)
+            hit_lasers(b, p, &c);
+        raise_enemy_hits(b, p, &c);
+    }
+    hit_shots(b);
+    if (b->lasers.s.live)
+        hit_lasers_shoot(b);
+    hit_blocks(b);
+    if (b->bullets.meets)
+        hit_meets(b);
+    if (b->enemies.leaving)
+        enemies_leave(b);
+    if (b->items.s.top)
+        hit_items(b);
+}

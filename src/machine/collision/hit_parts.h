@@ -1,0 +1,180 @@
+/*
+ * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
+ * floor: board
+ */
+#ifndef BOARD_HIT_PARTS_H
+#define BOARD_HIT_PARTS_H
+
+#include "../../base/geom.h"
+#include "hit.h"
+
+/* Do two circles or boxes touch on their paths of the frame or, not swept, where they are now? */
+static inline bool hit_touches(const struct body *p, const struct body *q, bool swept)
+{
+    int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
+    int64_t dx = (int64_t)p->x - q->x - wx, dy = (int64_t)p->y - q->y - wy;
+
+    if (p->shape == SHAPE_NONE || q->shape == SHAPE_NONE)
+        return false;
+    if (p->shape == SHAPE_BOX && q->shape == SHAPE_BOX)
+        return geom_swept_boxes(dx, dy, wx, wy, (int64_t)p->a + q->a, (int64_t)p->b + q->b);
+    if (p->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, q->a, p->a, p->b);
+    if (q->shape == SHAPE_BOX)
+        return geom_swept_circle_box(dx, dy, wx, wy, p->a, q->a, q->b);
+    return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
+}
+
+/* The hit circle of player p. */
+static inline struct body hit_player_body(const struct board *b, uint32_t p)
+{
+    const struct player *pl = &b->player;
+
+    return (struct body){ .shape = SHAPE_CIRCLE,
+                          .a = b->player_kinds.radius[pl->kind[p]],
+                          .x = pl->x[p],
+                          .y = pl->y[p],
+                          .mx = pl->x[p] - pl->was_x[p],
+                          .my = pl->y[p] - pl->was_y[p] };
+}
+
+/* The body of bullet, shot or enemy i, in one piece. */
+static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
+{
+    uint16_t kind = s->kind[i];
+
+    return (struct body){ k->shape[kind], k->a[kind], k->b[kind], s->x[i], s->y[i], s->vx[i], s->vy[i], 0 };
+}
+
+static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
+{
+    const struct enemies *e = &b->enemies;
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    uint16_t kind = e->kind[i];
+
+    return (struct body){ k->shape[kind],        k->a[kind], k->b[kind], e->x[i], e->y[i], e->x[i] - e->was_x[i],
+                          e->y[i] - e->was_y[i], 0 };
+}
+
+/* Does one of n pieces touch one of m? */
+bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
+
+/* hit_touches of a bullet of any shape and a circle. */
+static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
+                                      const struct body *bullet, const struct body *circle, bool swept)
+{
+    struct body piece[SHAPE_PARTS];
+
+    if (bullet->shape <= SHAPE_PLAIN)
+        return hit_touches(bullet, circle, swept);
+    return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
+}
+
+/* The same of an enemy and a circle. */
+static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const struct body *enemy,
+                                     const struct body *circle, bool swept)
+{
+    struct body piece[SHAPE_PARTS];
+
+    if (enemy->shape <= SHAPE_PLAIN)
+        return hit_touches(enemy, circle, swept);
+    return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
+}
+
+/* The same of shot i, or a bullet, and an enemy. */
+static inline bool hit_shot_touches(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
+                                    uint32_t i, const struct body *shot, uint32_t foe, const struct body *enemy,
+                                    bool swept)
+{
+    struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
+
+    if ((shot->shape | enemy->shape) <= SHAPE_PLAIN)
+        return hit_touches(shot, enemy, swept);
+    return hit_pieces_touch(p, hit_bullet_pieces(pool, kinds, i, p), q, hit_enemy_pieces(b, foe, q), swept);
+}
+
+/*
+ * How far a shape reaches from its place at most, however it is turned. inner: two shapes touch if their places are no
+ * further apart than the sum of their inner: the radius of a circle round its place that lies in it, or,
+ * below 0, how far the nearest circle is from its place.
+ */
+struct extent {
+    fx x, y, inner;
+};
+struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind);
+
+static inline struct extent hit_extent(const struct shape_columns *k, uint32_t kind)
+{
+    fx a = k->a[kind], h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
+
+    if (k->shape[kind] > SHAPE_PLAIN)
+        return hit_pieces_extent(k, kind);
+    return (struct extent){ a, h, fx_min(a, h) };
+}
+
+static inline struct shape_columns hit_bullet_shapes(const struct bullet_kinds *k)
+{
+    return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
+}
+
+static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
+{
+    return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
+}
+
+/* What a shot could hit of the bullets, this frame. */
+struct hit_solids {
+    bool some;     /* any shot can hit some of them */
+    int64_t reach; /* most that a bullet extends from where it is */
+};
+
+/* False: no shot can hit any. */
+bool hit_find_solids(struct board *b, struct hit_solids *f);
+
+/* What a shot that pierces does not hit in this frame: what it hit a short while ago, or hits already. */
+struct hit_passed {
+    int n;
+    int64_t thing[PIERCED];
+};
+
+/* Is the thing in that slot among them? passed may be NULL. */
+static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
+{
+    for (int k = 0; passed && k < passed->n; k++)
+        if (handle_kind(passed->thing[k]) == kind && handle_slot(passed->thing[k]) == slot)
+            return true;
+    return false;
+}
+
+/* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot;
+ * nearer than *apart, a squared distance, which becomes the bullet's. */
+int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                  uint64_t *apart);
+
+/* Shots against enemies and bullets: raises an event for each shot that hits; for one that pierces an event for each
+ * thing that it goes through, the nearest first, and for what uses it up. It keeps in mind at most PIERCED things that
+ * it cannot hit again yet, and while it does it hits no other. What it has in mind and is gone is forgotten here. */
+void hit_shots(struct board *b);
+
+/* Bullets against the enemies that block: raises an event for each bullet that touches one. */
+void hit_blocks(struct board *b);
+
+/*
+ * Bullets against bullets: for each pair of tags, in the order of their declaration, each bullet of the first tag, by
+ * slot, meets the one of the second tag that it touches: of several the nearest before both moved, then the lowest
+ * slot. In one frame a bullet meets one other as a first, and once a pair takes it away, it meets no more; two bullets
+ * of the same tag meet once. Those that are delayed or have no shape meet none.
+ */
+void hit_meets(struct board *b);
+
+/* Players against items: raises an event for each that is taken; of the others, those that left the field are gone. */
+void hit_items(struct board *b);
+
+/* Does laser i, which hits within `reach` of its line, touch a circle on its path of the frame? */
+bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
+
+/* Lasers against player p, whose body c is, and players' against enemies: an event for each laser that touches. */
+void hit_lasers(struct board *b, uint32_t p, const struct body *c);
+void hit_lasers_shoot(struct board *b);
+
+#endif

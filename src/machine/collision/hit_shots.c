@@ -1,0 +1,608 @@
+/*
+ * hit_shots.c - see hit_parts.h.
+ *
+ * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
+ * before their moves are sorted into the cells of a grid, and a shot searches it in rings around its own cell, until
+ * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
+ * the shot's path, grown by its extent and by the largest extent and move of an enemy.
+ *
+ * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as several enemies.
+ * So each enemy is listed in its own cell and in the cells above and below it: three cells of one row, which lie one
+ * after another, hold the enemies of the nine cells around a shot.
+ *
+ * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
+ * one of them. There the nearest is found first, among nine cells in batches of eight places, and only that one is
+ * tested. Invariant: the ring search decides all shots that this leaves open, and would find the same for the others.
+ */
+#include "hit_parts.h"
+#include <assert.h>
+#include <string.h>
+#include "../../base/int.h"
+#include "hit.h"
+
+enum {
+    GRID_MIN = 4,                     /* with fewer shots, the grid is one cell */
+    SPREAD_MAX = 4,                   /* most enemies a shot for which lists of three rows pay */
+    BATCH = 8,                        /* places of a list compared in one go: nearly always more than nine cells hold */
+    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
+    MAX_CELLS = 4 * (MAX_FILLED + 3),
+    NO_ENEMY = MAX_ENEMIES,
+    A_RUN = 1, /* work: a run of cells that is searched, each FEW places in it, and a test of plain, of other shapes */
+    FEW = 2,
+    A_TEST = 4,
+    A_LONG_TEST = 4 * SHAPE_PARTS * SHAPE_PARTS
+};
+
+/* Where an enemy was, from the grid's corner on; and its squared distance from that corner, times 2^bits, with its slot
+ * in the low bits. */
+struct place {
+    uint32_t x, y;
+    int64_t square;
+};
+
+/* Enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
+struct grid {
+    uint32_t n;
+    int64_t left, top;        /* the grid's corner */
+    int64_t wide, high;       /* of the grid */
+    int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
+    int64_t inner;            /* a point nearer than this to any enemy's place lies inside that enemy */
+    int64_t scale;            /* from fx to 2^-32 of a cell */
+    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
+    int64_t cols, rows;
+    int64_t spread;    /* an enemy is also listed in so many cells above and below its own: 1, or 0 */
+    int bits;          /* of slots */
+    uint32_t mask;     /* of those bits */
+    int64_t minus_two; /* times 2^bits */
+    bool dense;
+    uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
+    struct place place[MAX_ENEMIES + BATCH];
+    uint16_t begin[MAX_CELLS + 1]; /* of each cell; the last: n */
+    int64_t sure
+        [MAX_KINDS]; /* of a dense crowd; sure hit: a shot of that kind touches any enemy that was less far, squared */
+};
+
+/* A shot that searches, or a bullet. */
+struct search {
+    const struct board *b;
+    const struct grid *g;
+    const struct bullets *pool;
+    const struct bullet_kinds *kinds;
+    struct body shot;
+    const struct hit_passed *passed; /* NULL: nothing */
+    uint32_t slot;                   /* its own */
+    bool swept;
+    int64_t x, y;           /* its place before its move, in the grid */
+    int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
+    uint64_t best;          /* the square of the distance of what was found */
+    uint32_t found;         /* its slot */
+    uint64_t work;          /* that the search was */
+};
+
+static inline uint64_t squares(int64_t dx, int64_t dy)
+{
+    return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
+}
+
+static inline uint32_t slot_of(const struct grid *g, int64_t square)
+{
+    return (uint32_t)square & g->mask;
+}
+
+/* ---- the grid ---- */
+
+/* The column or row of a place in the grid. */
+static inline int64_t cell_of(const struct grid *g, int64_t v)
+{
+    return v * g->scale >> 32;
+}
+
+/* A share of a cell, in 2^-32, as a length: rounded down. */
+static inline int64_t length(const struct grid *g, int64_t share)
+{
+    return (share >> 16) * g->cell >> 16;
+}
+
+/* Lists the enemies that can be hit and whose kinds have these flags, and measures them: the box they were in, and how
+ * far they extend. */
+static void gather(struct grid *g, const struct board *b, uint8_t flags)
+{
+    const struct enemies *e = &b->enemies;
+    const struct enemy_kinds *k = &b->enemy_kinds;
+    const struct shape_columns shapes = hit_enemy_shapes(k);
+    fx left = FX_MAX, top = FX_MAX, right = FX_MIN, bottom = FX_MIN;
+    int64_t reach_x = 0, reach_y = 0, inner = FX_MAX;
+    uint32_t n = 0;
+
+    assert(e->s.top <= MAX_ENEMIES);
+    for (uint32_t word = 0; word < e->s.top / 64; word++)
+        for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
+            uint32_t i = word * 64 + bits_lowest(bits);
+            uint16_t kind = e->kind[i];
+            fx x = e->was_x[i], y = e->was_y[i];
+            struct extent of = hit_extent(&shapes, kind);
+            if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE || flags & ~k->flags[kind])
+                continue;
+            g->slot[n++] = (uint16_t)i;
+            left = x < left ? x : left;
+            right = x > right ? x : right;
+            top = y < top ? y : top;
+            bottom = y > bottom ? y : bottom;
+            inner = int64_min(inner, of.inner);
+            reach_x = int64_max(reach_x, of.x + int64_abs((int64_t)e->x[i] - x));
+            reach_y = int64_max(reach_y, of.y + int64_abs((int64_t)e->y[i] - y));
+        }
+    g->n = n;
+    g->left = left;
+    g->top = top;
+    g->wide = (int64_t)right - left;
+    g->high = (int64_t)bottom - top;
+    g->reach_x = reach_x;
+    g->reach_y = reach_y;
+    g->inner = inner;
+}
+
+/* Makes the cells as small as the number of them allows. */
+static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
+{
+    const uint32_t cells = shots < GRID_MIN ? 1 : g->n * 5 / 4;
+
+    g->scale = 2;
+    for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
+        int64_t finer = g->scale | bit;
+        if (((g->wide * finer >> 32) + 1) * ((g->high * finer >> 32) + 1) <= cells)
+            g->scale = finer;
+    }
+    g->cell = ((int64_t)1 << 32) / g->scale;
+    g->left -= g->cell + 1;
+    g->top -= g->cell + 1;
+    g->cols = cell_of(g, g->wide + g->cell + 1) + 2;
+    g->rows = cell_of(g, g->high + g->cell + 1) + 2;
+    g->wide = g->cols * (g->cell + 1);
+    g->high = g->rows * (g->cell + 1);
+    for (g->bits = 0; slots > (uint32_t)1 << g->bits; g->bits++)
+        ;
+    g->mask = ((uint32_t)1 << g->bits) - 1;
+    g->minus_two = -2 * ((int64_t)1 << g->bits);
+    g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * SPREAD_MAX;
+    g->dense = g->spread && int64_max(g->wide, g->high) <= INT32_MAX &&
+               squares(g->wide, g->high) < (uint64_t)INT64_MAX >> g->bits && g->reach_x * 2 > g->cell &&
+               g->reach_y * 2 > g->cell;
+}
+
+/* A counting sort. */
+static void sort(struct grid *g, const struct enemies *e)
+{
+    uint16_t cell[MAX_ENEMIES], *begin = g->begin;
+    const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
+    const int64_t left = g->left, top = g->top, cols = g->cols;
+    const int64_t scale = g->scale;
+    const int bits = g->bits;
+    uint32_t sum = 0;
+
+    memset(begin, 0, (cells + 1) * sizeof *begin);
+    for (size_t i = 0; i < n; i++) {
+        uint32_t slot = g->slot[i];
+        cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
+        begin[cell[i]]++;
+        if (g->spread) {
+            begin[cell[i] - cols]++;
+            begin[cell[i] + cols]++;
+        }
+    }
+    for (size_t i = 0; i <= cells; i++) {
+        sum += begin[i];
+        begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
+    }
+    for (size_t i = n; i-- > 0;) {
+        uint32_t slot = g->slot[i];
+        int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
+        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
+        g->place[--begin[cell[i]]] = p;
+        if (g->spread) {
+            g->place[--begin[cell[i] - cols]] = p;
+            g->place[--begin[cell[i] + cols]] = p;
+        }
+    }
+    /* a run may read on behind the last place */
+    for (size_t i = sum; i < sum + BATCH; i++)
+        g->place[i] = (struct place){ 0, 0, INT64_MAX };
+}
+
+/* ---- the search by rings ---- */
+
+/* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
+static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
+{
+    const uint16_t *begin = s->g->begin + row * s->g->cols;
+
+    s->work += A_RUN + (uint32_t)(begin[to + 1] - begin[from]) / FEW;
+    for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
+        const struct place *p = &s->g->place[i];
+        const int64_t x = p->x, y = p->y;
+        uint32_t slot = slot_of(s->g, p->square);
+        if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
+            continue;
+        uint64_t d = squares(s->x - x, s->y - y);
+        if (d > s->best || (d == s->best && slot > s->found) || hit_has_passed(s->passed, H_ENEMY, slot))
+            continue;
+        struct body e = hit_enemy_body(s->b, slot);
+        s->work += (s->shot.shape | e.shape) <= SHAPE_PLAIN ? A_TEST : A_LONG_TEST;
+        if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
+            s->best = d;
+            s->found = slot;
+        }
+    }
+}
+
+/* Sets the box up; false: no enemy is in it. */
+static bool set_bounds(struct search *s)
+{
+    const struct grid *g = s->g;
+    const struct body *p = &s->shot;
+    const struct shape_columns shapes = hit_bullet_shapes(s->kinds);
+    const struct extent e = hit_extent(&shapes, s->pool->kind[s->slot]);
+    int64_t x = p->x - g->left, ex = e.x + g->reach_x;
+    int64_t y = p->y - g->top, ey = e.y + g->reach_y;
+
+    s->x = x - p->mx;
+    s->y = y - p->my;
+    s->x0 = int64_max(int64_min(x, s->x) - ex, 0);
+    s->x1 = int64_min(int64_max(x, s->x) + ex, g->wide - 1);
+    s->y0 = int64_max(int64_min(y, s->y) - ey, 0);
+    s->y1 = int64_min(int64_max(y, s->y) + ey, g->high - 1);
+    return s->x0 <= s->x1 && s->y0 <= s->y1;
+}
+
+/*
+ * Rings of cells around the shot's, or around the cell of the box that is next to it. After each: how near could an
+ * enemy be that is in the box and outside of the rings? A shot outside of the box is a gap away from all that is in it.
+ * Positions in the world and ways of MAX_SPEED keep every distance here below 2^32.
+ */
+static void search_rings(struct search *s)
+{
+    const struct grid *g = s->g;
+    const int64_t left = int64_max(cell_of(g, s->x0), 1), right = int64_min(cell_of(g, s->x1), g->cols - 2);
+    const int64_t top = int64_max(cell_of(g, s->y0), 1), bottom = int64_min(cell_of(g, s->y1), g->rows - 2);
+    const int64_t x = int64_clamp(cell_of(g, s->x), left, right), y = int64_clamp(cell_of(g, s->y), top, bottom);
+    const int64_t w = g->spread, step = 2 * w + 1;
+    const int64_t in_x = s->x * g->scale, in_y = s->y * g->scale;
+    const int64_t gap_x = int64_max(int64_max(s->x0 - s->x, s->x - s->x1), 0);
+    const int64_t gap_y = int64_max(int64_max(s->y0 - s->y, s->y - s->y1), 0);
+    const int64_t far = INT64_MAX;
+
+    if (left > right || top > bottom)
+        return;
+    for (int64_t r = 0;; r += step) {
+        int64_t x0 = x - w - r, x1 = x + w + r, y0 = y - w - r, y1 = y + w + r;
+        int64_t from = int64_max(x0, left), to = int64_min(x1, right);
+        for (int64_t row = y - r; row <= y + r; row += step) {
+            if (row + w < top || row - w > bottom)
+                continue;
+            if (row == y - r || row == y + r) {
+                search_run(s, row, from, to);
+                continue;
+            }
+            if (x0 + 2 * w >= left)
+                search_run(s, row, from, x0 + 2 * w);
+            if (x1 - 2 * w <= right)
+                search_run(s, row, x1 - 2 * w, to);
+        }
+        int64_t dx = int64_min(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
+        int64_t dy = int64_min(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
+        if ((dx == far || s->best < squares(length(g, dx), gap_y)) &&
+            (dy == far || s->best < squares(length(g, dy), gap_x)))
+            return;
+    }
+}
+
+static void too_much(struct board *b, bool blocks)
+{
+    if (blocks)
+        board_too_much(b,
+                       "enemies that block bullets: too much work in one frame (%u enemies, %u bullets); lower "
+                       "`board.enemies` or `board.bullets` in rom.lua",
+                       b->enemies.s.live, b->bullets.s.live);
+    board_too_much(b,
+                   "shots that hit enemies: too much work in one frame (%u shots, %u enemies); lower "
+                   "`board.shots` or `board.enemies` in rom.lua",
+                   b->shots.s.live, b->enemies.s.live);
+}
+
+static uint32_t target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
+                                const struct bullet_kinds *kinds, uint32_t i, const struct hit_passed *passed)
+{
+    struct search s = {
+        .b = b, .g = g, .pool = pool, .kinds = kinds, .passed = passed, .slot = i, .best = UINT64_MAX, .found = NO_ENEMY
+    };
+
+    s.shot = hit_bullet_body(pool, kinds, i);
+    s.swept = kinds->flags[pool->kind[i]] & KIND_SWEPT;
+    if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
+        return NO_ENEMY;
+    search_rings(&s);
+    if (!board_work(b, s.work))
+        too_much(b, pool == &b->bullets);
+    return s.found;
+}
+
+/* ---- the search of a dense crowd ---- */
+
+/*
+ * Of all enemies, the nearest to a shot has the lowest key: the square of their distance, less the square of the shot's
+ * distance from the grid's corner, times 2^bits, with the slot in the low bits. The shot is at (x, y) / -2^(bits + 1).
+ */
+static inline int64_t key(const struct place *p, int64_t x, int64_t y)
+{
+    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits, parts may not */
+}
+
+/* The lowest key of BATCH places. Two chains of choices, as each has to wait for the last. */
+static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
+{
+    int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
+
+    a = int64_min(a, key(p + 4, x, y));
+    b = int64_min(b, key(p + 5, x, y));
+    a = int64_min(a, key(p + 6, x, y));
+    b = int64_min(b, key(p + 7, x, y));
+    return int64_min(a, b);
+}
+
+/*
+ * The lowest key from place i to before end, or best; maybe of places behind that. Mostly there is one run, which
+ * branch prediction learns, unlike the number of enemies in some cells.
+ */
+static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
+{
+    for (; i < end; i += BATCH)
+        best = int64_min(best, lowest_of_batch(&g->place[i], x, y));
+    return best;
+}
+
+/* Places of a block of shots before their moves, from a dense crowd's grid's corner on, modulo 2^32: those far
+ * outside wrap. */
+struct starts {
+    uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
+};
+
+static void locate(struct starts *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+{
+    const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        f->x[i] = (uint32_t)x[i] - (uint32_t)vx[i] - left;
+        f->y[i] = (uint32_t)y[i] - (uint32_t)vy[i] - top;
+    }
+}
+
+/* The slot of the enemy that the shot hits if that is the nearest of all, or NO_ENEMY. */
+static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
+{
+    const int64_t in_x = x * g->scale, in_y = y * g->scale, one = (int64_t)1 << 32;
+    const int64_t col = in_x >> 32, row = in_y >> 32;
+
+    if ((uint64_t)(col - 1) >= (uint64_t)(g->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(g->rows - 2))
+        return NO_ENEMY;
+    const uint16_t *begin = g->begin + row * g->cols + col;
+    const uint32_t from = begin[-1], to = begin[2];
+    const int64_t kx = x * g->minus_two, ky = y * g->minus_two;
+    const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
+    const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
+    int64_t best = lowest(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
+    const int64_t here = x * x + y * y;
+    int64_t d = (best >> g->bits) + here; /* its square */
+    if (d >= edge * edge) {
+        const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
+        best = lowest(g, begin[a - cols], begin[z - cols], kx, ky, best);
+        best = lowest(g, begin[a + cols], begin[z + cols], kx, ky, best);
+        d = (best >> g->bits) + here;
+        if (d >= (edge + g->cell) * (edge + g->cell))
+            return NO_ENEMY;
+    }
+    const struct bullets *s = &b->shots;
+    const uint32_t slot = slot_of(g, best);
+    if (d < g->sure[s->kind[i]])
+        return slot;
+    struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
+    return hit_shot_touches(b, s, &b->shot_kinds, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT)
+               ? slot
+               : NO_ENEMY;
+}
+
+/* Sure hits, by the extents' inner: for a swept shot touches every enemy that it touched before the move. */
+static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
+{
+    const struct shape_columns shapes = hit_bullet_shapes(k);
+
+    for (uint32_t i = 0; i < k->s.live; i++) {
+        bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
+        int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner + g->inner, 0, FX_MAX) : 0;
+        g->sure[i] = r * r;
+    }
+}
+
+/* Raises the event as board_event does, which it calls only when there is no room. */
+static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
+{
+    int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
+
+    if (!events_push(&b->events, EV_SHOT, who, whom))
+        board_event(b, EV_SHOT, who, whom);
+}
+
+/* The slot of the enemy that the shot hits, or NO_ENEMY; `at` is the shot's place in its block. */
+static inline uint32_t target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
+{
+    uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
+
+    return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
+}
+
+/* The bullet that shot i hits, if that was nearer than the enemy that it touches (NO_ENEMY: none); or NO_SLOT. */
+static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
+                            const struct hit_passed *passed)
+{
+    const struct bullets *s = &b->shots;
+    const struct enemies *e = &b->enemies;
+    uint64_t apart = UINT64_MAX;
+
+    if (foe != NO_ENEMY)
+        apart = squares((int64_t)s->x[i] - s->vx[i] - e->was_x[foe], (int64_t)s->y[i] - s->vy[i] - e->was_y[foe]);
+    return hit_solid(b, f, i, passed, &apart);
+}
+
+/* Raises shot i's event with a bullet that it hits instead of that enemy. */
+static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
+{
+    int32_t bullet = nearer_solid(b, f, i, foe, NULL);
+
+    if (bullet != NO_SLOT)
+        raise_shot(b, i, board_handle(b, H_BULLET, bullet));
+    return bullet != NO_SLOT;
+}
+
+/* ---- shots that pierce ---- */
+
+/* What shot i has hit and cannot hit yet again; the rest is forgotten. */
+static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
+{
+    int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
+    const uint32_t *again = b->shots.again + (size_t)i * PIERCED;
+
+    passed->n = 0;
+    for (int k = 0; k < PIERCED; k++) {
+        if (!thing[k])
+            continue;
+        if (again[k] <= b->core.clock || !board_there(b, thing[k]))
+            thing[k] = 0;
+        else
+            passed->thing[passed->n++] = thing[k];
+    }
+}
+
+/* The nearest thing that shot i hits and has not passed, or 0. */
+static int64_t next_thing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
+                          const struct hit_passed *passed)
+{
+    uint32_t foe = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
+    int32_t bullet = solids ? nearer_solid(b, solids, i, foe, passed) : NO_SLOT;
+
+    if (bullet != NO_SLOT)
+        return board_handle(b, H_BULLET, bullet);
+    return foe != NO_ENEMY ? board_handle(b, H_ENEMY, (int32_t)foe) : 0;
+}
+
+static bool stops_all(const struct board *b, int64_t thing)
+{
+    return handle_kind(thing) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(thing)] == HP_FOREVER;
+}
+
+/* Raises the events of a shot that pierces. False: it hits nothing. */
+static bool raise_through(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
+{
+    const int32_t through = b->shots.pierce[i];
+    struct hit_passed passed;
+    int n = 0;
+
+    find_passed(b, i, &passed);
+    while (passed.n < PIERCED && (through == PIERCE_FOREVER || n <= through)) {
+        int64_t thing = next_thing(b, g, solids, i, &passed);
+        if (!thing)
+            break;
+        raise_shot(b, i, thing);
+        passed.thing[passed.n++] = thing;
+        n++;
+        if (stops_all(b, thing))
+            break;
+    }
+    return n > 0;
+}
+
+static bool pierces(const struct board *b, uint32_t i)
+{
+    return b->shot_kinds.pierce && b->shot_kinds.pierce[b->shots.kind[i]];
+}
+
+/* Finds what each shot hits. A shot that left the field and hit nothing is released. solids: NULL if there are none. */
+static void target_all(struct board *b, const struct grid *g, const struct hit_solids *solids)
+{
+    const struct slots *s = &b->shots.s;
+    struct starts f;
+
+    for (uint32_t word = 0; word < s->top / 64; word++) {
+        uint64_t missed = 0;
+        if (g->dense)
+            locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
+        for (uint64_t bits = slots_live_or_held(s, word); bits; bits &= bits - 1) {
+            uint32_t i = word * 64 + bits_lowest(bits);
+            if (pierces(b, i)) {
+                missed |= raise_through(b, g, solids, i) ? 0 : bits & -bits;
+                continue;
+            }
+            uint32_t slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
+            if (solids && raise_solid(b, solids, i, slot))
+                continue;
+            if (slot != NO_ENEMY)
+                raise_shot(b, i, handle_of(H_ENEMY, b->enemies.s.gen[slot], slot));
+            else
+                missed |= bits & -bits;
+        }
+        for (missed &= ~s->used[word]; missed; missed &= missed - 1)
+            bullets_release(&b->shots, word * 64 + bits_lowest(missed));
+    }
+}
+
+void hit_shots(struct board *b)
+{
+    const struct slots *s = &b->shots.s;
+    struct hit_solids solids;
+    struct grid g;
+    bool some = hit_solid_possible(b) && hit_find_solids(b, &solids);
+
+    g.n = 0;
+    g.dense = false;
+    if ((s->live || s->holding) && b->enemies.s.live)
+        gather(&g, b, 0);
+    if (!g.n && !some) {
+        bullets_release_all(&b->shots);
+        return;
+    }
+    if (g.n) {
+        set_cells(&g, s->live + s->holding, b->enemies.s.top);
+        sort(&g, &b->enemies);
+        if (g.dense)
+            find_sure_radii(&g, &b->shot_kinds);
+    }
+    target_all(b, &g, some ? &solids : NULL);
+}
+
+/* ---- blockers ---- */
+
+static bool some_block(const struct board *b)
+{
+    for (uint32_t i = 0; i < b->enemy_kinds.s.live; i++)
+        if (b->enemy_kinds.flags[i] & ENEMY_BLOCKS)
+            return b->bullets.s.live && b->enemies.s.live;
+    return false;
+}
+
+void hit_blocks(struct board *b)
+{
+    struct grid g;
+
+    if (!some_block(b))
+        return;
+    gather(&g, b, ENEMY_BLOCKS);
+    if (!g.n)
+        return;
+    set_cells(&g, b->bullets.s.live, b->enemies.s.top);
+    sort(&g, &b->enemies);
+    EACH_LIVE (i, &b->bullets.s) {
+        if (b->bullets.flags[i] & BULLET_DELAYED)
+            continue;
+        uint32_t foe = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
+        if (foe != NO_ENEMY)
+            board_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)foe));
+    }
+}

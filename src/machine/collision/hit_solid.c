@@ -1,0 +1,119 @@
+/*
+ * hit_solid.c - shots against bullets: those that have hp, and for shots that cancel, all that are clearable. See
+ * hit_parts.h.
+ *
+ * No grid: each shot asks every block of bullets at once who ended its move near the shot's path, and tests those. So
+ * the price is the number of shots times the number of blocks that have such bullets (docs/guide/21-capacities.md),
+ * and it is counted as work.
+ */
+#include "hit_parts.h"
+#include "../../base/int.h"
+#include "hit.h"
+
+enum { A_BLOCK = 4, A_TEST = 4 /* work: a block that is asked, and a bullet whose pieces are tested each */ };
+
+static bool any_cancels(const struct bullet_kinds *k)
+{
+    for (uint32_t i = 0; i < k->s.live; i++)
+        if (k->flags[i] & KIND_CANCELS)
+            return true;
+    return false;
+}
+
+bool hit_solid_possible(const struct board *b)
+{
+    const struct slots *s = &b->shots.s;
+
+    return (s->live || s->holding) && b->bullets.s.live + b->bullets.s.holding &&
+           (b->bullets.hp || any_cancels(&b->shot_kinds));
+}
+
+/* How far a kind's shape reaches from its place at most. */
+static fx extent(const struct bullet_kinds *k, uint32_t kind)
+{
+    const struct shape_columns shapes = hit_bullet_shapes(k);
+    const struct extent e = hit_extent(&shapes, kind);
+
+    return fx_max(e.x, e.y);
+}
+
+static void add_work(struct board *b, uint64_t work)
+{
+    if (!board_work(b, work))
+        board_too_much(b,
+                       "shots that hit bullets: too much work in one frame (%u shots, %u bullets); lower "
+                       "`board.shots` or `board.bullets` in rom.lua or fire fewer shots that cancel",
+                       b->shots.s.live, b->bullets.s.live);
+}
+
+static bool touches(struct board *b, uint32_t i, const struct body *shot, uint32_t k, const struct body *bullet,
+                    bool swept)
+{
+    struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
+
+    if ((shot->shape | bullet->shape) <= SHAPE_PLAIN) {
+        add_work(b, A_TEST);
+        return hit_touches(shot, bullet, swept);
+    }
+    const uint32_t n = hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p),
+                   m = hit_bullet_pieces(&b->bullets, &b->bullet_kinds, k, q);
+    add_work(b, (uint64_t)A_TEST * n * m);
+    return hit_pieces_touch(p, n, q, m, swept);
+}
+
+bool hit_find_solids(struct board *b, struct hit_solids *f)
+{
+    f->some = b->bullets.hp && bullets_find_solid(&b->bullets);
+    f->reach = 0;
+    for (uint32_t i = 0; i < b->bullet_kinds.s.live; i++)
+        f->reach = int64_max(f->reach, extent(&b->bullet_kinds, i));
+    return f->some || any_cancels(&b->shot_kinds);
+}
+
+/* The bullets of a block that the shot could hit, wherever they are. */
+static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, bool some, bool cancels, uint32_t block,
+                         uint64_t near)
+{
+    uint64_t found = some ? near & s->solid[block] : 0;
+
+    for (uint64_t m = cancels ? near & ~found : 0; m; m &= m - 1) {
+        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        if (!(k->flags[s->kind[i]] & KIND_FIXED) && !(s->flags[i] & BULLET_DELAYED))
+            found |= m & -m;
+    }
+    return found;
+}
+
+int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                  uint64_t *apart)
+{
+    const struct bullets *s = &b->bullets;
+    const struct body shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
+    const unsigned flags = b->shot_kinds.flags[b->shots.kind[i]];
+    const int64_t reach =
+        f->reach + extent(&b->shot_kinds, b->shots.kind[i]) + int64_max(int64_abs(shot.mx), int64_abs(shot.my));
+    int32_t found = NO_SLOT;
+
+    if (shot.shape == SHAPE_NONE || !(f->some || flags & KIND_CANCELS))
+        return NO_SLOT;
+    add_work(b, A_BLOCK * (uint64_t)(s->s.top / SLOTS_BLOCK));
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
+        if (!(flags & KIND_CANCELS) && !s->solid[block])
+            continue;
+        uint64_t m = bullets_near(s, block, shot.x, shot.y, reach);
+        for (m = hittable(s, &b->bullet_kinds, f->some, flags & KIND_CANCELS, block, m); m; m &= m - 1) {
+            uint32_t k = block * SLOTS_BLOCK + bits_lowest(m);
+            struct body body = hit_bullet_body(s, &b->bullet_kinds, k);
+            int64_t dx = ((int64_t)shot.x - shot.mx) - ((int64_t)body.x - body.mx);
+            int64_t dy = ((int64_t)shot.y - shot.my) - ((int64_t)body.y - body.my);
+            uint64_t d = (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
+            if (d >= *apart || hit_has_passed(passed, H_BULLET, k))
+                continue;
+            if (!touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
+                continue;
+            *apart = d;
+            found = (int32_t)k;
+        }
+    }
+    return found;
+}

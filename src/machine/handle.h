@@ -1,0 +1,70 @@
+/*
+ * handle.h - handles: whole numbers by which scripts name things. Bits 63..62 are 01, then come 30 bits generation, 8
+ * bits kind, 24 bits slot. A handle is dead when its generation is not the slot's.
+ * floor: board
+ */
+#ifndef BOARD_HANDLE_H
+#define BOARD_HANDLE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include "../base/slots.h"
+
+/* H_GROUP, H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups: of bullets, shots and so on. Their slot is a tag, 0:
+ * all. */
+enum handle_kind {
+    H_BULLET = 1,
+    H_SHOT,
+    H_ENEMY,
+    H_PLAYER,
+    H_SPRITE,
+    H_TASK,
+    H_MOTION,
+    H_GROUP,
+    H_SHOTS,
+    H_ENEMIES,
+    H_ITEM,
+    H_ITEMS,
+    H_LINE,
+    H_LAYER, /* of the background; its slot is that of struct bg */
+    H_PLANE,
+    H_LASER,
+    H_LASERS,
+    H_OPTION,
+    H_BULLETML,
+    HANDLES
+};
+
+static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
+{
+    return (int64_t)(1ull << 62 | (uint64_t)gen << 32 | (uint64_t)kind << 24 | slot);
+}
+
+static inline bool handle_is(int64_t h)
+{
+    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLES;
+}
+
+static inline enum handle_kind handle_kind(int64_t h)
+{
+    return (enum handle_kind)(h >> 24 & 255);
+}
+
+static inline bool handle_kind_group(enum handle_kind kind)
+{
+    const unsigned groups = 1u << H_GROUP | 1u << H_SHOTS | 1u << H_ENEMIES | 1u << H_ITEMS | 1u << H_LASERS;
+
+    return groups >> kind & 1;
+}
+
+static inline uint32_t handle_gen(int64_t h)
+{
+    return (uint32_t)(h >> 32) & GENERATIONS;
+}
+
+static inline uint32_t handle_slot(int64_t h)
+{
+    return (uint32_t)h & 0xffffff;
+}
+
+#endif

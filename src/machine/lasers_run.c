@@ -1,0 +1,481 @@
+/*
+ * lasers_run.c - see lasers_run.h.
+ *
+ * A laser and its head, a bullet, are taken and dropped together, so they have the same slot and the same generation.
+ */
+#include "lasers_run.h"
+#include <assert.h>
+#include "../base/geom.h"
+#include "../base/int.h"
+
+static const int64_t most_move = (int64_t)MAX_SPEED << 16;
+
+uint32_t lasers_age(const struct board *b, uint32_t i)
+{
+    return bullets_age(&b->laser_heads, i, b->core.clock);
+}
+
+uint32_t lasers_age_seen(const struct board *b, uint32_t i)
+{
+    uint32_t age = lasers_age(b, i);
+
+    return age - (age > 0);
+}
+
+enum laser_state lasers_state_of(const struct board *b, uint32_t i, uint32_t age)
+{
+    if (b->laser_heads.flags[i] & BULLET_DELAYED)
+        return LASER_WARN;
+    return lasers_state(&b->lasers, i, age);
+}
+
+static bool dangerous(const struct board *b, uint32_t i, uint32_t age)
+{
+    enum laser_state s = lasers_state_of(b, i, age);
+
+    return s == LASER_GROW || s == LASER_ON;
+}
+
+/* Where the end of a beam or bolt is that its head is not at. */
+static void place_end(struct board *b, uint32_t i)
+{
+    struct lasers *l = &b->lasers;
+    const struct bullets *h = &b->laser_heads;
+    const bool beam = l->form[i] == LASER_BEAM;
+    fx dx, dy;
+
+    if (l->form[i] == LASER_CURVE)
+        return;
+    trig_polar(beam ? l->length[i] : l->grown[i], h->dir[i], &dx, &dy);
+    l->x0[i] = beam ? h->x[i] + dx : h->x[i] - dx;
+    l->y0[i] = beam ? h->y[i] + dy : h->y[i] - dy;
+}
+
+void lasers_settle(struct board *b, uint32_t i)
+{
+    place_end(b, i);
+}
+
+void lasers_place(struct board *b, uint32_t i, fx x, fx y)
+{
+    struct bullets *h = &b->laser_heads;
+
+    lasers_shift(&b->lasers, &b->laser_points, i, fx_sub(x, h->x[i]), fx_sub(y, h->y[i]));
+    h->x[i] = x;
+    h->y[i] = y;
+    place_end(b, i);
+}
+
+int32_t lasers_fire(struct board *b, const struct bullet_shape *head, struct laser_shape *shape)
+{
+    struct slots *full;
+    int32_t i = lasers_add(&b->lasers, &b->laser_points, shape, head->x, head->y, &full);
+
+    if (i == NO_SLOT) {
+        board_full(b, full);
+        return i;
+    }
+    int32_t slot = bullets_fire(&b->laser_heads, head, b->core.clock);
+    assert(slot == i); /* invariant: the two pools have the same slots */
+    (void)slot;
+    place_end(b, (uint32_t)i);
+    return i;
+}
+
+void lasers_remove(struct board *b, uint32_t i)
+{
+    bullets_drop(&b->laser_heads, i);
+    lasers_drop(&b->lasers, &b->laser_points, i);
+    slots_trim(&b->laser_heads.s);
+}
+
+/* ---- moves ---- */
+
+/* Where a thing is, or was a frame before; all others have moved when lasers do. Another laser is always where it was,
+ * so that it does not matter whose slot is lower. */
+static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
+{
+    const struct board *b = w->context;
+    const enum handle_kind kind = handle_kind(around);
+    const struct bullets *s = kind == H_SHOT ? &b->shots : &b->bullets;
+    const uint32_t i = handle_slot(around);
+
+    (void)moved;
+    if (!board_alive(b, around) || !board_where(b, around, x, y))
+        return false;
+    if (kind == H_LASER) {
+        *x = b->lasers.was_x[i];
+        *y = b->lasers.was_y[i];
+    }
+    if (!before)
+        return true;
+    if (kind == H_SHOT || kind == H_BULLET) {
+        *x -= s->vx[i];
+        *y -= s->vy[i];
+    } else if (kind == H_ENEMY) {
+        *x = b->enemies.was_x[i];
+        *y = b->enemies.was_y[i];
+    } else if (kind == H_PLAYER) {
+        *x = b->player.was_x[i];
+        *y = b->player.was_y[i];
+    } else if (kind == H_OPTION) {
+        *x = b->options.was_x[i];
+        *y = b->options.was_y[i];
+    } else if (kind == H_ITEM) {
+        *x = b->items.was_x[i];
+        *y = b->items.was_y[i];
+    }
+    return true;
+}
+
+static struct motion_world world(const struct board *b, bool shoots)
+{
+    struct motion_world w = board_world(b, shoots);
+
+    w.kinds = NULL;
+    w.where = where;
+    return w;
+}
+
+/* Where a thing looks; false: it has no direction. */
+static bool looks(const struct board *b, int64_t h, ang *dir)
+{
+    const uint32_t i = handle_slot(h);
+
+    switch (handle_kind(h)) {
+    case H_BULLET:
+        *dir = b->bullets.dir[i];
+        return true;
+    case H_SHOT:
+        *dir = b->shots.dir[i];
+        return true;
+    case H_LASER:
+        *dir = b->laser_heads.dir[i];
+        return true;
+    default:
+        return false;
+    }
+}
+
+static fx within_world(int64_t v)
+{
+    return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
+}
+
+/* The beam goes where what it follows is. False: that one is gone. */
+static bool follow(struct board *b, uint32_t i)
+{
+    struct lasers *l = &b->lasers;
+    ang dir;
+    fx x, y;
+
+    if (!board_alive(b, l->follow[i]) || !board_where(b, l->follow[i], &x, &y))
+        return false;
+    b->laser_heads.x[i] = within_world((int64_t)x + l->dx[i]);
+    b->laser_heads.y[i] = within_world((int64_t)y + l->dy[i]);
+    if (l->flags[i] & LASER_TURNS && looks(b, l->follow[i], &dir)) {
+        if (l->flags[i] & LASER_TURNED)
+            b->laser_heads.dir[i] += dir - l->followed[i];
+        l->flags[i] |= LASER_TURNED;
+        l->followed[i] = dir;
+    }
+    return true;
+}
+
+/* Has everything of it left the keep box? */
+static bool is_outside(const struct board *b, uint32_t i)
+{
+    fx x, y, x0 = FX_MAX, y0 = FX_MAX, x1 = FX_MIN, y1 = FX_MIN;
+
+    for (uint32_t k = 0; k < lasers_corners(b, i); k++) {
+        lasers_corner(b, i, k, &x, &y);
+        x0 = fx_min(x0, x);
+        y0 = fx_min(y0, y);
+        x1 = fx_max(x1, x);
+        y1 = fx_max(y1, y);
+    }
+    return x1 < b->keep.x0 || x0 > b->keep.x1 || y1 < b->keep.y0 || y0 > b->keep.y1;
+}
+
+static bool is_kept(const struct board *b, fx x, fx y)
+{
+    return x >= b->keep.x0 && x <= b->keep.x1 && y >= b->keep.y0 && y <= b->keep.y1;
+}
+
+/* A bolt comes out of where it was fired. */
+static void move_bolt(struct board *b, uint32_t i)
+{
+    struct lasers *l = &b->lasers;
+    const struct bullets *h = &b->laser_heads;
+    fx far = fx_hypot(fx_sub(h->x[i], l->was_x[i]), fx_sub(h->y[i], l->was_y[i]));
+
+    l->grown[i] = (fx)int64_min((int64_t)l->grown[i] + far, l->length[i]);
+    place_end(b, i);
+    if (is_outside(b, i))
+        l->flags[i] |= LASER_GONE;
+}
+
+/* A head that leaves stands; the body goes on until it has left too. */
+static void move_curve(struct board *b, uint32_t i)
+{
+    struct lasers *l = &b->lasers;
+    const struct bullets *h = &b->laser_heads;
+    const int64_t dx = (int64_t)h->x[i] - l->was_x[i], dy = (int64_t)h->y[i] - l->was_y[i];
+
+    if (int64_abs(dx) > most_move || int64_abs(dy) > most_move) /* it jumped, and its body with it */
+        lasers_shift(l, &b->laser_points, i, fx_sat(dx), fx_sat(dy));
+    lasers_advance(l, &b->laser_points, i, h->x[i], h->y[i]);
+    if (!is_kept(b, h->x[i], h->y[i]))
+        l->flags[i] |= LASER_LEFT;
+    if (l->flags[i] & LASER_LEFT && is_outside(b, i))
+        l->flags[i] |= LASER_GONE;
+}
+
+/* Did either end move further than anything moves in a frame? */
+static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
+{
+    const int64_t far =
+        int64_max(int64_max(int64_abs((int64_t)h->x[i] - l->was_x[i]), int64_abs((int64_t)h->y[i] - l->was_y[i])),
+                  int64_max(int64_abs((int64_t)l->x0[i] - l->was_x0[i]), int64_abs((int64_t)l->y0[i] - l->was_y0[i])));
+
+    return far > most_move;
+}
+
+/* False: its program has removed it. */
+static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint32_t age)
+{
+    struct lasers *l = &b->lasers;
+    struct bullets *h = &b->laser_heads;
+
+    if (l->spin[i] && age >= (uint32_t)l->warn[i]) {
+        h->dir[i] += l->spin[i];
+        bullets_steer(h, i);
+    }
+    if (l->form[i] == LASER_BEAM) {
+        place_end(b, i);
+        return true;
+    }
+    if (!(l->flags[i] & LASER_LEFT) && !bullets_go_on(h, w, i))
+        return false;
+    if (h->flags[i] & BULLET_DELAYED)
+        return true;
+    if (l->form[i] == LASER_BOLT)
+        move_bolt(b, i);
+    else
+        move_curve(b, i);
+    return true;
+}
+
+/* The move of a frame of laser i. False: it is gone. */
+static bool move(struct board *b, const struct motion_world *w, uint32_t i)
+{
+    struct lasers *l = &b->lasers;
+    struct bullets *h = &b->laser_heads;
+    const bool stands = h->stands && h->stands[i] & STOOD;
+    const uint32_t age = lasers_age(b, i);
+
+    l->flags[i] &= (uint8_t)~LASER_STILL;
+    if (stands)
+        l->flags[i] |= LASER_STILL;
+    else if (lasers_over(l, i, age) || (l->follow[i] && !follow(b, i)))
+        return false;
+    else if (!fly(b, w, i, age))
+        return false;
+    const bool comes = l->form[i] == LASER_BEAM && (age == 0 || !dangerous(b, i, age - 1));
+    if (comes || jumped(l, h, i))
+        l->flags[i] |= LASER_STILL;
+    return true;
+}
+
+static void note_where_all_were(struct lasers *l, const struct bullets *h)
+{
+    EACH_LIVE (i, &l->s) {
+        l->was_x[i] = h->x[i];
+        l->was_y[i] = h->y[i];
+        l->was_x0[i] = l->x0[i];
+        l->was_y0[i] = l->y0[i];
+    }
+}
+
+void lasers_move(struct board *b)
+{
+    const struct motion_world w[2] = { world(b, false), world(b, true) };
+    struct lasers *l = &b->lasers;
+
+    bullets_begin(&b->laser_heads);
+    note_where_all_were(l, &b->laser_heads);
+    for (int follows = 0; follows < 2; follows++) /* what follows moves after what it may follow */
+        EACH_LIVE (i, &l->s) {
+            const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
+            if ((l->follow[i] != 0) != follows || move(b, &w[shoots], i))
+                continue;
+            if (b->laser_heads.s.used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
+                bullets_drop(&b->laser_heads, i);
+            lasers_drop(l, &b->laser_points, i);
+        }
+    slots_trim(&b->laser_heads.s);
+}
+
+void lasers_end_frame(struct board *b)
+{
+    EACH_LIVE (i, &b->lasers.s)
+        if (b->lasers.flags[i] & LASER_GONE)
+            lasers_remove(b, i);
+}
+
+/* ---- its line ---- */
+
+uint32_t lasers_corners(const struct board *b, uint32_t i)
+{
+    return b->lasers.form[i] == LASER_CURVE ? b->lasers.count[i] : 2;
+}
+
+void lasers_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
+{
+    const struct lasers *l = &b->lasers;
+
+    if (l->form[i] == LASER_CURVE)
+        lasers_point(l, &b->laser_points, i, k, x, y);
+    else if (k == 0)
+        *x = b->laser_heads.x[i], *y = b->laser_heads.y[i];
+    else
+        *x = l->x0[i], *y = l->y0[i];
+}
+
+void lasers_corner_was(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
+{
+    const struct lasers *l = &b->lasers;
+
+    if (l->flags[i] & LASER_STILL)
+        lasers_corner(b, i, k, x, y);
+    else if (l->form[i] != LASER_CURVE && k == 0)
+        *x = l->was_x[i], *y = l->was_y[i];
+    else if (l->form[i] != LASER_CURVE)
+        *x = l->was_x0[i], *y = l->was_y0[i];
+    else if (k + 1 < l->count[i])
+        lasers_point(l, &b->laser_points, i, k + 1, x, y);
+    else
+        *x = l->x0[i], *y = l->y0[i];
+}
+
+uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struct board *b, fx x, fx y, void *context),
+                       void *context)
+{
+    const uint32_t n = lasers_corners(b, i);
+    uint32_t places = 0;
+    int64_t next = every / 2; /* from corner k */
+    fx x, y, to_x, to_y;
+
+    lasers_corner(b, i, 0, &x, &y);
+    for (uint32_t k = 1; k < n; k++, x = to_x, y = to_y) {
+        lasers_corner(b, i, k, &to_x, &to_y);
+        const int64_t dx = (int64_t)to_x - x, dy = (int64_t)to_y - y, far = fx_hypot(fx_sat(dx), fx_sat(dy));
+        for (; next < far; next += every, places++)
+            each(b, (fx)(x + dx * next / far), (fx)(y + dy * next / far), context);
+        next -= far;
+    }
+    if (places)
+        return places;
+    lasers_corner(b, i, 0, &x, &y);
+    each(b, x, y, context);
+    return 1;
+}
+
+/* Does the piece of line from corner k to the next touch what moves from (x, y) to (to_x, to_y), within r? */
+static bool piece_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
+{
+    struct geom_bar bar;
+    fx ax, ay, bx, by;
+
+    lasers_corner(b, i, k, &ax, &ay);
+    lasers_corner(b, i, k + 1 < lasers_corners(b, i) ? k + 1 : k, &bx, &by);
+    bar = (struct geom_bar){ (int64_t)ax - x, (int64_t)ay - y, (int64_t)x - to_x, (int64_t)y - to_y,
+                             (int64_t)bx - x, (int64_t)by - y, (int64_t)x - to_x, (int64_t)y - to_y };
+    return geom_swept_bar(&bar, r);
+}
+
+static uint32_t pieces(const struct board *b, uint32_t i)
+{
+    const uint32_t n = lasers_corners(b, i);
+
+    return n > 1 ? n - 1 : 1;
+}
+
+enum { NEAR = 256 /* differences are in 256ths of a px, so that products fit */ };
+
+/* How far (x, y) is from (to_x, to_y), squared, in those units. */
+static int64_t apart(fx x, fx y, fx to_x, fx to_y)
+{
+    const int64_t dx = ((int64_t)to_x - x) / NEAR, dy = ((int64_t)to_y - y) / NEAR;
+
+    return dx * dx + dy * dy;
+}
+
+/* The place of the piece from (ax, ay) to (*to_x, *to_y) that is nearest to (x, y), into the latter. */
+static void nearest_of_piece(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
+{
+    const int64_t wx = ((int64_t)*to_x - ax) / NEAR, wy = ((int64_t)*to_y - ay) / NEAR;
+    const int64_t dx = ((int64_t)x - ax) / NEAR, dy = ((int64_t)y - ay) / NEAR;
+    const int64_t whole = wx * wx + wy * wy, part = int64_clamp(dx * wx + dy * wy, 0, whole);
+
+    if (part == whole)
+        return;
+    const int64_t share = part * 65536 / whole; /* whole > part >= 0 */
+    *to_x = (fx)(ax + ((int64_t)*to_x - ax) * share / 65536);
+    *to_y = (fx)(ay + ((int64_t)*to_y - ay) * share / 65536);
+}
+
+void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y)
+{
+    const uint32_t n = lasers_corners(b, i);
+    fx ax, ay, px, py, bx, by;
+
+    lasers_corner(b, i, 0, &ax, &ay);
+    *to_x = ax;
+    *to_y = ay;
+    for (uint32_t k = 1; k < n; k++, ax = bx, ay = by) {
+        lasers_corner(b, i, k, &bx, &by);
+        px = bx;
+        py = by;
+        nearest_of_piece(x, y, ax, ay, &px, &py);
+        if (apart(px, py, x, y) < apart(*to_x, *to_y, x, y)) {
+            *to_x = px;
+            *to_y = py;
+        }
+    }
+}
+
+/* Half of its width as it is drawn now. */
+static int64_t half_width(const struct board *b, uint32_t i)
+{
+    return lasers_width(&b->lasers, i, lasers_age(b, i)) / 2;
+}
+
+bool lasers_in_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a)
+{
+    const int64_t r = half_width(b, i) + a;
+
+    for (uint32_t k = 0; k < pieces(b, i); k++)
+        if (piece_touches(b, i, k, x, y, to_x, to_y, r))
+            return true;
+    return false;
+}
+
+bool lasers_in_circle(const struct board *b, uint32_t i, fx x, fx y, fx a)
+{
+    return lasers_in_line(b, i, x, y, x, y, a);
+}
+
+bool lasers_in_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h)
+{
+    const int64_t r = half_width(b, i);
+    fx ax, ay, bx, by;
+
+    for (uint32_t k = 0; k < pieces(b, i); k++) {
+        lasers_corner(b, i, k, &ax, &ay);
+        lasers_corner(b, i, k + 1 < lasers_corners(b, i) ? k + 1 : k, &bx, &by);
+        if (geom_swept_circle_box((int64_t)ax - x, (int64_t)ay - y, (int64_t)bx - ax, (int64_t)by - ay, r, w, h))
+            return true;
+    }
+    return false;
+}

@@ -1,0 +1,488 @@
+/*
+ * sound.c - see sound.h. The sequencers say what happens to which voice; here it is done
+ * with the instruments of the ROM.
+ */
+#include "sound.h"
+
+#include <string.h>
+
+static const uint8_t *rom(const struct board *b)
+{
+    return b->cart.tune_data;
+}
+
+/* A volume of 127 is a third of full scale, so that some voices together stay below the limiter. */
+static uint16_t loud(int volume, int of, int tune_volume)
+{
+    const int64_t third = VOICE_LOUD / 3;
+
+    return (uint16_t)(third * volume * volume / (TUNE_LOUD * TUNE_LOUD) * of / 256 * tune_volume / 255);
+}
+
+/* What a sequencer's event does, of whichever of the two. */
+struct part_played {
+    struct board *b;
+    uint32_t tune; /* its place in the ROM */
+    int voice;
+    uint16_t vol;
+    uint8_t pan, inst;
+    int32_t pitch; /* higher */
+    uint32_t tempo;
+};
+
+static void begin_note(const struct part_played *g, int32_t pitch, int sample)
+{
+    const struct tune t = tune_of(rom(g->b) + g->tune);
+
+    if (g->inst >= t.insts)
+        return;
+    const uint8_t *inst = tune_inst(&t, g->inst);
+    const struct voice_note n = { (uint32_t)(inst - rom(g->b)), cart_recording(&g->b->cart, g->tune, inst), pitch,
+                                  g->vol, g->pan };
+    voices_note(&g->b->voices, rom(g->b), g->voice, &n, sample);
+}
+
+static void play_part(const struct part_played *g, const struct tune_played *p, int sample)
+{
+    struct voices *v = &g->b->voices;
+    const int32_t pitch = p->value * (PITCH_ONE / 256) + g->pitch;
+
+    switch (p->event) {
+    case TUNE_NOTE:
+        begin_note(g, pitch, sample);
+        break;
+    case TUNE_SLUR:
+        voices_slur(v, rom(g->b), g->voice, pitch);
+        break;
+    case TUNE_GLIDE:
+        voices_glide(v, g->voice, pitch, (int32_t)((int64_t)p->more * TUNE_TICK / ((int64_t)SND_FRAME * g->tempo)));
+        break;
+    case TUNE_OFF:
+    case TUNE_END:
+        voices_off(v, g->voice, sample);
+        break;
+    case TUNE_VOLUME:
+    case TUNE_PLACE:
+        voices_set(v, g->voice, g->vol, g->pan);
+        break;
+    default:
+        break;
+    }
+}
+
+static void play_music(void *context, int track, const struct tune_played *p, int sample)
+{
+    struct board *b = context;
+    const struct seq *s = &b->music;
+    const uint32_t at = cart_tune(&b->cart, s->tune - 1);
+    const struct part_played g = { b,
+                                   at,
+                                   track,
+                                   loud(s->volume[track + 1], 256, tune_of(rom(b) + at).volume),
+                                   s->pan[track + 1],
+                                   s->inst[track + 1],
+                                   0,
+                                   s->tempo };
+
+    play_part(&g, p, sample);
+}
+
+static uint8_t side(int pan)
+{
+    return (uint8_t)(pan < 0 ? 0 : pan > 2 * TUNE_PAN ? 2 * TUNE_PAN : pan);
+}
+
+static void play_cue(void *context, int slot, const struct tune_played *p, int sample)
+{
+    struct board *b = context;
+    const struct cues *c = &b->cues;
+    const struct tune t = tune_of(rom(b) + c->tune[slot]);
+    const struct part_played g = { b,
+                                   c->tune[slot],
+                                   VOICES_MUSIC + slot,
+                                   loud(c->volume[slot], c->loud[slot], t.volume),
+                                   side(c->pan[slot] + c->place[slot]),
+                                   c->inst[slot],
+                                   c->pitch[slot],
+                                   t.tempo };
+
+    play_part(&g, p, sample);
+}
+
+static void cut_music(struct board *b, int sample)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        voices_cut(&b->voices, i, sample);
+}
+
+static void start_music(struct board *b, uint16_t index)
+{
+    struct tune t = { 0 };
+
+    if (index)
+        t = tune_of(rom(b) + cart_tune(&b->cart, index - 1));
+    if (index > 0 && index <= SEQ_HEARD)
+        b->music.heard[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
+    seq_start(&b->music, index, &t);
+}
+
+/* Behind a fade nothing of the old piece is heard, and the new one is at once. */
+static void silence_music(struct board *b)
+{
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        if (i % VOICES < VOICES_MUSIC)
+            b->voices.inst[i] = 0;
+    b->voices.gain0 = (uint16_t)((int32_t)b->music.level * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
+}
+
+_Static_assert((int)VOICE_PLACES == (int)SEQ_ASIDE,
+               "each piece of music that can be set aside needs storage for its voices");
+
+static void keep_music(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    if (s->tune && s->aside < SEQ_ASIDE)
+        voices_keep(&b->voices, s->aside);
+    seq_keep(s);
+}
+
+static void bring_back(struct board *b)
+{
+    voices_bring(&b->voices, b->music.aside - 1);
+    seq_back(&b->music);
+}
+
+/* What was asked for begins at that sample of the frame, or comes back. */
+static void change_music(struct board *b, int sample)
+{
+    struct seq *s = &b->music;
+    const int kept = s->next && !s->next_back ? seq_kept(s, s->next) : -1;
+
+    if (s->next_back)
+        keep_music(b);
+    else
+        seq_forget(s, kept + 1);
+    if (b->voices.gain0 == 0 && sample == 0)
+        silence_music(b);
+    cut_music(b, sample);
+    if (kept >= 0)
+        bring_back(b);
+    else
+        start_music(b, s->next);
+}
+
+/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+static void step_duck(struct board *b)
+{
+    struct voices *v = &b->voices;
+    int32_t most = 0;
+
+    for (int i = 0; i < CUES; i++)
+        if (b->cues.tune[i]) {
+            const int32_t duck = tune_of(rom(b) + b->cues.tune[i]).duck * VOICE_GAIN / 255;
+            most = duck > most ? duck : most;
+        }
+    if (most > v->ducked)
+        v->ducked = (uint16_t)(v->ducked + (most - v->ducked + 3) / 4);
+    else
+        v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
+}
+
+/* What is left of the music's gain at the end of this frame. */
+static uint16_t gain(const struct board *b)
+{
+    const struct seq *s = &b->music;
+    const int32_t left = s->fade_over ? VOICE_GAIN * (int32_t)s->fade / s->fade_over : VOICE_GAIN;
+
+    if (b->voices.held)
+        return 0;
+    return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
+}
+
+/* Is it on its way out, for another or for none? */
+static bool goes(const struct seq *s)
+{
+    return s->fade_over || s->next_waits;
+}
+
+/* Its last notes ring on. */
+static void end_piece(struct board *b)
+{
+    if (b->music.aside)
+        bring_back(b);
+    else
+        seq_start(&b->music, 0, NULL);
+}
+
+static void step_level(struct seq *s)
+{
+    if (!s->level_over)
+        return;
+    s->level = (uint16_t)(s->level + (s->level_to - s->level) / s->level_over);
+    s->level_over--;
+}
+
+/* A frame of the music, unless a pause holds it. */
+static void step_music(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    b->voices.held = b->core.frozen > 0;
+    if (b->voices.held)
+        return;
+    step_level(s);
+    if (s->fade_over && s->fade == 0)
+        change_music(b, 0);
+    else if (s->tune && !goes(s) && seq_over(s))
+        end_piece(b);
+    if (s->fade)
+        s->fade--;
+    for (int first = 0; s->tune && first < SND_FRAME;) {
+        const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+        first = seq_step(s, &t, first, play_music, b);
+        if (first < SND_FRAME)
+            change_music(b, first);
+    }
+}
+
+void sound_begin(struct board *b)
+{
+    voices_step(&b->voices, rom(b));
+}
+
+void sound_end(struct board *b)
+{
+    step_music(b);
+    cues_step(&b->cues, rom(b), play_cue, b);
+    step_duck(b);
+    b->voices.gain1 = gain(b);
+}
+
+/* ---- what is asked for ---- */
+
+static uint32_t ringing(const struct board *b)
+{
+    uint32_t rings = 0;
+
+    for (int i = 0; i < CUES; i++)
+        rings |= (uint32_t)voices_busy(&b->voices, VOICES_MUSIC + i) << i;
+    return rings;
+}
+
+void sound_play(struct board *b, const struct cue *cue)
+{
+    const uint32_t ended = cues_start(&b->cues, rom(b), cue, b->core.frame, ringing(b));
+
+    for (int i = 0; i < CUES; i++)
+        if (ended >> i & 1)
+            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+}
+
+void sound_stop(struct board *b, uint32_t tune)
+{
+    const uint32_t ended = cues_stop(&b->cues, tune);
+
+    for (int i = 0; i < CUES; i++)
+        if (ended >> i & 1)
+            voices_cut(&b->voices, VOICES_MUSIC + i, 0);
+}
+
+int16_t sound_place(const struct board *b, fx x)
+{
+    const int64_t half = (int64_t)b->cart.m.field_w << 15;
+    int64_t place = (x - half) * TUNE_PAN * 2 / (3 * half);
+
+    place = place > TUNE_PAN ? TUNE_PAN : place < -TUNE_PAN ? -TUNE_PAN : place;
+    return (int16_t)place;
+}
+
+/* Many in a row are a noise: frames from one to the next. */
+static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
+
+void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
+{
+    const uint32_t next = b->core.frame + 1, since = next - b->cues.last[cue];
+
+    if (b->cues.last[cue] && since > 0 && since < apart[cue])
+        return;
+    b->cues.last[cue] = next;
+    sound_play(b, &(struct cue){ b->cart.cue[cue], 256, sound_place(b, x), 0 });
+}
+
+/* ---- music ---- */
+
+/* What is asked for begins when what plays has faded: one that fades already does not become louder for it. */
+static void begin_fade(struct board *b, int32_t fade)
+{
+    struct seq *s = &b->music;
+
+    if (s->fade_over && s->fade <= fade)
+        return;
+    const int64_t over = s->fade_over ? (int64_t)s->fade_over * fade / s->fade : fade;
+    s->fade_over = (uint16_t)(over > fade ? over : fade);
+    s->fade = (uint16_t)fade;
+}
+
+/* Piece `index`, 0: none, begins now, at a beat or a bar, or after a fade. */
+static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
+{
+    struct seq *s = &b->music;
+
+    s->next_back = how->back && !(s->fade_over && !s->next); /* what ends is not put aside */
+    s->next = index;
+    s->next_waits = 0;
+    s->when = 0;
+    if (s->tune && how->at) {
+        const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
+        s->fade = s->fade_over = 0;
+        seq_wait(s, how->at == MUSIC_AT_BAR ? t.bar : 1);
+    } else if (s->tune && how->fade > 0)
+        begin_fade(b, how->fade);
+    else
+        change_music(b, 0);
+}
+
+/* What was asked for is not: what plays goes on. */
+static void forget_next(struct seq *s)
+{
+    s->next = s->fade = s->fade_over = 0;
+    s->next_back = s->next_waits = 0;
+    s->when = 0;
+}
+
+bool sound_music(struct board *b, int tune, const struct music_how *how)
+{
+    struct seq *s = &b->music;
+    const uint16_t index = (uint16_t)(tune + 1);
+
+    if (how->again && !how->back && seq_kept(s, index) >= 0)
+        seq_forget(s, 0);
+    if (!how->again && goes(s) && s->next == index && s->next_back == how->back)
+        return false;
+    if (!how->again && s->tune == index && (!goes(s) || s->next_waits || s->fade == s->fade_over)) {
+        forget_next(s);
+        return false;
+    }
+    ask_music(b, index, how);
+    return true;
+}
+
+void sound_music_stop(struct board *b, int32_t fade)
+{
+    struct seq *s = &b->music;
+
+    if (fade == 0 || !s->tune) {
+        seq_forget(s, 0);
+        forget_next(s);
+    }
+    if (s->tune)
+        ask_music(b, 0, &(struct music_how){ .fade = fade });
+}
+
+static void drop_kept(struct board *b, int i)
+{
+    for (int k = i; k + 1 < b->music.aside; k++)
+        voices_shift(&b->voices, k, k + 1);
+    seq_drop(&b->music, i);
+}
+
+void sound_music_back(struct board *b, int tune, int32_t fade)
+{
+    struct seq *s = &b->music;
+    const uint16_t index = (uint16_t)(tune + 1);
+    const int kept = seq_kept(s, index);
+
+    if (goes(s) && s->next == index && s->next_back)
+        forget_next(s);
+    else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
+        drop_kept(b, kept);
+        s->next = s->aside ? s->kept[s->aside - 1] : 0;
+    } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
+        s->next_back = 0;
+    else if (s->tune == index && !goes(s))
+        ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
+    else if (kept >= 0)
+        drop_kept(b, kept);
+}
+
+void sound_volume(struct board *b, uint16_t level, int32_t over)
+{
+    struct seq *s = &b->music;
+
+    s->level_to = level;
+    s->level_over = (uint16_t)over;
+    if (over == 0)
+        s->level = level;
+}
+
+void sound_power(struct board *b)
+{
+    b->music.level = b->music.level_to = SEQ_FULL;
+    b->voices.gain0 = b->voices.gain1 = VOICE_GAIN;
+}
+
+void sound_game(struct board *b)
+{
+    struct seq *s = &b->music;
+
+    memset(s->heard, 0, sizeof s->heard);
+    sound_skip(b, false);
+    s->level = s->level_to = SEQ_FULL;
+    s->level_over = 0;
+    sound_music_stop(b, 0);
+}
+
+/* ---- on the way to a mark ---- */
+
+enum {
+    PASS_WORK = 64,             /* of a frame of music */
+    LONGEST_PASS = 60 * 60 * 60 /* frames: an hour, on all of the way */
+};
+
+/* n frames of the music alone, each the rest of one tick and the beginning of the next. */
+static uint64_t pass(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    int64_t i = 0;
+
+    for (; i < n && s->passed < LONGEST_PASS && s->tune; i++, s->passed++) {
+        step_music(b);
+        b->voices.gain1 = gain(b);
+        voices_step(&b->voices, rom(b));
+    }
+    return (uint64_t)i * PASS_WORK;
+}
+
+uint64_t sound_pass_wait(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    const int64_t ahead = n < INT32_MAX ? s->ahead + n : INT32_MAX;
+
+    s->ahead = (uint32_t)(ahead < INT32_MAX ? ahead : INT32_MAX);
+    return pass(b, n);
+}
+
+uint64_t sound_pass_clock(struct board *b, int64_t n)
+{
+    struct seq *s = &b->music;
+    const int64_t left = n - s->ahead;
+
+    s->ahead = left < 0 ? (uint32_t)-left : 0;
+    return pass(b, left);
+}
+
+uint64_t sound_pass_fight(struct board *b)
+{
+    uint64_t work = 0, more = 1;
+
+    while (goes(&b->music) && more > 0)
+        work += more = pass(b, 1);
+    return work;
+}
+
+void sound_skip(struct board *b, bool on)
+{
+    b->music.passes = on;
+    b->music.ahead = b->music.passed = 0;
+}

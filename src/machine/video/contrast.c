@@ -1,0 +1,82 @@
+/*
+ * contrast.c - see contrast.h. A bullet is compared pixel by pixel with the picture without bullets. Many have a core
+ * or a rim in the colour of what they fly over and are well seen by the rest, so it is the share of the pixels that
+ * counts, and a small one will do.
+ */
+#include "contrast.h"
+#include "../machine.h"
+#include "video.h"
+
+static int apart(uint32_t a, uint32_t b)
+{
+    static const int weight[3] = { 1, 3, 2 };
+    int sum = 0;
+
+    for (int k = 0; k < 3; k++) {
+        int d = (int)(a >> 8 * k & 255) - (int)(b >> 8 * k & 255);
+        sum += weight[k] * (d < 0 ? -d : d);
+    }
+    return sum;
+}
+
+static struct image image_of(const struct board *b, uint32_t i)
+{
+    const struct bullets *s = &b->bullets;
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    uint16_t kind = s->kind[i];
+    uint32_t age = bullets_age(s, i, b->core.clock);
+    bool along = k->flags[kind] & KIND_TURNS;
+
+    return video_image(&b->pictures[k->sprite[kind]], age, along || k->spin[kind],
+                       (along ? s->dir[i] : 0) + k->spin[kind] * age);
+}
+
+/* The percent of bullet i's pixels in the clip that stand out; -1: none is there. */
+static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[256], const struct cart_look *look,
+                 uint32_t i)
+{
+    const struct sprite *pic = &b->pictures[b->bullet_kinds.sprite[b->bullets.kind[i]]];
+    unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
+    struct image image = image_of(b, i);
+    int x0 = b->cart.m.field_x + fx_floor(b->bullets.x[i]) - pic->ox;
+    int y0 = b->cart.m.field_y + fx_floor(b->bullets.y[i]) - pic->oy;
+    int all = 0, out = 0;
+
+    for (int y = 0; y < image.h; y++)
+        for (int x = 0; x < image.w; x++) {
+            uint8_t p = image.pix[y * image.pitch + x];
+            if (!p || x0 + x < fb->x0 || x0 + x >= fb->x1 || y0 + y < fb->y0 || y0 + y >= fb->y1)
+                continue;
+            uint8_t under = fb->pix[(y0 + y) * fb->pitch + x0 + x], over = (uint8_t)(p + 16 * b->bullets.bank[i]);
+            if (blend)
+                over = look->blend[blend - 1][under << 8 | over];
+            all++;
+            out += apart(rgb[under], rgb[over]) >= CONTRAST_STEP;
+        }
+    return all ? 100 * out / all : -1;
+}
+
+void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context)
+{
+    const struct bullets *s = &b->bullets;
+    const struct cart_look look = video_look(b);
+    uint32_t rgb[256];
+    int n = 0;
+
+    video_behind(b, fb, rgb, scratch);
+    EACH_LIVE (i, &s->s) {
+        uint16_t kind = s->kind[i];
+        if (b->bullet_kinds.flags[kind] & KIND_CLOUD || b->bullet_kinds.shape[kind] == SHAPE_NONE)
+            continue;
+        struct contrast_bullet one = { .kind = board_name(b, N_BULLET, kind),
+                                       .bank = s->bank[i],
+                                       .x = fx_floor(s->x[i]),
+                                       .y = fx_floor(s->y[i]),
+                                       .share = share(b, fb, rgb, &look, i) };
+        if (one.share < 0 || !one.kind)
+            continue;
+        visit(context, &one);
+        if (++n == CONTRAST_BULLETS)
+            break;
+    }
+}

@@ -1,0 +1,535 @@
+/*
+ * video.c - the picture: const RAM to framebuffer, in the fixed draw order
+ *
+ *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
+ *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
+ *     over it, text, lines
+ *
+ * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
+ * anything else is drawn over them.
+ *
+ * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
+ * (video_bullets.c).
+ */
+#include <assert.h>
+#include <string.h>
+#include "../../../fb/blit.h"
+#include "../../../fb/text.h"
+#include "../../base/bytes.h"
+#include "video.h"
+
+struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir)
+{
+    uint32_t frame = s->frames > 1 ? age / (s->every ? s->every : 1) % s->frames : 0;
+    uint32_t turn = turns ? (uint32_t)(((uint64_t)dir * s->rotations + (1u << 31)) >> 32) % s->rotations : 0;
+
+    return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
+}
+
+void video_paint(struct draw_target *c, const struct image *img, int x, int y, uint8_t bank, unsigned flip,
+                 unsigned blend)
+{
+    if (!blend)
+        blit_sprite(c->fb, img, x, y, bank, flip);
+    else if (c->look.mix[blend - 1] == BLIT_TABLE || !blit_ramped(c->fb, img, x, y, bank, flip, c->look.mix[blend - 1]))
+        blit_blended(c->fb, img, x, y, bank, flip, c->look.blend[blend - 1]);
+}
+
+void video_batch_begin(struct video_batch *q, struct draw_target *c)
+{
+    q->c = c;
+    q->n = 0;
+    q->size = (struct image){ 0 };
+    q->mix = BLIT_OPAQUE;
+}
+
+void video_batch_end(struct video_batch *q)
+{
+    blit_batch(q->items, q->n, q->c->fb->pitch, q->size.w, q->size.h, q->size.pitch, q->mix);
+    q->n = 0;
+}
+
+/* From here on another size and mix wait. */
+static void open_batch(struct video_batch *q, const struct image *image, enum blit_mix mix)
+{
+    video_batch_end(q);
+    q->size = *image;
+    q->mix = mix;
+    q->safe = stamp_corners(q->c->fb, image->w, image->h);
+}
+
+void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
+                     unsigned blend)
+{
+    const struct fb *fb = q->c->fb;
+    const enum blit_mix mix = blend ? (enum blit_mix)q->c->look.mix[blend - 1] : BLIT_OPAQUE;
+
+    if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
+        open_batch(q, image, mix);
+    if (flip || mix == BLIT_TABLE || (uint32_t)(x - q->safe.x0) >= q->safe.wide ||
+        (uint32_t)(y - q->safe.y0) >= q->safe.high) {
+        video_batch_end(q);
+        video_paint(q->c, image, x, y, bank, flip, blend);
+        return;
+    }
+    q->items[q->n++] = (struct blit_item){ image->pix, fb->pix + (ptrdiff_t)y * fb->pitch + x, bank };
+    if (q->n == VIDEO_BATCH)
+        video_batch_end(q);
+}
+
+static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                unsigned blend)
+{
+    const struct sprite *s = &c->b->pictures[sprite];
+    struct image img = video_image(s, age, false, 0);
+
+    video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    c->drawn++;
+}
+
+/* The same, in a batch. */
+static void put_later(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                      unsigned blend)
+{
+    const struct sprite *s = &q->c->b->pictures[sprite];
+    struct image img = video_image(s, age, false, 0);
+
+    video_batch_put(q, &img, q->c->x + fx_floor(x) - s->ox, q->c->y + fx_floor(y) - s->oy, bank, flip, blend);
+    q->c->drawn++;
+}
+
+void video_clip_field(const struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+
+    fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+}
+
+/* One of the screen's own, beside the field's. */
+static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
+{
+    const struct sprites *s = &c->b->sprites;
+    struct draw_target at = *c;
+
+    fb_clip_all(c->fb);
+    at.x = at.y = 0;
+    put(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+        (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+    c->drawn++;
+    video_clip_field(c);
+}
+
+/* The layers in which there are sprites. */
+static unsigned sprite_layers(const struct sprites *s)
+{
+    unsigned layers = 0;
+
+    EACH_LIVE (i, &s->s)
+        layers |= 1u << (s->layer[i] & 31);
+    return layers;
+}
+
+static void draw_sprites(struct draw_target *c, int layer)
+{
+    const struct sprites *s = &c->b->sprites;
+    struct video_batch q;
+
+    if (!(c->layers >> layer & 1))
+        return;
+    video_batch_begin(&q, c);
+    EACH_LIVE (i, &s->s) {
+        if (s->layer[i] != layer || s->flags[i] & SPRITE_HIDDEN)
+            continue;
+        const uint32_t age = c->b->core.clock - s->born[i];
+        fx x = s->x[i], y = s->y[i];
+        if (s->flags[i] & SPRITE_FOLLOW)
+            board_where(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
+        if (s->flags[i] & SPRITE_SCREEN) {
+            video_batch_end(&q);
+            put_on_screen(c, i, x, y, age);
+        } else
+            put_later(&q, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+                      (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+    }
+    video_batch_end(&q);
+}
+
+/* Options of a layer. */
+static void draw_options(struct draw_target *c, int layer)
+{
+    const struct options *o = &c->b->options;
+    const struct option_kinds *k = &c->b->option_kinds;
+
+    EACH_LIVE (i, &o->s)
+        if (k->layer[o->kind[i]] == layer && !(o->flags[i] & OPTION_HIDDEN))
+            put(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], o->x[i], o->y[i], o->bank[i], 0, 0);
+}
+
+static void draw_items(struct draw_target *c)
+{
+    const struct items *s = &c->b->items;
+    const struct item_kinds *k = &c->b->item_kinds;
+    struct video_batch q;
+
+    video_batch_begin(&q, c);
+    EACH_LIVE (i, &s->s)
+        put_later(&q, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
+                  (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
+    video_batch_end(&q);
+}
+
+/* The brightest colour there is, or the darkest; of several the first. */
+static uint8_t extreme(const struct board *b, bool bright)
+{
+    uint32_t best = bright ? 0 : UINT32_MAX;
+    int at = 0;
+
+    for (int i = 0; i < COLOURS; i++) {
+        uint32_t rgb = b->pal.rgb[i], sum = (rgb >> 16) + (rgb >> 8 & 255) + (rgb & 255);
+        bool better = bright ? sum > best : sum < best;
+        at = better ? i : at;
+        best = better ? sum : best;
+    }
+    return (uint8_t)at;
+}
+
+static void put_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
+{
+    const struct enemies *e = &c->b->enemies;
+    const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
+    struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
+
+    blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox + dx, c->y + fx_floor(e->y[i]) - s->oy + dy,
+               extreme(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
+}
+
+/* What its picture is drawn over then, so that only a line round it is white. */
+static void put_white_rim(struct draw_target *c, uint32_t i)
+{
+    put_white(c, i, -1, 0, 0);
+    put_white(c, i, 1, 0, 0);
+    put_white(c, i, 0, -1, 0);
+    put_white(c, i, 0, 1, 0);
+}
+
+static void draw_enemies(struct draw_target *c)
+{
+    const struct enemies *e = &c->b->enemies;
+    const struct enemy_kinds *k = &c->b->enemy_kinds;
+
+    EACH_LIVE (i, &e->s) {
+        if (e->flags[i] & ENEMY_HIDDEN)
+            continue;
+        const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i);
+        const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_SOFT;
+        const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
+        if (white && soft && !blend)
+            put_white_rim(c, i);
+        if (!white || soft)
+            put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
+                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
+        else
+            c->drawn++;
+        if (white && (!soft || blend)) /* through what is blended a rim would be seen whole */
+            put_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
+    }
+}
+
+/* A player that cannot be hit blinks. */
+static void draw_players(struct draw_target *c)
+{
+    const struct player *p = &c->b->player;
+
+    for (uint32_t i = 0; i < PADS; i++)
+        if (p->in[i] && !(p->safe[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
+            put(c, player_picture(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
+                p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
+}
+
+/* Those over the bullets, or those under the players. */
+static void draw_sparks(struct draw_target *c, bool under)
+{
+    const struct sparks *s = &c->b->sparks;
+    struct video_batch q;
+
+    video_batch_begin(&q, c);
+    EACH_LIVE (i, &s->s) {
+        uint16_t kind = s->kind[i];
+        const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
+        uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
+        if (under != (bool)(bank & SPARK_UNDER))
+            continue;
+        uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
+        put_later(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
+                  bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
+    }
+    video_batch_end(&q);
+}
+
+enum { FEW_CELLS = 8, MANY_CELLS = 64 };
+
+/* Does one of many cells have a bit in these columns? page: NULL, or its column. */
+static bool some_code(const uint8_t *restrict code)
+{
+    uint8_t any = 0;
+
+    for (int k = 0; k < MANY_CELLS; k++)
+        any |= code[k];
+    return any;
+}
+
+static bool some_page(const uint16_t *restrict page)
+{
+    uint16_t any = 0;
+
+    for (int k = 0; k < MANY_CELLS; k++)
+        any |= page[k];
+    return any;
+}
+
+/* How many cells from i on show nothing, and are passed over at a time; i does not. */
+static uint32_t empty_cells(const struct fix *f, uint32_t i)
+{
+    const uint16_t *page = f->page ? f->page + i : NULL;
+
+    if (i + MANY_CELLS <= f->s.live && !some_code(f->code + i) && !(page && some_page(page)))
+        return MANY_CELLS;
+    if (i + FEW_CELLS <= f->s.live && !bytes_get64(f->code + i) &&
+        !(page && (page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7])))
+        return FEW_CELLS;
+    return 1;
+}
+
+/* The first cell from i on that shows a character; as many as there are cells: none does. */
+static uint32_t next_cell(const struct fix *f, uint32_t i)
+{
+    while (i < f->s.live && !fix_code(f, i))
+        i += empty_cells(f, i);
+    return i;
+}
+
+/* All rims from a cell on, so that none covers a letter. */
+static void draw_rims(struct draw_target *c, const struct font *font, uint32_t first)
+{
+    const struct fix *f = &c->b->fix;
+    int dark = -1;
+
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
+        if (!(f->bank[i] & FIX_RIM))
+            continue;
+        dark = dark < 0 ? extreme(c->b, false) : dark;
+        if (f->page || f->bank[i] & FIX_QUARTERS)
+            video_cell_rim(c, i, (uint8_t)dark);
+        else
+            text_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                     (uint8_t)dark);
+    }
+}
+
+static void draw_text(struct draw_target *c)
+{
+    const struct fix *f = &c->b->fix;
+    const struct cart *cart = &c->b->cart;
+    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+
+    const uint32_t first = next_cell(f, 0);
+
+    fb_clip_all(c->fb);
+    draw_rims(c, &font, first);
+    for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1))
+        if (f->page || f->bank[i] & FIX_QUARTERS)
+            video_cell(c, i);
+        else
+            text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                       f->bank[i] & FIX_BANK);
+}
+
+/* What is beside the field. */
+static void clear_sides(struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+    const int right = m->field_x + m->field_w, bottom = m->field_y + m->field_h;
+
+    fb_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
+    fb_rect(c->fb, 0, m->field_y, m->field_x, m->field_h, 0);
+    fb_rect(c->fb, right, m->field_y, m->screen_w - right, m->field_h, 0);
+    fb_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
+}
+
+/* Where nothing is drawn on the n px beside the line `from` (next to the field's shaken edge), it shows what is as far
+ * on the other side of the line. step: from pixel to pixel away from the line; along, lines: the next line. */
+static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
+{
+    for (int i = 0; i < lines; i++, from += along)
+        for (int k = 0; k < n; k++)
+            if (!from[k * step])
+                from[k * step] = from[(-1 - k) * step];
+}
+
+/* The background ends where the field does: what a shake uncovers shows its mirror image. */
+static void fill_edges(struct draw_target *c)
+{
+    const struct fb *fb = c->fb;
+    int dx = c->x - c->b->cart.m.field_x, dy = c->y - c->b->cart.m.field_y;
+    int w = fb->x1 - fb->x0, h = fb->y1 - fb->y0, nx = dx < 0 ? -dx : dx, ny = dy < 0 ? -dy : dy;
+    uint8_t *corner = fb->pix + fb->y0 * fb->pitch + fb->x0;
+
+    nx = nx < w / 2 ? nx : w / 2;
+    ny = ny < h / 2 ? ny : h / 2;
+    mirror(corner + (dx > 0 ? nx - 1 : w - nx), nx, dx > 0 ? -1 : 1, h, fb->pitch);
+    mirror(corner + (dy > 0 ? ny - 1 : h - ny) * fb->pitch, ny, dy > 0 ? -fb->pitch : fb->pitch, w, 1);
+}
+
+static void draw_plates(struct draw_target *c, int layer)
+{
+    const struct sprites *s = &c->b->sprites;
+
+    if (!(c->layers >> layer & 1))
+        return;
+    fb_clip_all(c->fb);
+    EACH_LIVE (i, &s->s)
+        if (s->layer[i] == layer && !(s->flags[i] & SPRITE_HIDDEN))
+            video_plate(c, fx_floor(s->x[i]), fx_floor(s->y[i]), s->sprite[i], (int)s->born[i], s->bank[i]);
+    video_clip_field(c);
+}
+
+/* What no dim darkens. */
+static void draw_over(struct draw_target *c)
+{
+    draw_plates(c, LAYER_PLATE);
+    draw_sprites(c, LAYER_OVER);
+    draw_plates(c, LAYER_PLATE_FRONT);
+    draw_text(c);
+    if (c->b->lines.s.live)
+        video_lines(c);
+}
+
+/* The colours that draw_over draws with, of a picture that is drawn anew afterwards. */
+static void find_over(struct draw_target c, bool over[COLOURS])
+{
+    memset(over, 0, COLOURS * sizeof *over);
+    fb_fill(c.fb, 0);
+    video_clip_field(&c);
+    draw_over(&c);
+    for (int y = 0; y < c.fb->h; y++)
+        for (int x = 0; x < c.fb->w; x++)
+            over[c.fb->pix[y * c.fb->pitch + x]] = true;
+}
+
+/* Over the field, under the text. */
+static void draw_bars(struct draw_target *c)
+{
+    const struct manifest *m = &c->b->cart.m;
+    int h = screen_bars(&c->b->screen, c->b->core.clock);
+
+    fb_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
+    fb_rect(c->fb, m->field_x, m->field_y + m->field_h - h, m->field_w, h, 0);
+}
+
+static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
+{
+    fx share = screen_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT : 1);
+
+    for (int i = 0; share && i < COLOURS; i++)
+        rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
+}
+
+static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
+
+/* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
+static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
+{
+    const uint8_t *shades = look->shades ? look->shades : view->shades;
+
+    return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
+}
+
+/* Where the picture of this frame is drawn, and whether it is shaken. */
+static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
+{
+    const struct manifest *m = &b->cart.m;
+    struct draw_target c = {
+        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b), false
+    };
+    int dx, dy;
+
+    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    *shaken = dx || dy;
+    c.x += dx;
+    c.y += dy;
+    if (*shaken)
+        c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
+    return c;
+}
+
+/* All that is under the bullets. */
+static void draw_behind(struct draw_target *c, bool shaken)
+{
+    const struct board *b = c->b;
+    const bool covered = video_bg_covers(b);
+
+    fb_clip_all(c->fb);
+    if (covered)
+        clear_sides(c);
+    else
+        fb_fill(c->fb, 0);
+    video_clip_field(c);
+    video_bg(c, false);
+    draw_sprites(c, LAYER_BACK);
+    if (!c->shade) /* options are the ship's: no view dims them */
+        draw_options(c, LAYER_BACK);
+    if (shaken && !covered)
+        fill_edges(c);
+    if (c->shade) {
+        video_shade(c);
+        draw_options(c, LAYER_BACK);
+    }
+    draw_items(c);
+    draw_enemies(c);
+    video_bullets(c, &b->shots, &b->shot_kinds);
+    video_lasers(c, true);
+    draw_sparks(c, true);
+    draw_sprites(c, LAYER_MIDDLE);
+    draw_options(c, LAYER_MIDDLE);
+    draw_players(c);
+}
+
+void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+{
+    bool shaken;
+    struct draw_target c = target(b, fb, scratch, VIDEO_OVERDRAW, &shaken);
+
+    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    draw_behind(&c, shaken);
+}
+
+struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
+                              void *scratch, int overdraw)
+{
+    static const struct view plain;
+    const struct view *v = view ? view : &plain;
+    const fx dim = screen_dim(&b->screen, b->core.frame);
+    bool shaken, over[COLOURS];
+    struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
+
+    c.shade = shade_of(&c.look, v);
+    c.soft = v->soft_flashes;
+    memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
+    draw_flash(b, v->soft_flashes, rgb);
+    if (dim)
+        find_over(c, over);
+    draw_behind(&c, shaken);
+    video_bullets(&c, &b->bullets, &b->bullet_kinds);
+    video_lasers(&c, false);
+    draw_sparks(&c, false);
+    draw_sprites(&c, LAYER_FRONT);
+    draw_options(&c, LAYER_FRONT);
+    video_bg(&c, true);
+    draw_bars(&c);
+    if (dim)
+        video_dim(&c, rgb, over, dim);
+    draw_over(&c);
+    for (int i = 0; v->colours && i < COLOURS; i++)
+        rgb[i] = view_colour(v->colours, rgb[i]);
+    return c;
+}

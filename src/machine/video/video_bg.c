@@ -1,0 +1,365 @@
+/*
+ * video_bg.c - draws the background (bg.h): from back to front layer 1, the plane, layers 2 to 4; those that are in
+ * front, over all sprites.
+ *
+ * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
+ * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an
+ * empty tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows.
+ * What is mixed with what is under it is put together in a buffer first, a row at a time.
+ *
+ * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
+ * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
+ * the last, and only where a row begins is rounded.
+ */
+#include "../../../fb/row.h"
+#include "../../../fb/tiles.h"
+#include "../../base/bytes.h"
+#include "../../base/int.h"
+#include "../../base/trig.h"
+#include "video.h"
+#include <string.h>
+
+enum { ROW = 1024 + 64 /* the widest field, and a tile more on each side */ };
+
+/* How the rows of a layer or of the plane go onto the surface. */
+struct brush {
+    uint8_t bank;
+    const uint8_t *to;    /* what each colour is shown as, or NULL */
+    const uint8_t *table; /* a blend's, or NULL */
+};
+
+static int64_t modulo(int64_t a, int64_t n)
+{
+    int64_t r = a % n;
+
+    return r < 0 ? r + n : r;
+}
+
+/* n pixels from s into row y of the field, from column x on. */
+static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
+{
+    const struct manifest *m = &c->b->cart.m;
+    uint8_t *d = c->fb->pix + (m->field_y + y) * c->fb->pitch + m->field_x + x;
+
+    if (b->to || b->table)
+        row_mix(d, s, n, b->bank, b->to, b->table);
+    else if (solid)
+        row_copy(d, s, n, b->bank);
+    else
+        row_cover(d, s, n, b->bank);
+}
+
+/* The tiles that rows of a layer show: where each begins among the map's pixels. Rows of the same tiles share them. */
+struct tiles {
+    uint32_t at[ROW / 8];
+    uint8_t tile[ROW / 8]; /* enum tile */
+    int n, col, row;       /* how many, from which cell on */
+};
+
+/* Finds n tiles from cell (col, row) on, starting over at the map's right edge. */
+static void find_tiles(const struct map *m, int col, int row, int n, struct tiles *t)
+{
+    const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
+    const uint32_t size = (uint32_t)(m->side * m->side);
+
+    t->n = n;
+    t->col = col;
+    t->row = row;
+    for (int k = 0; k < n; k++) {
+        size_t tile = bytes_get16(cells + 2 * col);
+        t->at[k] = (uint32_t)tile * size;
+        t->tile[k] = m->solid[tile] ? TILE_SOLID : tile ? TILE_HOLES : TILE_EMPTY;
+        if (++col == m->cols)
+            col = 0;
+    }
+}
+
+/* Row `in` of each tile, in one piece. */
+static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_t *to)
+{
+    for (int k = 0; k < t->n; k++)
+        memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
+}
+
+/* One table that shows each colour as `then` shows what `first` shows it as; either may be NULL, and so the result. */
+static const uint8_t *chain(const uint8_t *first, const uint8_t *then, uint8_t both[256])
+{
+    if (!first || !then)
+        return first ? first : then;
+    for (int k = 0; k < 256; k++)
+        both[k] = then[first[k]];
+    return both;
+}
+
+static struct brush brush_of(const struct draw_target *c, uint32_t i)
+{
+    const struct board *b = c->b;
+    const unsigned blend = (b->bg.flags[i] & BG_BLEND) / BG_BLEND_ONE;
+    struct brush brush = { (uint8_t)(b->bg.bank[i] * 16), NULL, blend ? c->look.blend[blend - 1] : NULL };
+
+    if (bg_dark(&b->bg))
+        brush.to = b->bg_shades.to + BG_BLACK_TABLES + (bg_dark(&b->bg) - 1) * 256;
+    return brush;
+}
+
+/* A shake moves the maps in the field, so that they go on to its edges. */
+static int shaken_x(const struct draw_target *c)
+{
+    return c->x - c->b->cart.m.field_x;
+}
+
+static int shaken_y(const struct draw_target *c)
+{
+    return c->y - c->b->cart.m.field_y;
+}
+
+/* What rows of the field show of a layer: columns [from, to) of the field, from (x, my) of the map on. */
+struct shown_rows {
+    int64_t aside; /* the map's left edge, from the field's */
+    int64_t from, to, x, my;
+    int y, n; /* the first, and how many: all are of one row of tiles and as far aside */
+};
+
+/* Columns of a map that wraps. What is as far aside as the last needs no division. */
+static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh)
+{
+    if (r->aside != aside)
+        r->x = modulo(-aside, mw);
+    r->aside = aside;
+    r->my -= r->my == mh ? mh : 0;
+    return true;
+}
+
+/* Of one that does not. False: nothing is there. */
+static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh, int w)
+{
+    r->from = aside > 0 ? aside : 0;
+    r->to = mw + aside < w ? mw + aside : w;
+    r->x = r->from - aside;
+    return r->my >= 0 && r->my < mh && r->from < r->to;
+}
+
+/* How far aside the layer is in row y of the field. */
+static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, int dy)
+{
+    const struct bg *g = &c->b->bg;
+    const int line = (int)int64_clamp(y - dy, 0, c->b->cart.m.field_h - 1);
+
+    return ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
+}
+
+/* A tile that is cut off by the clip: its columns [from, to). */
+static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
+                    int rows, int from, int to, uint8_t add)
+{
+    const uint8_t *s = m->pix + t->at[k] + in * m->side;
+
+    for (int y = 0; y < rows && t->tile[k] != TILE_EMPTY; y++, d += c->fb->pitch, s += m->side)
+        row_cover(d + from, s + from, to - from, add);
+}
+
+/* Rows onto the surface, tile by tile. A tile at an edge goes on into the surface's band where there is one. */
+static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int side = m->side, skip = (int)r->x & (side - 1), in = (int)r->my & (side - 1);
+    const int left = c->b->cart.m.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
+    uint8_t *d = c->fb->pix + (c->b->cart.m.field_y + r->y) * c->fb->pitch + left;
+    const bool cut_left = left < c->fb->sx0;
+    const bool cut_right = left + t->n * side > c->fb->sx1;
+    const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
+
+    if (cut_left)
+        lay_cut(c, t, m, 0, d, in, r->n, skip, end < side ? end : side, add);
+    tiles_draw(d + first * side, c->fb->pitch, m->pix + in * side, t->at + first, t->tile + first, last - first, side,
+               r->n, add);
+    if (last < t->n)
+        lay_cut(c, t, m, last, d + last * side, in, r->n, 0, end - last * side, add);
+}
+
+/* The same, mixed or shown otherwise, row by row. */
+static void lay_mixed(struct draw_target *c, const struct brush *b, const struct map *m, const struct tiles *t,
+                      const struct shown_rows *r)
+{
+    const int skip = (int)r->x & (m->side - 1), in = (int)r->my & (m->side - 1);
+    uint8_t row[ROW];
+
+    for (int k = 0; k < r->n; k++) {
+        put_tiles(m, t, in + k, row);
+        lay(c, b, row + skip, (int)r->from, r->y + k, (int)(r->to - r->from), false);
+    }
+}
+
+static void lay_rows(struct draw_target *c, const struct brush *b, const struct map *m, struct tiles *t,
+                     const struct shown_rows *r)
+{
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    const int col = (int)r->x >> shift, row = (int)r->my >> shift;
+    const int n = (((int)r->x & mask) + (int)(r->to - r->from) + mask) >> shift;
+
+    if (t->n != n || t->col != col || t->row != row)
+        find_tiles(m, col, row, n, t);
+    if (b->to || b->table)
+        lay_mixed(c, b, m, t, r);
+    else
+        lay_tiles(c, b->bank, m, t, r);
+}
+
+static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
+{
+    const struct bg *g = &c->b->bg;
+    struct brush brush = brush_of(c, i);
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, dx = shaken_x(c), dy = shaken_y(c);
+    const bool wraps = g->flags[i] & BG_WRAP;
+    struct tiles tiles = { .n = -1 };
+    uint8_t both[256];
+    struct map m;
+
+    brush.to = chain(brush.to, shade, both);
+    cart_map(&c->b->cart, g->map[i] - 1, &m);
+    const int64_t mw = m.cols * m.side, mh = m.rows * m.side, top = (g->y[i] >> 16) + dy;
+    struct shown_rows r = { .aside = INT64_MIN, .to = w, .my = wraps ? modulo(-top, mh) : -top };
+    for (int64_t aside = aside_at(c, i, 0, dx, dy), next = aside; r.y < h; r.y += r.n, r.my += r.n, aside = next) {
+        const bool shown = wraps ? columns_wrap(&r, aside, mw, mh) : columns_once(&r, aside, mw, mh, w);
+        const int most = shown ? m.side - ((int)r.my & (m.side - 1)) : 1;
+        r.n = 0;
+        do
+            next = ++r.n + r.y < h ? aside_at(c, i, r.y + r.n, dx, dy) : aside;
+        while (r.n < most && r.y + r.n < h && next == aside);
+        if (shown)
+            lay_rows(c, &brush, &m, &tiles, &r);
+    }
+    c->drawn++;
+}
+
+/* How a row of the plane is walked: place and step in Q32, both from 0 to the map's size. */
+struct walk {
+    int64_t u, v, du, dv;
+};
+
+/* n pixels of the map along the walk. */
+static bool walk_row(const struct map *m, struct walk a, int n, uint8_t *row)
+{
+    const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
+    const int shift = m->side == 8 ? 3 : m->side == 16 ? 4 : 5, mask = m->side - 1;
+    uint8_t solid = 1;
+
+    for (int x = 0; x < n; x++) {
+        int u = (int)(a.u >> 32), v = (int)(a.v >> 32);
+        size_t tile = bytes_get16(m->cells + 2 * (size_t)((v >> shift) * m->cols + (u >> shift)));
+        row[x] = m->pix[(tile << 2 * shift) + (size_t)((v & mask) << shift | (u & mask))];
+        solid &= m->solid[tile];
+        a.u += a.du;
+        a.u -= a.u >= w ? w : 0;
+        a.v += a.dv;
+        a.v -= a.v >= h ? h : 0;
+    }
+    return solid;
+}
+
+/* Where row k halves from the horizon begins; s: its px of plane a pixel, Q16. */
+static struct walk walk_of(const struct bg *g, const struct map *m, int field_w, int64_t s)
+{
+    const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
+    const int64_t ahead_x = s * trig_cos30(g->dir[BG_PLANE]) >> 14, ahead_y = s * trig_sin30(g->dir[BG_PLANE]) >> 14;
+    const int64_t u = modulo(g->x[BG_PLANE], w >> 16) * 65536 + field_w * ahead_x - (1 - field_w) * ahead_y / 2;
+    const int64_t v = modulo(g->y[BG_PLANE], h >> 16) * 65536 + field_w * ahead_y + (1 - field_w) * ahead_x / 2;
+
+    return (struct walk){ modulo(u, w), modulo(v, h), modulo(-ahead_y, w), modulo(ahead_x, h) };
+}
+
+/* The walk from n columns farther on. */
+static struct walk skipped(struct walk a, const struct map *m, int n)
+{
+    a.u = modulo(a.u + n * a.du, (int64_t)m->cols * m->side << 32);
+    a.v = modulo(a.v + n * a.dv, (int64_t)m->rows * m->side << 32);
+    return a;
+}
+
+/* Which table of fog a row is shown by: 0 none, or 1 to BG_SHADES. */
+static int fog_at(const struct bg *g, int field_w, int64_t s)
+{
+    if (g->fog[BG_PLANE] == BG_NO_FOG)
+        return 0;
+    int64_t depth = s * field_w * BG_SHADES;
+    return depth / g->far[BG_PLANE] < BG_SHADES ? (int)(depth / g->far[BG_PLANE]) : BG_SHADES;
+}
+
+/* The table that fogs, then blackens, then shades. */
+static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t two[256],
+                                  uint8_t three[256])
+{
+    const uint8_t *first = fog ? c->b->bg_shades.to + BG_FOG_TABLES + (fog - 1) * 256 : NULL;
+
+    return chain(chain(first, brush_of(c, BG_PLANE).to, two), shade, three);
+}
+
+static void draw_plane(struct draw_target *c, const uint8_t *shade)
+{
+    const struct bg *g = &c->b->bg;
+    const int w = c->b->cart.m.field_w, h = c->b->cart.m.field_h, horizon = g->horizon[BG_PLANE] + shaken_y(c);
+    const bool ceiling = g->flags[BG_PLANE] & BG_CEILING;
+    struct brush brush = brush_of(c, BG_PLANE);
+    uint8_t row[ROW], two[256], three[256];
+    struct map m;
+    int fogged = -1;
+
+    cart_map(&c->b->cart, g->map[BG_PLANE] - 1, &m);
+    for (int y = 0; y < h; y++) {
+        int64_t away = ceiling ? 2 * (horizon - y) - 1 : 2 * (y - horizon) + 1;
+        if (away <= 0)
+            continue;
+        int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
+        int fog = fog_at(g, w, s);
+        if (fog != fogged)
+            brush.to = plane_table(c, fogged = fog, shade, two, three);
+        bool solid = walk_row(&m, skipped(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
+        lay(c, &brush, row, 0, y, w, solid);
+    }
+    c->drawn++;
+}
+
+static bool shown(const struct bg *g, uint32_t i, bool front)
+{
+    return g->map[i] && !(g->flags[i] & BG_HIDDEN) && !(g->flags[i] & BG_FRONT) == !front;
+}
+
+/* Does layer i hide all that is under it? */
+static bool covers(const struct board *b, uint32_t i)
+{
+    struct map m;
+
+    if (!shown(&b->bg, i, false) || !(b->bg.flags[i] & BG_WRAP) || b->bg.flags[i] & BG_BLEND)
+        return false;
+    cart_map(&b->cart, b->bg.map[i] - 1, &m);
+    return m.whole;
+}
+
+/* The frontmost layer that covers the field, or -1. */
+static int covering(const struct board *b)
+{
+    int i = (int)b->bg.s.live - 2;
+
+    while (i >= 0 && !covers(b, (uint32_t)i))
+        i--;
+    return i;
+}
+
+bool video_bg_covers(const struct board *b)
+{
+    return covering(b) >= 0;
+}
+
+void video_bg(struct draw_target *c, bool front)
+{
+    const struct bg *g = &c->b->bg;
+    const uint8_t *shade = front ? c->shade : NULL; /* what lies behind is shaded when back sprites are drawn too */
+    const int first = front ? 0 : covering(c->b);
+
+    for (int i = first < 0 ? 0 : first; i + 1 < (int)g->s.live; i++) {
+        if (shown(g, (uint32_t)i, front))
+            draw_layer(c, (uint32_t)i, shade);
+        if (i == 0 && shown(g, BG_PLANE, front))
+            draw_plane(c, shade);
+    }
+}

@@ -1,0 +1,761 @@
+/*
+ * video_bullets.c - draws bullets and shots, of which there may be a million.
+ *
+ * A counting sort, for which the chip has counted, lists every kind's bullets in slot order as destinations (stamp.h),
+ * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch;
+ * where they are turned, animated or blended, their slots are listed as well, and each one's own picture is picked,
+ * again in batches. Which of these a kind takes is decided once a kind, so that one that is drawn in another way slows
+ * no other. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the
+ * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
+ */
+#include <assert.h>
+#include <string.h>
+#include "../../../fb/stamp.h"
+#include "video.h"
+
+enum {
+    BATCH = 64,       /* pictures that are drawn in one go */
+    MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
+    TOP_OVERDRAW = 10 /* so often the topmost kinds would cover the field that are drawn, whatever is visible */
+};
+
+/* How a kind is drawn this frame. */
+struct style {
+    const struct sprite *pic;
+    bool turns; /* shows one of several turned copies */
+    bool along; /* the one that points along dir; turned on by spin a frame */
+    ang spin;
+    int order, area; /* area: px of its picture */
+    bool cloud;
+    unsigned blend; /* index + 1, 0: opaque */
+    enum blit_mix mix;
+    bool alike;  /* all show one picture, opaque or by a rule */
+    bool singly; /* drawn one by one: through a blend's table, and clouds, whose ages are stretched */
+    uint32_t n;
+    size_t pixels; /* that are opaque; of a layered kind */
+    uint32_t list; /* index of its part of the list */
+    uint32_t less; /* as in struct stamp_list */
+};
+
+struct lists {
+    struct style style[MAX_KINDS];
+    uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
+    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; of layers alone */
+    uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
+    bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
+    uint16_t order[MAX_KINDS];   /* kinds that have bullets, as they draw */
+    uint32_t kinds;
+    struct stamp stamp;
+    uint32_t *list, *slots; /* slots: of those that are listed as destinations, with some_own */
+    uint8_t *layer, *cells;
+};
+
+/* What bullets are listed for: a surface, with the field's corner on it, and the pixels at which a bullet of any kind
+ * needs no clipping, so that it is listed as a destination. */
+struct window {
+    const struct fb *fb;
+    int x, y;
+    int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
+    uint32_t from;      /* from a bullet's pixel, as an offset, to what is listed */
+    bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
+                         * pictures of their own may be listed as destinations */
+};
+
+static size_t aligned(size_t n)
+{
+    return (n + 63) / 64 * 64;
+}
+
+static size_t most_bullets(const struct manifest *m)
+{
+    return (size_t)(m->bullets > m->shots ? m->bullets : m->shots);
+}
+
+size_t video_bullets_scratch(const struct manifest *m)
+{
+    return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(m) * sizeof(uint32_t)) +
+           aligned(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
+}
+
+static struct lists *open_lists(const struct draw_target *c)
+{
+    uint8_t *at = (uint8_t *)aligned((uintptr_t)c->scratch);
+    struct lists *l = (struct lists *)at;
+
+    l->list = (uint32_t *)(at + aligned(sizeof *l));
+    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(most_bullets(&c->b->cart.m) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + aligned(most_bullets(&c->b->cart.m) * sizeof *l->slots);
+    l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
+    return l;
+}
+
+/* ---- the kinds that have bullets ---- */
+
+static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
+{
+    const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
+    const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
+    const enum blit_mix mix = blend ? (enum blit_mix)c->look.mix[blend - 1] : BLIT_OPAQUE;
+    const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
+    const ang spin = k->spin[kind];
+    const bool turns = (along || spin) && pic->rotations > 1;
+
+    slots_prefetch(pic->pix);
+    style->pic = pic;
+    style->along = along;
+    style->spin = spin;
+    style->turns = turns;
+    style->order = k->order[kind];
+    style->area = pic->w * pic->h;
+    style->blend = blend;
+    style->cloud = cloud;
+    style->mix = mix;
+    style->alike = !turns && pic->frames == 1 && mix != BLIT_TABLE;
+    style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
+}
+
+/* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
+static bool is_lower(const struct style *a, const struct style *b)
+{
+    if (a->order != b->order)
+        return a->order < b->order;
+    return a->area > b->area;
+}
+
+static void put_in_order(struct lists *l, uint16_t kind)
+{
+    uint32_t at = l->kinds++;
+
+    for (; at > 0; at--) {
+        if (!is_lower(&l->style[kind], &l->style[l->order[at - 1]]))
+            break;
+        l->order[at] = l->order[at - 1];
+    }
+    l->order[at] = kind;
+}
+
+static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k, struct lists *l)
+{
+    uint32_t list = 0;
+
+    l->kinds = 0;
+    for (uint32_t i = 0; i < k->s.live; i++) {
+        struct style *style = &l->style[i];
+        style->n = k->live[i];
+        if (!style->n)
+            continue;
+        find_style(c, k, i, style);
+        put_in_order(l, (uint16_t)i);
+        style->list = list;
+        list += style->n;
+    }
+}
+
+/* Where the picture of bullet i has its corner on the surface. */
+static void corner(const struct window *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
+{
+    const struct sprite *pic = l->style[s->kind[i]].pic;
+
+    *x = fx_floor(s->x[i]) + t->x - pic->ox;
+    *y = fx_floor(s->y[i]) + t->y - pic->oy;
+}
+
+/* For how long the picture of bullet i has stood. A cloud's is stretched, so that it is over with the delay. */
+static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
+{
+    const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
+    uint32_t stood = bullets_stood(s, i, clock), delay = s->end[i] - s->born[i];
+
+    if (!style->cloud)
+        return bullets_age(s, i, clock);
+    stood -= stood > 0; /* it is drawn after the frame in which it was fired */
+    return (uint32_t)((uint64_t)(stood < delay ? stood : delay - 1) * all / delay);
+}
+
+static struct image image_of(const struct draw_target *c, const struct lists *l, const struct bullets *s, uint32_t i)
+{
+    const struct style *style = &l->style[s->kind[i]];
+
+    uint32_t age = picture_age(style, s, i, c->b->core.clock);
+
+    return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
+}
+
+/* Where the bullets of pictures of one shape are that need no clipping. */
+struct fit {
+    struct stamp_corners c;
+    int dx, dy, from; /* from a bullet's pixel to the corner of its picture, counted from that; as an offset */
+};
+
+static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
+{
+    struct fit f = { .c = stamp_corners(fb, pic->w, pic->h) };
+
+    f.dx = x - pic->ox - f.c.x0;
+    f.dy = y - pic->oy - f.c.y0;
+    f.from = f.dy * fb->pitch + f.dx;
+    return f;
+}
+
+static bool are_alike(const struct sprite *a, const struct sprite *b)
+{
+    return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
+}
+
+/* What fits the window fits this too. */
+static void narrow_window(struct window *t, int *from, const struct fit *f)
+{
+    const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
+
+    t->x0 = -f->dx > t->x0 ? -f->dx : t->x0;
+    t->y0 = -f->dy > t->y0 ? -f->dy : t->y0;
+    t->x1 = x1 < t->x1 ? x1 : t->x1;
+    t->y1 = y1 < t->y1 ? y1 : t->y1;
+    *from = f->from > *from ? f->from : *from;
+}
+
+/* Opens the lists of order[first .. to - 1]. Kinds mostly have pictures of one shape. */
+static struct window open_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
+                                 bool clips)
+{
+    struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
+    const struct sprite *seen = NULL; /* whose fit is f, and has narrowed the window */
+    struct fit f = { 0 };
+    int from = INT32_MIN;
+
+    if (!clips)
+        memset(l->open, 0, sizeof l->open);
+    l->some_by_slot = l->some_own = false;
+    for (uint32_t o = first; o < to; o++) {
+        const uint16_t kind = l->order[o];
+        struct style *style = &l->style[kind];
+        const bool known = seen && are_alike(seen, style->pic);
+        if (!known)
+            f = fit_of(fb, style->pic, x, y);
+        const bool by_slot = !style->alike && (!clips || !f.c.wide || !f.c.high);
+        l->open[kind] = 1;
+        l->by_slot[kind] = by_slot;
+        l->some_by_slot |= by_slot;
+        l->some_own |= !style->alike;
+        l->next[kind] = style->list;
+        style->less = (uint32_t)f.from;
+        seen = by_slot ? NULL : style->pic;
+        if (!by_slot && !known)
+            narrow_window(&t, &from, &f);
+    }
+    for (uint32_t o = first; o < to; o++)
+        l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
+    t.from = (uint32_t)from;
+    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* none */
+        t.x0 = t.y0 = 1;
+        t.x1 = t.y1 = 0;
+    }
+    return t;
+}
+
+static uint32_t listed(const struct lists *l, uint16_t kind)
+{
+    return l->next[kind] - l->style[kind].list;
+}
+
+/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis a range is
+ * asked about in one signed comparison, as in bullets.c. */
+static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct window *t)
+{
+    const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->from;
+    const uint32_t x0 = (uint32_t)t->x0 << 16 ^ sign, y0 = (uint32_t)t->y0 << 16 ^ sign;
+    const int32_t w = (int32_t)((uint32_t)(t->x1 - t->x0 + 1) << 16 ^ sign) - 1,
+                  h = (int32_t)((uint32_t)(t->y1 - t->y0 + 1) << 16 ^ sign) - 1;
+    int32_t others = 0;
+
+    for (int i = 0; i < SLOTS_BLOCK; i++) {
+        at[i] = (uint32_t)(y[i] >> 16) * pitch + (uint32_t)(x[i] >> 16) + from;
+        others |= -((int32_t)((uint32_t)x[i] - x0) > w) | -((int32_t)((uint32_t)y[i] - y0) > h);
+    }
+    return !others;
+}
+
+/* And its bank. In a loop of its own, for bytes take others apart. */
+static void bank_block(const uint8_t *restrict bank, uint32_t *restrict at)
+{
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        at[i] += (uint32_t)bank[i] << 28;
+}
+
+static bool is_unclipped(const struct window *t, fx x, fx y)
+{
+    int px = fx_floor(x), py = fx_floor(y);
+
+    return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
+}
+
+static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i, uint32_t dest)
+{
+    const uint32_t next = l->next[s->kind[i]]++;
+
+    l->slots[next] = i;
+    l->list[next] = dest;
+}
+
+/* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
+ * slot if part of it is inside the clip. */
+static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
+{
+    const struct style *style = &l->style[s->kind[i]];
+    struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
+    int x, y;
+
+    corner(t, l, s, i, &x, &y);
+    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
+        list_one(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
+    else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
+        list_one(l, s, i, STAMP_OTHER | i);
+}
+
+/* Lists those bullets of a block that m names, one by one. */
+static void list_some(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
+{
+    for (; m; m &= m - 1) {
+        uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        if (t->clips && l->by_slot[s->kind[i]])
+            list_one(l, s, i, STAMP_OTHER | i);
+        else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
+            list_one(l, s, i,
+                     ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
+                         (uint32_t)fx_floor(s->x[i]) + t->from);
+        else
+            list_other(l, s, t, i);
+    }
+}
+
+enum { RUN = 8 };
+
+/* Bullets of one kind, as rings are: no counter waits for another. */
+static bool is_run(const uint16_t *kinds)
+{
+    uint64_t a, b;
+
+    if (kinds[0] != kinds[RUN - 1]) /* mostly, where they are mixed */
+        return false;
+    memcpy(&a, kinds, sizeof a);
+    memcpy(&b, kinds + 4, sizeof b);
+    return a == b && a == kinds[0] * (uint64_t)0x0001000100010001;
+}
+
+static inline void list_slots(uint32_t *restrict slots, uint32_t first)
+{
+    for (uint32_t k = 0; k < RUN; k++)
+        slots[k] = first + k;
+}
+
+/* Lists a block of which no bullet needs clipping; own: with their slots, a constant where this is called. */
+__attribute__((always_inline)) static inline void list_whole(struct lists *l, const uint16_t *kinds,
+                                                             const uint32_t at[SLOTS_BLOCK], uint32_t first, bool own)
+{
+    uint32_t *list = l->list, *slots = l->slots;
+
+    for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
+        if (is_run(kinds + k)) {
+            uint32_t *next = &l->next[kinds[k]];
+            memcpy(list + *next, at + k, RUN * sizeof *list);
+            if (own)
+                list_slots(slots + *next, first + k);
+            *next += RUN;
+            continue;
+        }
+#pragma GCC unroll 8
+        for (uint32_t i = 0; i < RUN; i++) {
+            const uint32_t next = l->next[kinds[k + i]]++;
+            list[next] = at[k + i];
+            if (own)
+                slots[next] = first + k + i;
+        }
+    }
+}
+
+/* Lists a block whose slots are all live and need no clipping, the usual case. False: it listed nothing. */
+static bool list_block(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
+{
+    const uint32_t first = block * SLOTS_BLOCK;
+    uint32_t at[SLOTS_BLOCK];
+
+    if (l->some_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !place_block(s->x + first, s->y + first, at, t))
+        return false;
+    bank_block(s->bank + first, at);
+    if (l->some_own)
+        list_whole(l, s->kind + first, at, first, true);
+    else
+        list_whole(l, s->kind + first, at, first, false);
+    return true;
+}
+
+static void list_all(struct lists *l, const struct bullets *s, const struct window *t)
+{
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        if (!list_block(l, s, t, block))
+            list_some(l, s, t, block, s->s.used[block]);
+}
+
+/* The bullets of a block that are of open kinds. */
+static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
+{
+    const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
+    uint8_t is[SLOTS_BLOCK];
+
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        is[i] = l->open[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
+    return slots_gather(is) & s->s.used[block];
+}
+
+static void list_open(struct lists *l, const struct bullets *s, const struct window *t)
+{
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
+        list_some(l, s, t, block, open_ones(l, s, block));
+}
+
+/* ---- back to front ---- */
+
+static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                       uint32_t i)
+{
+    struct image image = image_of(c, l, s, i);
+    int x, y;
+
+    corner(t, l, s, i, &x, &y);
+    video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
+}
+
+/* How the pictures of a kind that is turned or animated are picked: by multiplication. age * every >> AGE_BITS is the
+ * quotient, for the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are below YOUNG. */
+struct picker {
+    uint32_t size;                         /* bytes of one */
+    uint32_t rotations, all, frames, slow; /* all: turned copies there are of each frame; slow: frames a picture */
+    uint64_t every, round;                 /* reciprocals of frames a picture, and of pictures a round */
+    ang along, spin;                       /* along: all bits, or none */
+    bool ages;                             /* the age matters */
+    unsigned shift;                        /* rotations are 2^(32 - shift); 0: they are no power of 2 */
+    ang half;                              /* of one */
+};
+
+enum { AGE_BITS = 40, YOUNG = 1 << 23 };
+
+static uint64_t reciprocal(uint32_t n)
+{
+    return ((uint64_t)1 << AGE_BITS) / n + 1;
+}
+
+static unsigned shift_of(uint32_t rotations)
+{
+    unsigned shift = 31;
+
+    while (shift && rotations != 1u << (32 - shift))
+        shift--;
+    return shift;
+}
+
+static struct picker picker_of(const struct style *style)
+{
+    const struct sprite *pic = style->pic;
+    const unsigned shift = shift_of(pic->rotations);
+
+    return (struct picker){ .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
+                            .rotations = style->turns ? pic->rotations : 0,
+                            .all = pic->rotations,
+                            .frames = pic->frames,
+                            .slow = pic->every ? pic->every : 1,
+                            .every = reciprocal(pic->every ? pic->every : 1),
+                            .round = reciprocal(pic->frames),
+                            .along = style->along ? UINT32_MAX : 0,
+                            .spin = style->spin,
+                            .ages = pic->frames > 1 || style->spin,
+                            .shift = shift,
+                            .half = shift ? 1u << (shift - 1) : 0 };
+}
+
+/* Where bullet i's picture is, where its age matters. */
+static inline uint32_t picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
+{
+    const uint32_t age = bullets_age(s, i, clock);
+    const uint32_t at = age < YOUNG ? (uint32_t)(age * p->every >> AGE_BITS) : age / p->slow;
+    const uint32_t frame = at < YOUNG ? at - (uint32_t)(at * p->round >> AGE_BITS) * p->frames : at % p->frames;
+
+    return (frame * p->all + stamp_turn((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
+}
+
+/* Where the pictures of n bullets are. What is listed by slot is asked for as well, and not drawn. */
+static void pick(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
+                 const uint32_t *restrict slots, uint32_t n, uint32_t *restrict at)
+{
+    const struct picker p = *picker;
+    const ang *dir = s->dir;
+
+    if (p.ages)
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = picked(&p, s, slots[k], c->b->core.clock);
+    else if (p.shift)
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = ((dir[slots[k]] + p.half) >> p.shift) * p.size;
+    else
+        for (uint32_t k = 0; k < n; k++)
+            at[k] = stamp_turn(dir[slots[k]], p.rotations) * p.size;
+}
+
+/* Eight pixels wide, and turned: most bullets. A store is what a row waits for, so the copy is found meanwhile; with
+ * wider pictures the time is shorter where copies are picked before. */
+static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                        const struct style *style, const struct picker *p, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const struct image image = video_image(style->pic, 0, false, 0);
+    struct stamp_turns turns = { .dir = s->dir, .size = p->size, .rotations = p->rotations };
+
+    for (uint32_t k = 0; k < n; k++) {
+        turns.which = slots + k;
+        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix,
+                                    &(struct stamp_list){ list + k, n - k, style->less });
+        if (k < n)
+            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+    }
+}
+
+/* Each shows a picture of its own. */
+static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                     const struct style *style, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const struct image image = video_image(style->pic, 0, false, 0);
+    const struct picker p = picker_of(style);
+    uint32_t at[BATCH];
+
+    if (!p.ages && image.pitch == 8) {
+        draw_turned(c, s, l, t, style, &p, n);
+        return;
+    }
+    for (uint32_t k = 0, most; k < n; k += most) {
+        most = n - k < BATCH ? n - k : BATCH;
+        pick(c, s, &p, slots + k, most, at);
+        for (uint32_t j = 0; j < most; j++) {
+            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix,
+                                      &(struct stamp_list){ list + k + j, most - j, style->less });
+            if (j < most)
+                draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
+        }
+    }
+}
+
+static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                        const struct style *style, uint32_t n)
+{
+    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+
+    for (uint32_t k = 0; k < n; k++)
+        draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
+}
+
+/* A sprite's only picture, or its first. */
+static inline struct image first_image(const struct sprite *pic)
+{
+    return (struct image){ pic->pix, pic->w, pic->h, pic->pitch };
+}
+
+static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                       const struct style *style, uint32_t n)
+{
+    const struct image image = first_image(style->pic);
+    const uint32_t *list = l->list + style->list;
+
+    for (uint32_t k = 0; k < n; k++) {
+        k += (uint32_t)stamp_over(c->fb, &image, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
+        if (k < n)
+            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+    }
+}
+
+static void draw_kind(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                      uint16_t kind)
+{
+    const struct style *style = &l->style[kind];
+    const uint32_t n = listed(l, kind);
+
+    if (style->alike)
+        draw_alike(c, s, l, t, style, n);
+    else if (style->singly)
+        draw_singly(c, s, l, t, style, n);
+    else
+        draw_own(c, s, l, t, style, n);
+}
+
+static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
+{
+    struct window t = open_window(l, 0, l->kinds, c->fb, c->x, c->y, true);
+
+    list_all(l, s, &t);
+    for (uint32_t o = 0; o < l->kinds; o++)
+        draw_kind(c, s, l, &t, l->order[o]);
+}
+
+/* ---- front to back ---- */
+
+static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
+{
+    struct image image = video_image(style->pic, 0, false, 0);
+    const uint32_t *list = l->list + style->list;
+    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
+
+    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
+        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
+    return stamp_make(&l->stamp, &image, banks);
+}
+
+/* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
+ * as destinations. */
+static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
+                       const struct window *t, uint16_t kind)
+{
+    const struct style *style = &l->style[kind];
+    struct stamp_corners corners = stamp_corners(&layer->fb, style->pic->w, style->pic->h);
+    const uint32_t *list = l->list + style->list;
+    uint32_t n = listed(l, kind);
+    int x, y;
+
+    if (style->alike) {
+        bool made = make_stamp(l, style, n);
+        assert(made); /* a picture of the band's size is never too much */
+        stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
+        return;
+    }
+    while (n-- > 0) {
+        uint32_t i = list[n] & (STAMP_OTHER - 1);
+        struct image image = image_of(c, l, s, i);
+        corner(t, l, s, i, &x, &y);
+        stamp_layer_sprite(layer, &image,
+                           stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
+                           style->pixels);
+    }
+}
+
+/* The kinds of order[from .. to - 1], topmost first. Returns how many bullets were listed. */
+static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
+                            struct lists *l, const struct window *t, uint32_t from, uint32_t to)
+{
+    uint32_t n = 0;
+
+    while (to-- > from) {
+        layer_kind(c, layer, s, l, t, l->order[to]);
+        n += listed(l, l->order[to]);
+    }
+    return n;
+}
+
+/* The cells of the layer in which a bullet of order[0 .. to - 1] may be visible. */
+static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_t to, struct stamp_cells *cells)
+{
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+    for (uint32_t o = 0; o < to; o++) {
+        const struct sprite *pic = l->style[l->order[o]].pic;
+        x0 = -pic->ox < x0 || o == 0 ? -pic->ox : x0;
+        y0 = -pic->oy < y0 || o == 0 ? -pic->oy : y0;
+        x1 = pic->w - pic->ox > x1 || o == 0 ? pic->w - pic->ox : x1;
+        y1 = pic->h - pic->oy > y1 || o == 0 ? pic->h - pic->oy : y1;
+    }
+    stamp_cells_find(layer, cells, l->cells, x0, y0, x1, y1);
+}
+
+/* Of a block's bullets, those in a cell where something may be seen. */
+static uint64_t seen_ones(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
+{
+    uint32_t at[SLOTS_BLOCK];
+    uint8_t is[SLOTS_BLOCK];
+
+    stamp_cells_at(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
+    for (int i = 0; i < SLOTS_BLOCK; i++)
+        is[i] = cells->seen[at[i]];
+    return slots_gather(is) & s->s.used[block];
+}
+
+static void list_seen(struct lists *l, const struct bullets *s, const struct window *t, const struct stamp_cells *cells)
+{
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
+        uint64_t m = seen_ones(cells, s, block);
+        if (m)
+            list_some(l, s, t, block, m & open_ones(l, s, block));
+    }
+}
+
+static void draw_layered(struct draw_target *c, const struct bullets *s, struct lists *l)
+{
+    const struct manifest *m = &c->b->cart.m;
+    uint32_t top = l->kinds, drawn;
+    uint64_t pixels = 0;
+    struct stamp_layer layer;
+    struct window t;
+
+    stamp_layer_init(&layer, l->layer, m->field_w, m->field_h);
+    while (top > 0 && pixels < TOP_OVERDRAW * (uint64_t)(m->field_w * m->field_h)) {
+        const struct style *style = &l->style[l->order[--top]];
+        pixels += style->n * (uint64_t)style->pixels;
+    }
+    t = open_window(l, top, l->kinds, &layer.fb, 0, 0, false);
+    list_open(l, s, &t);
+    drawn = layer_kinds(c, &layer, s, l, &t, top, l->kinds);
+    stamp_layer_map(&layer);
+    if (!layer.covered && top > 0) {
+        struct stamp_cells cells;
+        find_cells(&layer, l, top, &cells);
+        t = open_window(l, 0, top, &layer.fb, 0, 0, false);
+        list_seen(l, s, &t, &cells);
+        drawn += layer_kinds(c, &layer, s, l, &t, 0, top);
+    }
+    stamp_layer_show(&layer, c->fb, c->x, c->y);
+    c->hidden += s->s.live - drawn + layer.hidden;
+}
+
+static size_t opaque_pixels(const struct image *image)
+{
+    size_t n = 0;
+
+    for (int y = 0; y < image->h; y++)
+        for (int x = 0; x < image->w; x++)
+            n += image->pix[(ptrdiff_t)y * image->pitch + x] != 0;
+    return n;
+}
+
+/* Is the overdraw of all of them high enough? No when a picture is too large for a layer's band, or is blended with
+ * what is under it. Pixels are counted only where the pictures' sizes leave a doubt. */
+static bool is_layered(struct lists *l, uint64_t enough)
+{
+    uint64_t most = 0, sum = 0;
+
+    for (uint32_t o = 0; o < l->kinds; o++) {
+        const struct style *style = &l->style[l->order[o]];
+        if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
+            return false;
+        most += style->n * (uint64_t)(style->pic->w * style->pic->h);
+    }
+    if (most < enough)
+        return false;
+    for (uint32_t o = 0; o < l->kinds; o++) {
+        struct style *style = &l->style[l->order[o]];
+        struct image image = video_image(style->pic, 0, false, 0);
+        style->pixels = opaque_pixels(&image);
+        sum += style->n * (uint64_t)style->pixels;
+    }
+    return sum >= enough;
+}
+
+void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k)
+{
+    const struct manifest *m = &c->b->cart.m;
+    uint64_t enough = (uint64_t)c->overdraw * (uint64_t)(m->field_w * m->field_h);
+    struct lists *l = open_lists(c);
+
+    if (!s->s.live)
+        return;
+    find_kinds(c, k, l);
+    c->drawn += s->s.live;
+    if (c->overdraw != VIDEO_NO_LAYERS && is_layered(l, enough))
+        draw_layered(c, s, l);
+    else
+        draw_over(c, s, l);
+}

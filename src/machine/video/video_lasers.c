@@ -1,0 +1,129 @@
+/*
+ * video_lasers.c - draws lasers: the strip along their line, then pictures at its two ends.
+ */
+#include "../../../fb/strip.h"
+#include "../../base/host.h"
+#include "../../base/trig.h"
+#include "../lasers_run.h"
+#include "video.h"
+
+/* The picture of an end, turned with the way there if it has turned copies. */
+static void draw_picture(struct draw_target *c, uint32_t i, uint16_t sprite, fx x, fx y, ang dir)
+{
+    const struct laser_kinds *k = &c->b->laser_kinds;
+    const uint16_t kind = c->b->laser_heads.kind[i];
+    const struct sprite *s = &c->b->pictures[sprite - 1];
+    struct image img = video_image(s, lasers_age_seen(c->b, i), true, dir);
+
+    video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, c->b->laser_heads.bank[i], 0,
+                (k->flags[kind] & LASER_BLEND) / LASER_BLEND_ONE);
+    c->drawn++;
+}
+
+static void draw_ends(struct draw_target *c, uint32_t i)
+{
+    const struct laser_kinds *k = &c->b->laser_kinds;
+    const struct bullets *h = &c->b->laser_heads;
+    const uint16_t kind = h->kind[i];
+    const uint32_t n = lasers_corners(c->b, i);
+    fx x, y, ax, ay;
+
+    if (k->tail[kind]) {
+        lasers_corner(c->b, i, n - 1, &x, &y);
+        lasers_corner(c->b, i, n > 1 ? n - 2 : 0, &ax, &ay);
+        ang dir = x != ax || y != ay ? trig_atan2(fx_sub(ay, y), fx_sub(ax, x)) : h->dir[i];
+        draw_picture(c, i, k->tail[kind], x, y, c->b->lasers.form[i] == LASER_BEAM ? h->dir[i] : dir);
+    }
+    if (k->head[kind])
+        draw_picture(c, i, k->head[kind], h->x[i], h->y[i], h->dir[i]);
+}
+
+static int32_t on_surface(fx v, int corner)
+{
+    const int64_t most = 30000 * 65536ll, at = v + (int64_t)corner * 65536;
+
+    return (int32_t)(at > most ? most : at < -most ? -most : at);
+}
+
+enum { RUN = 12, SLACK = 65536 / 4 };
+
+/* Do all corners between two lie within SLACK of the way between them? The larger of dx and dy is at most as long. */
+static bool is_straight(const struct strip_corner *c, int from, int to)
+{
+    const int64_t dx = (int64_t)c[to].x - c[from].x, dy = (int64_t)c[to].y - c[from].y;
+    const int64_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy, most = (ax > ay ? ax : ay) * SLACK;
+
+    if (ax > 1 << 29 || ay > 1 << 29) /* the products stay below 2^62 */
+        return false;
+    for (int k = from + 1; k < to; k++) {
+        const int64_t ex = (int64_t)c[k].x - c[from].x, ey = (int64_t)c[k].y - c[from].y, out = dx * ey - dy * ex;
+        if (out > most || out < -most || ex * dx + ey * dy < 0)
+            return false;
+    }
+    return true;
+}
+
+/* Leaves out corners of what is nearly straight, and far shorter than the pieces could be drawn: a curve has one for
+ * each frame. Returns how many are left. */
+static uint32_t thin_out(struct strip_corner *c, uint32_t n)
+{
+    uint32_t kept = 0, from = 0;
+
+    while (from + 1 < n) {
+        uint32_t to = from + 1;
+        while (to + 1 < n && to - from < RUN && is_straight(c, (int)from, (int)to + 1))
+            to++;
+        c[++kept] = c[to];
+        from = to;
+    }
+    return kept + 1;
+}
+
+/* The strip's picture looks where a beam points and where the others fly. */
+static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool dashed)
+{
+    const struct laser_kinds *k = &c->b->laser_kinds;
+    const uint16_t kind = c->b->laser_heads.kind[i];
+    const unsigned blend = (k->flags[kind] & LASER_BLEND) / LASER_BLEND_ONE;
+    const uint32_t age = lasers_age_seen(c->b, i), n = lasers_corners(c->b, i);
+    const struct image img = video_image(&c->b->pictures[k->strip[kind]], age, false, 0);
+    struct strip_corner corner[LASER_POINTS];
+    const struct strip s = { .image = &img,
+                             .bank = c->b->laser_heads.bank[i],
+                             .blend = blend ? c->look.blend[blend - 1] : NULL,
+                             .width = width,
+                             .along = dashed ? 8 - age / 2 % 8 : 0,
+                             .dashed = dashed };
+
+    for (uint32_t p = 0; p < n; p++) {
+        fx x, y;
+        lasers_corner(c->b, i, p, &x, &y);
+        corner[c->b->lasers.form[i] == LASER_BEAM ? p : n - 1 - p] =
+            (struct strip_corner){ on_surface(x, c->x), on_surface(y, c->y) };
+    }
+    strip_draw(c->fb, &s, corner, (int)thin_out(corner, n));
+    c->drawn++;
+}
+
+void video_lasers(struct draw_target *c, bool shoot)
+{
+    const struct board *b = c->b;
+    struct host host;
+
+    if (!b->lasers.s.live)
+        return;
+    host_enter(&host); /* roots and angles begin with a guess in doubles */
+    EACH_LIVE (i, &b->lasers.s) {
+        const uint32_t age = lasers_age_seen(b, i);
+        if (!(b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS) == shoot)
+            continue;
+        if (lasers_state_of(b, i, age) == LASER_WARN) {
+            if (b->lasers.form[i] == LASER_BEAM)
+                draw_line(c, i, 65536, true);
+            continue;
+        }
+        draw_line(c, i, lasers_width(&b->lasers, i, age), false);
+        draw_ends(c, i);
+    }
+    host_leave(&host);
+}

@@ -1,0 +1,49 @@
+/*
+ * work.c - work in C that a tick counts, so that no frame goes on without bound: the fault, and what a picture takes.
+ *
+ * A unit is worth about as much time as the dearest VM instruction, at most 10 ns, and all work has one sum and one
+ * limit (vm.h). Loops over two pools count what they look at while they run. What is done once for each thing of a pool
+ * is not counted: the manifest bounds it.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+#include "machine.h"
+#include "video/video.h"
+
+static void raise_fault(struct board *b, enum board_fault_kind kind, const char *format, va_list args)
+{
+    char text[320];
+
+    vsnprintf(text, sizeof text, format, args);
+    b->calls->fault(b, kind, text);
+}
+
+void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    raise_fault(b, kind, format, args);
+    va_end(args);
+}
+
+void board_too_much(struct board *b, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    raise_fault(b, FAULT_LOOP, format, args);
+    va_end(args);
+}
+
+void board_charge_picture(struct board *b)
+{
+    const struct vm *vm = &b->vm;
+    struct video_work w;
+
+    if (video_fits(b, vm->limit - vm->work, &w))
+        board_work(b, w.work);
+    else
+        board_too_much(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller", w.what,
+                       w.instead);
+}

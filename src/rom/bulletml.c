@@ -1,0 +1,226 @@
+/*
+ * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether
+ * a place is that of a command; and a value begins where the step before it is STEP_DONE.
+ */
+#include "bulletml.h"
+#include <inttypes.h>
+#include "../base/err.h"
+
+const char *const ml_operands[ML_OPS] = {
+    [ML_END] = "",         [ML_NEXT] = "",   [ML_WAIT] = "v",       [ML_REPEAT] = "v",         [ML_AGAIN] = "p",
+    [ML_CALL] = "pn*",     [ML_GO] = "pn*",  [ML_LEAVE] = "pn*",    [ML_RETURN] = "",          [ML_FIRE] = "",
+    [ML_FIRE_REF] = "pn*", [ML_FIRED] = "",  [ML_SHOT_SPEED] = "v", [ML_SHOT_DIRECTION] = "v", [ML_BULLET_REF] = "pn*",
+    [ML_BULLET] = "lp",    [ML_VANISH] = "", [ML_TURN] = "vv",      [ML_SPEED] = "vv",         [ML_ACCEL] = "vvv",
+};
+
+/* The pieces of the lump, without a look at what stands in them. */
+static uint64_t layout(struct ml *m, const uint8_t *data)
+{
+    const uint64_t n[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
+                           bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
+    const uint64_t number = ML_HEADER, top = number + 8 * n[2], label = top + 4 * n[0], word = label + 4 * n[1],
+                   step = word + 4 * n[3], text = step + 4 * n[4];
+
+    *m = (struct ml){ .tops = (uint32_t)n[0],
+                      .labels = (uint32_t)n[1],
+                      .numbers = (uint32_t)n[2],
+                      .words = (uint32_t)n[3],
+                      .steps = (uint32_t)n[4],
+                      .bytes = (uint32_t)n[5],
+                      .horizontal = bytes_get32(data + 4) };
+    m->number = data + number;
+    m->top = data + top;
+    m->label = data + label;
+    m->word = data + word;
+    m->step = data + step;
+    m->text = data + text;
+    return text + n[5];
+}
+
+void ml_open(struct ml *m, const uint8_t *data)
+{
+    layout(m, data);
+}
+
+static bool command_at(const struct ml *m, uint32_t at)
+{
+    return at < m->words && ml_word(m, at) & ML_COMMAND;
+}
+
+static bool value_ok(const struct ml *m, uint32_t v)
+{
+    if (!(v & ML_WORKED_OUT))
+        return v < m->numbers;
+    v &= ~ML_WORKED_OUT;
+    return v < m->steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
+}
+
+/* One operand, of the form that `form` says. */
+static bool operand_ok(const struct ml *m, char form, uint32_t v, uint32_t *n)
+{
+    switch (form) {
+    case 'v':
+        return value_ok(m, v);
+    case 'p':
+        return command_at(m, v);
+    case 'l':
+        return v <= m->labels;
+    default:
+        *n = v;
+        return v <= ML_MOST_PARAMS;
+    }
+}
+
+/* The command at *at; *at moves on to the next. */
+static bool command_ok(const struct ml *m, uint32_t *at)
+{
+    const uint32_t w = ml_word(m, *at);
+    uint32_t n = 0;
+
+    if (!(w & ML_COMMAND) || ML_OP(w) >= ML_OPS || ML_TYPE(w) >= ML_TYPES * ML_TYPE_Y ||
+        ML_TYPE(w) % ML_TYPE_Y >= ML_TYPES)
+        return false;
+    ++*at;
+    for (const char *form = ml_operands[ML_OP(w)]; *form && *form != '*'; form++, ++*at)
+        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !operand_ok(m, *form, ml_word(m, *at), &n))
+            return false;
+    for (; n; n--, ++*at)
+        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !value_ok(m, ml_word(m, *at)))
+            return false;
+    return true;
+}
+
+static bool is_end(const struct ml *m, uint32_t at)
+{
+    return ml_word(m, at) & ML_COMMAND && ML_OP(ml_word(m, at)) == ML_END;
+}
+
+static bool commands_ok(const struct ml *m)
+{
+    uint32_t at = 0;
+
+    while (at < m->words)
+        if (!command_ok(m, &at))
+            return false;
+    return m->words && is_end(m, 0) && is_end(m, m->words - 1);
+}
+
+/* A step, with so many numbers on the stack before it. */
+static bool step_ok(const struct ml *m, uint32_t w, int *stack)
+{
+    const uint32_t argument = ML_ARGUMENT(w);
+
+    switch ((enum ml_step)ML_STEP(w)) {
+    case STEP_DONE:
+        if (*stack != 1)
+            return false;
+        *stack = 0;
+        return w == STEP_DONE;
+    case STEP_NUMBER:
+        return argument < m->numbers && ++*stack <= ML_STACK;
+    case STEP_PARAM:
+        return argument <= ML_PARAMS && ++*stack <= ML_STACK;
+    case STEP_RAND:
+    case STEP_RANK:
+        return !argument && ++*stack <= ML_STACK;
+    case STEP_ADD:
+    case STEP_SUBTRACT:
+    case STEP_MULTIPLY:
+    case STEP_DIVIDE:
+        return !argument && --*stack >= 1;
+    case STEP_NEGATE:
+        return !argument && *stack >= 1;
+    default:
+        return false;
+    }
+}
+
+static bool steps_ok(const struct ml *m)
+{
+    int stack = 0;
+
+    for (uint32_t i = 0; i < m->steps; i++)
+        if (!step_ok(m, ml_step(m, i), &stack))
+            return false;
+    return !m->steps || ml_step(m, m->steps - 1) == STEP_DONE;
+}
+
+static bool tables_ok(const struct ml *m)
+{
+    for (uint32_t i = 0; i < m->tops; i++)
+        if (!command_at(m, ml_top(m, i)))
+            return false;
+    for (uint32_t i = 0; i < m->labels; i++)
+        if (bytes_get32(m->label + 4 * (size_t)i) >= m->bytes)
+            return false;
+    return !m->bytes || m->text[m->bytes - 1] == 0;
+}
+
+bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
+{
+    struct ml m;
+
+    if (size < ML_HEADER || bytes_get32(data) != ML_MAGIC)
+        return err_set(err, err_size, "not a BulletML program");
+    if (bytes_get32(data + 4) > 1)
+        return err_set(err, err_size, "unknown format");
+    const uint64_t need = layout(&m, data);
+    if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
+        m.steps > ML_MAX_WORDS || m.bytes > ML_MAX_TEXT)
+        return err_set(err, err_size, "too large for a BulletML program");
+    if (need != size)
+        return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, need);
+    if (!steps_ok(&m))
+        return err_set(err, err_size, "an expression in its program is invalid");
+    if (!commands_ok(&m))
+        return err_set(err, err_size, "a command in its program is invalid");
+    if (!tables_ok(&m))
+        return err_set(err, err_size, "its top actions or labels are out of range");
+    return true;
+}
+
+static uint64_t size_of(int64_t v)
+{
+    return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
+}
+
+static int64_t with_sign(uint64_t v, bool negative)
+{
+    if (v > INT64_MAX)
+        return negative ? INT64_MIN : INT64_MAX;
+    return negative ? -(int64_t)v : (int64_t)v;
+}
+
+int64_t ml_multiply(int64_t a, int64_t b)
+{
+    const uint64_t ua = size_of(a), ub = size_of(b), low = ua * ub, up = low + ((uint64_t)1 << 31);
+    const uint64_t high = fx_mul_high(ua, ub) + (up < low);
+
+    return with_sign(high >> 32 ? UINT64_MAX : high << 32 | up >> 32, (a ^ b) < 0);
+}
+
+/* 2^32 a / b: the whole part, then 32 bits more, then the half. */
+int64_t ml_divide(int64_t a, int64_t b)
+{
+    const uint64_t ua = size_of(a), ub = size_of(b);
+
+    if (!ub)
+        return a > 0 ? INT64_MAX : a < 0 ? INT64_MIN : 0;
+    uint64_t q = ua / ub, rest = ua % ub;
+    if (q >> 31)
+        return with_sign(UINT64_MAX, (a ^ b) < 0);
+    if (!(rest >> 32)) {
+        q = q << 32 | (rest << 32) / ub;
+        rest = (rest << 32) % ub;
+    } else
+        for (int i = 0; i < 32; i++) {
+            const bool over = rest >> 63;
+            rest <<= 1;
+            q <<= 1;
+            if (over || rest >= ub) {
+                rest -= ub;
+                q++;
+            }
+        }
+    return with_sign(q + (rest >= ub - rest), (a ^ b) < 0);
+}

@@ -1,0 +1,819 @@
+/*
+ * cart.c - see cart.h. All that is trusted later is checked here: sizes, multiplied in 64 bits, and every pixel,
+ * because a blit copies eight of them at a time and would show what stands in a picture's padding.
+ */
+#include "cart.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../entities/motion.h"
+#include "../../fb/blit.h"
+#include "../../fb/text.h"
+#include "../sound/adpcm.h"
+#include "../sound/tune.h"
+
+static bool find(const struct rom *rom, const char *name, struct lump *l)
+{
+    int i = rom_find(rom, name);
+
+    if (i >= 0)
+        rom_lump(rom, i, l);
+    return i >= 0;
+}
+
+/* The lump folder + name + tail, if there is one. */
+static bool find_in(const struct rom *rom, const char *folder, const char *name, const char *tail, struct lump *l)
+{
+    char full[ROM_NAME];
+    int n = snprintf(full, sizeof full, "%s%s%s", folder, name, tail);
+
+    return n > 0 && n < ROM_NAME && find(rom, full, l);
+}
+
+/* Lumps first to first + *n share the prefix; after is the prefix with its last byte raised. */
+static int range(const struct rom *rom, const char *prefix, const char *after, int *n)
+{
+    int first = rom_first(rom, prefix);
+
+    *n = rom_first(rom, after) - first;
+    return first;
+}
+
+static bool open_manifest(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[256];
+
+    if (!find(c->rom, "manifest", &l))
+        return err_set(err, err_size, "no lump \"manifest\"");
+    if (!manifest_unpack(l.data, l.size, &c->m, why, sizeof why))
+        return err_set(err, err_size, "lump \"manifest\": %s", why);
+    if (!find_in(c->rom, "script/", c->m.entry, ".lua", &l))
+        return err_set(err, err_size, "no lump \"script/%s.lua\", the entry script", c->m.entry);
+    return true;
+}
+
+static bool open_palettes(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_palette = range(c->rom, "palette/", "palette0", &c->palettes);
+    for (int i = 0; i < c->palettes; i++) {
+        rom_lump(c->rom, c->first_palette + i, &l);
+        if (l.size != CART_PALETTE)
+            return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
+                           CART_PALETTE);
+    }
+    return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
+}
+
+/* The rule that makes this table. */
+static uint8_t rule_of(const uint8_t table[CART_BLEND])
+{
+    for (uint8_t rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
+        int i = 0;
+        while (i < CART_BLEND && table[i] == blit_ramp(rule, (uint8_t)(i >> 8), (uint8_t)i))
+            i++;
+        if (i == CART_BLEND)
+            return rule;
+    }
+    return BLIT_TABLE;
+}
+
+static bool sized(const struct lump *l, uint32_t size, char *err, size_t err_size)
+{
+    return l->size == size ||
+           err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %" PRIu32, l->name, l->size, size);
+}
+
+static bool open_shades(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->main.shades = NULL;
+    if (!find(c->rom, "shades", &l))
+        return true;
+    c->main.shades = l.data;
+    return sized(&l, CART_SHADES, err, err_size);
+}
+
+static bool open_blends(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
+    if (c->blends > CART_MAX_BLENDS)
+        return err_set(err, err_size, "%d lumps named \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
+    for (int i = 0; i < c->blends; i++) {
+        rom_lump(c->rom, c->first_blend + i, &l);
+        if (!sized(&l, CART_BLEND, err, err_size))
+            return false;
+        c->main.blend[i] = l.data;
+        c->main.mix[i] = rule_of(l.data);
+    }
+    return true;
+}
+
+/* What palette i has of its own stands in for what main has. */
+static bool open_look(struct cart *c, int i, char *err, size_t err_size)
+{
+    struct cart_look *look = &c->looks[i];
+    char folder[2 * ROM_NAME];
+    struct lump l;
+
+    *look = c->main;
+    if (find_in(c->rom, "shade/", cart_palette_name(c, i), "", &l)) {
+        look->shades = l.data;
+        if (!sized(&l, CART_SHADES, err, err_size))
+            return false;
+    }
+    snprintf(folder, sizeof folder, "blends/%s/", cart_palette_name(c, i));
+    for (int k = 0; k < c->blends; k++) {
+        if (!find_in(c->rom, folder, cart_blend_name(c, k), "", &l))
+            continue;
+        if (!sized(&l, CART_BLEND, err, err_size))
+            return false;
+        look->blend[k] = l.data;
+        look->mix[k] = rule_of(l.data);
+    }
+    return true;
+}
+
+static bool open_looks(struct cart *c, char *err, size_t err_size)
+{
+    int shades, blends;
+
+    range(c->rom, "shade/", "shade0", &shades);
+    range(c->rom, "blends/", "blends0", &blends);
+    c->has_looks = shades + blends > 0;
+    if (c->has_looks && c->palettes > CART_MAX_LOOKS)
+        return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
+                       c->palettes, CART_MAX_LOOKS);
+    for (int i = 0; i < c->palettes && c->has_looks; i++)
+        if (!open_look(c, i, err, err_size))
+            return false;
+    return true;
+}
+
+static bool open_faces(struct cart *c, char *err, size_t err_size)
+{
+    struct face face;
+    struct lump l;
+    char why[128];
+
+    c->first_face = range(c->rom, "fonts/", "fonts0", &c->faces);
+    if (c->faces > CART_MAX_FACES)
+        return err_set(err, err_size, "%d lumps named \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
+    for (int i = 0; i < c->faces; i++) {
+        rom_lump(c->rom, c->first_face + i, &l);
+        if (!face_open(&face, l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
+static bool open_langs(struct cart *c, char *err, size_t err_size)
+{
+    struct words words;
+    struct lump l;
+    char why[128];
+
+    c->first_lang = range(c->rom, "lang/", "lang0", &c->langs);
+    for (int i = 0; i < c->langs; i++) {
+        rom_lump(c->rom, c->first_lang + i, &l);
+        if (!manifest_word_ok(cart_lang_name(c, i)))
+            return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
+                           MAX_WORD - 1);
+        if (!words_open(&words, l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
+static bool open_font(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->glyphs = NULL;
+    c->n_glyphs = 0;
+    if (!find(c->rom, "font", &l))
+        return true;
+    if (l.size == 0 || l.size % CART_GLYPH != 0 || l.size / CART_GLYPH > CART_MAX_GLYPHS)
+        return err_set(err, err_size,
+                       "lump \"font\": %" PRIu32 " bytes long, expected %d bytes for each of 1 to %d characters",
+                       l.size, CART_GLYPH, CART_MAX_GLYPHS);
+    for (uint32_t i = 0; i < l.size; i++)
+        if (l.data[i] > 15)
+            return err_set(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15",
+                           l.data[i], CART_FIRST_CHAR + i / CART_GLYPH);
+    c->glyphs = l.data;
+    c->n_glyphs = (int)(l.size / CART_GLYPH);
+    return true;
+}
+
+static void read_sprite(const struct lump *l, struct sprite *s)
+{
+    const uint8_t *p = l->data;
+
+    s->w = bytes_get16(p);
+    s->h = bytes_get16(p + 2);
+    s->pitch = bytes_get16(p + 4);
+    s->ox = (int16_t)bytes_get16(p + 6);
+    s->oy = (int16_t)bytes_get16(p + 8);
+    s->frames = bytes_get16(p + 10);
+    s->every = bytes_get16(p + 12);
+    s->rotations = bytes_get16(p + 14);
+    s->bank = bytes_get16(p + 16);
+    s->pix = p + CART_GFX_HEADER;
+}
+
+static bool in(int v, int lo, int hi)
+{
+    return v >= lo && v <= hi;
+}
+
+static bool header_ok(const struct sprite *s)
+{
+    return in(s->w, 1, CART_MAX_SIDE) && in(s->h, 1, CART_MAX_SIDE) && s->pitch % 8 == 0 &&
+           in(s->pitch, s->w, CART_MAX_SIDE) && in(s->ox, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) &&
+           in(s->oy, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) && in(s->frames, 1, CART_MAX_FRAMES) && s->every >= 1 &&
+           in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
+}
+
+/* Eight pixels at a time: each is 0, or its upper half the bank and its lower half not 0. */
+static bool row_ok(const uint8_t *row, const struct sprite *s)
+{
+    const uint64_t ones = 0x0101010101010101, uppers = 0xf0 * ones, lowers = 0x0f * ones;
+
+    for (int x = 0; x < s->pitch; x += 8) {
+        uint64_t pixels;
+        memcpy(&pixels, row + x, sizeof pixels);
+        const uint64_t drawn = ((pixels & lowers) + lowers) >> 4 & ones; /* 1 where the lower half is not 0 */
+        if ((pixels & uppers) != drawn * ((uint64_t)s->bank << 4))
+            return false;
+    }
+    for (int x = s->w; x < s->pitch; x++)
+        if (row[x] != 0)
+            return false;
+    return true;
+}
+
+static bool check_sprite(const struct lump *l, char *err, size_t err_size)
+{
+    struct sprite s;
+
+    if (l->size < CART_GFX_HEADER)
+        return err_set(err, err_size, "lump \"%s\": too short for a sprite (%" PRIu32 " bytes)", l->name, l->size);
+    read_sprite(l, &s);
+    if (!header_ok(&s) || bytes_get16(l->data + 18) != 0 || bytes_get32(l->data + 20) != 0)
+        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
+    uint64_t rows = (uint64_t)s.frames * s.rotations * s.h;
+    if (l->size != CART_GFX_HEADER + rows * s.pitch)
+        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+                       CART_GFX_HEADER + rows * s.pitch);
+    for (uint64_t y = 0; y < rows; y++)
+        if (!row_ok(s.pix + y * s.pitch, &s))
+            return err_set(err, err_size,
+                           "lump \"%s\": row %" PRIu64 " has a pixel beyond its width or with a colour outside bank %d",
+                           l->name, y, s.bank);
+    return true;
+}
+
+static bool open_sprites(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_sprite = range(c->rom, "gfx/", "gfx0", &c->sprites);
+    for (int i = 0; i < c->sprites; i++) {
+        rom_lump(c->rom, c->first_sprite + i, &l);
+        if (!check_sprite(&l, err, err_size))
+            return false;
+    }
+    return true;
+}
+
+/* ---- hit shapes ---- */
+
+void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT])
+{
+    bytes_put32(out, hit->shape);
+    bytes_put32(out + 4, hit->rows);
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+        bytes_put32(out + 8 + 16 * i, (uint32_t)hit->row[i].a);
+        bytes_put32(out + 12 + 16 * i, (uint32_t)hit->row[i].b);
+        bytes_put32(out + 16 + 16 * i, (uint32_t)hit->row[i].x);
+        bytes_put32(out + 20 + 16 * i, (uint32_t)hit->row[i].y);
+    }
+}
+
+static void read_hit(const uint8_t *p, struct cart_hit *hit)
+{
+    hit->shape = bytes_get32(p);
+    hit->rows = bytes_get32(p + 4);
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+        hit->row[i].a = (int32_t)bytes_get32(p + 8 + 16 * i);
+        hit->row[i].b = (int32_t)bytes_get32(p + 12 + 16 * i);
+        hit->row[i].x = (int32_t)bytes_get32(p + 16 + 16 * i);
+        hit->row[i].y = (int32_t)bytes_get32(p + 20 + 16 * i);
+    }
+}
+
+/* Is that row one of the shape? Lengths are not negative, and what the shape does not have is 0. */
+static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
+{
+    const int64_t most = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
+    const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
+
+    if (i >= h->rows)
+        return a == 0 && b == 0 && x == 0 && y == 0;
+    if (a < 0 || b < 0 || b > most || reach > most)
+        return false;
+    return (h->shape == SHAPE_BOX || b == 0) &&
+           (h->shape == SHAPE_CAPSULE || h->shape == SHAPE_CIRCLES || (x == 0 && y == 0));
+}
+
+static bool hit_ok(const struct cart_hit *h)
+{
+    if (h->shape != SHAPE_CIRCLE && h->shape != SHAPE_BOX && h->shape != SHAPE_CAPSULE && h->shape != SHAPE_CIRCLES)
+        return false;
+    if (h->rows < 1 || h->rows > (h->shape == SHAPE_CIRCLES ? SHAPE_PARTS : 1))
+        return false;
+    for (uint32_t i = 0; i < SHAPE_PARTS; i++)
+        if (!hit_row_ok(h, i))
+            return false;
+    return true;
+}
+
+static bool open_hits(struct cart *c, char *err, size_t err_size)
+{
+    struct cart_hit h;
+    struct lump l;
+    int n, first = range(c->rom, "hit/", "hit0", &n);
+
+    for (int i = 0; i < n; i++) {
+        rom_lump(c->rom, first + i, &l);
+        if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
+            return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
+        if (l.size == CART_HIT)
+            read_hit(l.data, &h);
+        if (l.size != CART_HIT || !hit_ok(&h))
+            return err_set(err, err_size, "lump \"%s\": not a hitbox", l.name);
+    }
+    return true;
+}
+
+bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out)
+{
+    struct lump l;
+
+    if (!find_in(cart->rom, "hit/", name, "", &l))
+        return false;
+    read_hit(l.data, out);
+    return true;
+}
+
+static void read_map(const struct lump *l, struct map *m)
+{
+    const uint8_t *p = l->data;
+
+    m->cols = bytes_get16(p);
+    m->rows = bytes_get16(p + 2);
+    m->side = bytes_get16(p + 4);
+    m->tiles = bytes_get16(p + 6);
+    m->bank = bytes_get16(p + 8);
+    m->whole = bytes_get16(p + 10) != 0;
+    m->cells = p + CART_MAP_HEADER;
+    m->solid = m->cells + 2 * (size_t)m->cols * (size_t)m->rows;
+    m->pix = m->solid + m->tiles;
+}
+
+static bool map_header_ok(const struct map *m)
+{
+    return (m->side == 8 || m->side == 16 || m->side == 32) && in(m->cols, 1, CART_MAP_SIDE / m->side) &&
+           in(m->rows, 1, CART_MAP_SIDE / m->side) && m->cols * m->rows <= CART_MAP_CELLS && m->tiles >= 1 &&
+           m->bank <= 15;
+}
+
+/* Tile 0 is empty; `solid` is 1 where no pixel is 0. */
+static bool tile_ok(const struct map *m, int tile)
+{
+    const int n = m->side * m->side;
+    const uint8_t *p = m->pix + (size_t)tile * (size_t)n;
+    bool solid = true;
+
+    for (int i = 0; i < n; i++) {
+        if (p[i] != 0 && (tile == 0 || p[i] >> 4 != m->bank || p[i] % 16 == 0))
+            return false;
+        solid = solid && p[i] != 0;
+    }
+    return m->solid[tile] == solid;
+}
+
+static bool check_map(const struct lump *l, char *err, size_t err_size)
+{
+    struct map m;
+
+    if (l->size < CART_MAP_HEADER)
+        return err_set(err, err_size, "lump \"%s\": too short for a map (%" PRIu32 " bytes)", l->name, l->size);
+    read_map(l, &m);
+    if (!map_header_ok(&m) || bytes_get16(l->data + 10) > 1 || bytes_get32(l->data + 12) != 0)
+        return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
+    uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
+    uint64_t size = CART_MAP_HEADER + 2 * cells + (uint64_t)m.tiles * (1 + (uint64_t)m.side * (uint64_t)m.side);
+    if (l->size != size)
+        return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
+                       size);
+    bool whole = true;
+    for (uint64_t i = 0; i < cells; i++) {
+        if (bytes_get16(m.cells + 2 * i) >= m.tiles)
+            return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " has tile %d, but the map has %d tiles",
+                           l->name, i, bytes_get16(m.cells + 2 * i), m.tiles);
+        whole = whole && m.solid[bytes_get16(m.cells + 2 * i)];
+    }
+    if (whole != m.whole)
+        return err_set(err, err_size, "lump \"%s\": wrong flag for empty cells", l->name);
+    for (int i = 0; i < m.tiles; i++)
+        if (!tile_ok(&m, i))
+            return err_set(err, err_size, "lump \"%s\": tile %d does not match the map's flags", l->name, i);
+    return true;
+}
+
+static bool open_maps(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+
+    c->first_map = range(c->rom, "map/", "map0", &c->maps);
+    if (c->maps > CART_MAX_MAPS)
+        return err_set(err, err_size, "%d lumps named \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
+    for (int i = 0; i < c->maps; i++) {
+        rom_lump(c->rom, c->first_map + i, &l);
+        if (!check_map(&l, err, err_size))
+            return false;
+    }
+    return true;
+}
+
+static bool open_bulletml(struct cart *c, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[96];
+
+    c->first_bulletml = range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
+    if (c->bulletmls > CART_MAX_BULLETML)
+        return err_set(err, err_size, "%d lumps named \"bulletml/...\", expected at most %d", c->bulletmls,
+                       CART_MAX_BULLETML);
+    for (int i = 0; i < c->bulletmls; i++) {
+        rom_lump(c->rom, c->first_bulletml + i, &l);
+        if (!ml_check(l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+    }
+    return true;
+}
+
+/* The samples of a stream, which music alone may be. */
+static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
+{
+    struct lump l;
+
+    return strncmp(tune->name, "tune/", 5) == 0 && find_in(c->rom, "wave/", tune->name + 5, "", &l) &&
+           samples_open(l.data, l.size, sides);
+}
+
+/* The tunes of a folder. */
+static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
+{
+    struct lump l;
+    char why[128];
+
+    if (n > CART_MAX_TUNES)
+        return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", n, CART_MAX_TUNES);
+    for (int i = 0; i < n; i++) {
+        rom_lump(c->rom, first + i, &l);
+        if (!tune_open(l.data, l.size, why, sizeof why))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+        const struct tune t = tune_of(l.data);
+        if (tune_streams(&t) && !stream_ok(c, &l, t.sides))
+            return err_set(err, err_size, "lump \"%s\": samples (lump wave/%s) are missing or damaged", l.name,
+                           strchr(l.name, '/') + 1);
+    }
+    return true;
+}
+
+const char *const cart_cues[CART_CUES] = { "shot",  "hit",    "graze",    "kill",    "item",  "bomb",   "warning",
+                                           "menu",  "extend", "spell",    "bonus",   "time",  "select", "back",
+                                           "wrong", "pause",  "continue", "mission", "failed" };
+
+static bool open_sounds(struct cart *c, char *err, size_t err_size)
+{
+    struct lump first;
+
+    c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
+    c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
+    if (c->sounds + c->tunes > 0) { /* their lumps stand one behind the other */
+        rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
+        c->tune_data = first.data - TUNES_FIRST;
+    }
+    for (int i = 0; i < CART_CUES; i++) {
+        const int sound = cart_find_sound(c, cart_cues[i]);
+        c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
+    }
+    return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
+           open_tunes(c, c->first_sound, c->sounds, err, err_size);
+}
+
+bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
+{
+    cart->rom = rom;
+    return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
+           open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
+           open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
+           open_sprites(cart, err, err_size) && open_hits(cart, err, err_size) && open_maps(cart, err, err_size) &&
+           open_bulletml(cart, err, err_size) && open_sounds(cart, err, err_size);
+}
+
+void cart_sprite(const struct cart *cart, int i, struct sprite *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->sprites);
+    rom_lump(cart->rom, cart->first_sprite + i, &l);
+    read_sprite(&l, out);
+}
+
+const char *cart_sprite_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->sprites);
+    rom_lump(cart->rom, cart->first_sprite + i, &l);
+    return l.name + strlen("gfx/");
+}
+
+/* The lump folder + name, counted from the folder's first; -1: none. */
+static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
+{
+    char full[ROM_NAME];
+    int n = snprintf(full, sizeof full, "%s%s", folder, name);
+    int i = n > 0 && n < ROM_NAME ? rom_find(cart->rom, full) : -1;
+
+    return i < 0 ? -1 : i - first;
+}
+
+int cart_find_sprite(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "gfx/", name, cart->first_sprite);
+}
+
+const char *cart_blend_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->blends);
+    rom_lump(cart->rom, cart->first_blend + i, &l);
+    return l.name + strlen("blend/");
+}
+
+const char *cart_lang_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->langs);
+    rom_lump(cart->rom, cart->first_lang + i, &l);
+    return l.name + strlen("lang/");
+}
+
+bool cart_lang(const struct cart *cart, const char *name, struct words *out)
+{
+    struct lump l;
+    char err[128];
+
+    *out = (struct words){ NULL, 0 };
+    return !name[0] || (find_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
+}
+
+int cart_find_blend(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "blend/", name, cart->first_blend);
+}
+
+void cart_map(const struct cart *cart, int i, struct map *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->maps);
+    rom_lump(cart->rom, cart->first_map + i, &l);
+    read_map(&l, out);
+}
+
+const char *cart_palette_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->palettes);
+    rom_lump(cart->rom, cart->first_palette + i, &l);
+    return l.name + strlen("palette/");
+}
+
+const uint8_t *cart_palette_at(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->palettes);
+    rom_lump(cart->rom, cart->first_palette + i, &l);
+    return l.data;
+}
+
+const char *cart_map_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->maps);
+    rom_lump(cart->rom, cart->first_map + i, &l);
+    return l.name + strlen("map/");
+}
+
+int cart_find_map(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "map/", name, cart->first_map);
+}
+
+void cart_bulletml(const struct cart *cart, int i, struct ml *out)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->bulletmls);
+    rom_lump(cart->rom, cart->first_bulletml + i, &l);
+    ml_open(out, l.data);
+}
+
+const char *cart_bulletml_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->bulletmls);
+    rom_lump(cart->rom, cart->first_bulletml + i, &l);
+    return l.name + strlen("bulletml/");
+}
+
+int cart_find_bulletml(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "bulletml/", name, cart->first_bulletml);
+}
+
+const uint8_t *cart_palette(const struct cart *cart, const char *name)
+{
+    struct lump l;
+
+    return find_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+}
+
+const char *cart_face_name(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->faces);
+    rom_lump(cart->rom, cart->first_face + i, &l);
+    return l.name + strlen("fonts/");
+}
+
+struct face cart_face(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    assert(i >= 0 && i < cart->faces);
+    rom_lump(cart->rom, cart->first_face + i, &l);
+    return face_of(l.data);
+}
+
+int cart_find_face(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "fonts/", name, cart->first_face);
+}
+
+bool cart_has_glyph(const struct cart *cart, uint32_t code)
+{
+    struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
+    struct face_glyph g;
+    bool has = text_blank(code) || text_has(&font, code);
+
+    for (int i = 0; i < cart->faces && !has; i++) {
+        struct face face = cart_face(cart, i);
+        has = face_find(&face, code, &g);
+    }
+    return has;
+}
+
+static const char *name_in(const struct cart *cart, const char *folder, int lump)
+{
+    struct lump l;
+
+    rom_lump(cart->rom, lump, &l);
+    return l.name + strlen(folder);
+}
+
+static uint32_t place_of(const struct cart *cart, int lump)
+{
+    struct lump l;
+
+    rom_lump(cart->rom, lump, &l);
+    return (uint32_t)(l.data - cart->tune_data);
+}
+
+const char *cart_tune_name(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->tunes);
+    return name_in(cart, "tune/", cart->first_tune + i);
+}
+
+uint32_t cart_tune(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->tunes);
+    return place_of(cart, cart->first_tune + i);
+}
+
+int cart_find_tune(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "tune/", name, cart->first_tune);
+}
+
+const char *cart_sound_name(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->sounds);
+    return name_in(cart, "sound/", cart->first_sound + i);
+}
+
+uint32_t cart_sound(const struct cart *cart, int i)
+{
+    assert(i >= 0 && i < cart->sounds);
+    return place_of(cart, cart->first_sound + i);
+}
+
+int cart_find_sound(const struct cart *cart, const char *name)
+{
+    return index_in(cart, "sound/", name, cart->first_sound);
+}
+
+/* The samples of the recording at that place; 0: it is none. */
+static uint32_t samples_of(const struct cart *cart, uint32_t tune)
+{
+    const uint32_t at = bytes_get32(cart->tune_data + tune + 12);
+    struct lump l;
+    int i = 0;
+
+    if (at)
+        return tune + at;
+    while (i < cart->tunes && cart_tune(cart, i) != tune)
+        i++;
+    if (i == cart->tunes || !find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
+        return 0;
+    return (uint32_t)(l.data - cart->tune_data);
+}
+
+size_t cart_wave_size(const struct cart *cart, int i)
+{
+    struct lump l;
+
+    return i >= 0 && find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
+}
+
+uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
+{
+    const bool named = inst_sample(inst)[0] != 0;
+    const int sound = named ? cart_find_sound(cart, inst_sample(inst)) : -1;
+    const uint32_t from = sound < 0 ? tune : cart_sound(cart, sound);
+    const struct tune t = tune_of(cart->tune_data + from);
+
+    if (inst[0] != INST_SAMPLE || (named && sound < 0) || t.sides == 0)
+        return 0;
+    const uint32_t first = samples_of(cart, from);
+    if (first == 0 || t.sides == 1 || named || inst == tune_inst(&t, 0))
+        return first;
+    const struct sample s = sample_of(cart->tune_data + first);
+    return first + (uint32_t)sample_size(s.n, s.coding);
+}
+
+static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,
+                    size_t *size)
+{
+    struct lump l;
+
+    if (!find_in(cart->rom, folder, name, tail, &l))
+        return false;
+    *text = (const char *)l.data;
+    *size = l.size;
+    return true;
+}
+
+bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size)
+{
+    return text_in(cart, "script/", name, ".lua", text, size);
+}
+
+bool cart_text(const struct cart *cart, const char *name, const char **text, size_t *size)
+{
+    return text_in(cart, "data/", name, "", text, size);
+}

@@ -1,0 +1,71 @@
+/*
+ * compressed.c - see compressed.h.
+ */
+#include "compressed.h"
+
+#include <inttypes.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../base/hash.h"
+#include "lzma.h"
+
+enum { FORMAT = 1, CRC_FROM = 16 };
+static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 'Z' };
+
+bool compressed_is(const void *data, size_t size)
+{
+    return size >= sizeof magic && memcmp(data, magic, sizeof magic) == 0;
+}
+
+size_t compressed_size(const void *data, size_t size, char *err, size_t err_size)
+{
+    const uint8_t *p = data;
+
+    if (size < COMPRESSED_HEADER || !compressed_is(data, size)) {
+        err_set(err, err_size, "too short for a compressed ROM (%zu bytes)", size);
+        return 0;
+    }
+    const uint32_t plain = bytes_get32(p + 16);
+    if (bytes_get32(p + 8) != FORMAT)
+        err_set(err, err_size, "unknown compression format %" PRIu32 " (this program reads format %d)",
+                bytes_get32(p + 8), FORMAT);
+    else if (bytes_get32(p + 20) != size)
+        err_set(err, err_size, "%zu bytes long, but its header says %" PRIu32, size, bytes_get32(p + 20));
+    else if (bytes_get32(p + 12) != hash_crc32(p + CRC_FROM, size - CRC_FROM))
+        err_set(err, err_size, "damaged: the checksum does not match");
+    else if (bytes_get32(p + 28) != 0)
+        err_set(err, err_size, "reserved header bytes are not zero");
+    else if (plain == 0 || plain > COMPRESSED_MOST || plain / COMPRESSED_TIMES > size)
+        err_set(err, err_size,
+                "%zu bytes long, but its header says %" PRIu32
+                " bytes when decompressed: expected 1 to %d, and at most %d times the file's size",
+                size, plain, COMPRESSED_MOST, COMPRESSED_TIMES);
+    else
+        return plain;
+    return 0;
+}
+
+bool compressed_read(const void *data, size_t size, void *out, char *err, size_t err_size)
+{
+    const uint8_t *p = data;
+    const size_t plain = compressed_size(data, size, err, err_size);
+
+    if (plain == 0)
+        return false;
+    if (lzma_read(p + COMPRESSED_HEADER, size - COMPRESSED_HEADER, out, plain) &&
+        hash_crc32(out, plain) == bytes_get32(p + 24))
+        return true;
+    return err_set(err, err_size, "damaged: decompressed data has the wrong checksum");
+}
+
+void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size)
+{
+    memset(out, 0, COMPRESSED_HEADER);
+    memcpy(out, magic, sizeof magic);
+    bytes_put32(out + 8, FORMAT);
+    bytes_put32(out + 16, (uint32_t)rom_size);
+    bytes_put32(out + 20, (uint32_t)size);
+    bytes_put32(out + 24, hash_crc32(rom, rom_size));
+    bytes_put32(out + 12, hash_crc32(out + CRC_FROM, size - CRC_FROM));
+}

@@ -1,0 +1,400 @@
+/*
+ * manifest.c - see manifest.h: defaults, ranges and the binary form. The text form is read in manifest_text.c.
+ * One walk over the struct serves both directions of the binary form, so they cannot disagree.
+ */
+#include "manifest.h"
+
+#include <assert.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../fb/utf8.h"
+#include "../base/bytes.h"
+#include "../base/err.h"
+#include "../entities/enemies.h"
+#include "../entities/lasers.h"
+#include "../entities/motion.h"
+#include "../entities/options.h"
+#include "../entities/registers.h"
+
+/* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
+ * core version 5 wrote format 2, core version 6 format 3; format 5 is that of games that run BulletML documents. */
+enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
+static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
+
+static const int64_t max_extend = (int64_t)1 << 53;
+
+#define NUMBER(name, field, lo, hi)                                                                                    \
+    {                                                                                                                  \
+        name, offsetof(struct manifest, field), lo, hi, false                                                          \
+    }
+#define FLAG(name, field)                                                                                              \
+    {                                                                                                                  \
+        name, offsetof(struct manifest, field), 0, 1, true                                                             \
+    }
+
+const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
+    NUMBER("version", version, 0, 1000000000),
+    NUMBER("screen.w", screen_w, 64, 1024),
+    NUMBER("screen.h", screen_h, 64, 1024),
+    NUMBER("field.x", field_x, 0, 1008),
+    NUMBER("field.y", field_y, 0, 1008),
+    NUMBER("field.w", field_w, 16, 1024),
+    NUMBER("field.h", field_h, 16, 1024),
+    NUMBER("field.margin", margin, 0, 1024),
+    NUMBER("board.bullets", bullets, 0, 1 << 22),
+    NUMBER("board.shots", shots, 0, 1 << 16),
+    NUMBER("board.enemies", enemies, 0, MAX_ENEMIES),
+    NUMBER("board.sparks", sparks, 0, 1 << 22),
+    NUMBER("board.sprites", sprites, 0, 1 << 16),
+    NUMBER("board.motions", motions, 0, 4095),
+    NUMBER("board.tasks", tasks, 1, 1 << 16),
+    NUMBER("board.lua_kib", lua_kib, 256, 262144),
+    NUMBER("players", players, 1, 2),
+    NUMBER("board.values.bullet", bullet_values, 0, MAX_VALUES),
+    NUMBER("board.values.shot", shot_values, 0, MAX_VALUES),
+    NUMBER("board.values.enemy", enemy_values, 0, MAX_VALUES),
+    FLAG("board.hp", hp),
+    FLAG("board.around", around),
+    FLAG("board.frozen", frozen),
+    NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
+    FLAG("board.meet", meet),
+    NUMBER("board.items", items, 0, 1 << 16),
+    NUMBER("board.lines", lines, 0, 4096),
+    FLAG("board.wide", wide),
+    FLAG("board.bg", bg),
+    NUMBER("board.lasers", lasers, 0, MAX_LASERS),
+    NUMBER("board.curve_points", curve_points, 0, 1 << 20),
+    NUMBER("board.registers", registers, 0, MAX_REGISTERS),
+    NUMBER("board.options", options, 0, MAX_OPTIONS),
+    FLAG("board.bodies", bodies),
+    FLAG("board.pierce", pierce),
+    FLAG("board.sound", sound),
+    NUMBER("board.bulletml", bulletml, 0, 1 << 16),
+};
+
+void manifest_default(struct manifest *m)
+{
+    memset(m, 0, sizeof *m);
+    strcpy(m->id, "game");
+    strcpy(m->title, "Untitled");
+    strcpy(m->entry, "main");
+    m->version = 1;
+    m->screen_w = m->field_w = 240;
+    m->screen_h = m->field_h = 320;
+    m->margin = 64;
+    m->bullets = 8192;
+    m->shots = 512;
+    m->enemies = 256;
+    m->sparks = 2048;
+    m->sprites = 256;
+    m->motions = 256;
+    m->tasks = 1024;
+    m->lua_kib = 4096;
+    m->nvram_kib = NV_KIB;
+    m->registers = REGISTERS;
+    m->players = 1;
+    strcpy(m->difficulties[0], "normal");
+    m->n_difficulties = 1;
+}
+
+static bool letter_or_digit(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+bool manifest_word_ok(const char *s)
+{
+    size_t n = strlen(s);
+
+    for (size_t i = 0; i < n; i++)
+        if (!letter_or_digit(s[i]) && s[i] != '_' && s[i] != '-')
+            return false;
+    return n > 0 && n < MAX_WORD;
+}
+
+bool manifest_path_ok(const char *s)
+{
+    char before = '/';
+
+    for (; *s != '\0'; before = *s++) {
+        if (*s == '/' ? before == '/' : !letter_or_digit(*s) && strchr("_.-", *s) == NULL)
+            return false;
+        if (*s == '.' && before == '/')
+            return false;
+    }
+    return before != '/';
+}
+
+static bool all_zero(const void *p, size_t n)
+{
+    const uint8_t *b = p;
+
+    while (n > 0 && *b == 0)
+        b++, n--;
+    return n == 0;
+}
+
+/* Ended inside its array, nothing but zeros after the end, no character that may not be shown. */
+static bool text_ok(const char *s, size_t n)
+{
+    const char *p = s, *end = memchr(s, '\0', n);
+
+    while (end != NULL && p < end)
+        if (!utf8_may_show(utf8_next(&p, end)))
+            return false;
+    return end != NULL && all_zero(end, n - (size_t)(end - s));
+}
+
+static bool id_ok(const char *s)
+{
+    size_t n = strlen(s);
+
+    return n > 0 && strspn(s, "abcdefghijklmnopqrstuvwxyz0123456789_") == n;
+}
+
+static bool check_texts(const struct manifest *m, char *err, size_t err_size)
+{
+    if (!text_ok(m->id, sizeof m->id) || !id_ok(m->id))
+        return err_set(err, err_size, "id: expected 1 to %zu of the characters a-z 0-9 _", sizeof m->id - 1);
+    if (!text_ok(m->title, sizeof m->title) || m->title[0] == '\0')
+        return err_set(err, err_size, "title: expected a line of 1 to %zu bytes", sizeof m->title - 1);
+    if (!text_ok(m->author, sizeof m->author))
+        return err_set(err, err_size, "author: expected a line of at most %zu bytes", sizeof m->author - 1);
+    if (!text_ok(m->entry, sizeof m->entry) || !manifest_path_ok(m->entry))
+        return err_set(err, err_size, "entry: expected a script's path without .lua, at most %zu bytes",
+                       sizeof m->entry - 1);
+    return true;
+}
+
+static bool check_numbers(const struct manifest *m, char *err, size_t err_size)
+{
+    for (int i = 0; i < MANIFEST_NUMBERS; i++) {
+        const struct manifest_number *f = &manifest_numbers[i];
+        int32_t v;
+        memcpy(&v, (const char *)m + f->offset, sizeof v);
+        if (v < f->lo || v > f->hi)
+            return err_set(err, err_size, "%s: expected a whole number from %" PRId32 " to %" PRId32 ", got %" PRId32,
+                           f->name, f->lo, f->hi, v);
+    }
+    if (m->screen_w % 8 != 0)
+        return err_set(err, err_size, "screen.w: expected a multiple of 8, got %" PRId32, m->screen_w);
+    if (m->field_x + m->field_w > m->screen_w || m->field_y + m->field_h > m->screen_h)
+        return err_set(err, err_size,
+                       "field: %" PRId32 "x%" PRId32 " at %" PRId32 ",%" PRId32 " is not inside the %" PRId32
+                       "x%" PRId32 " screen",
+                       m->field_w, m->field_h, m->field_x, m->field_y, m->screen_w, m->screen_h);
+    return true;
+}
+
+static bool check_extends(const struct manifest *m, char *err, size_t err_size)
+{
+    int n = m->n_extends;
+
+    if (n < 0 || n > MAX_EXTENDS || !all_zero(m->extends + n, (size_t)(MAX_EXTENDS - n) * sizeof m->extends[0]))
+        return err_set(err, err_size, "extends: expected at most %d scores", MAX_EXTENDS);
+    for (int i = 0; i < n; i++)
+        if (m->extends[i] < (i > 0 ? m->extends[i - 1] + 1 : 1) || m->extends[i] > max_extend)
+            return err_set(err, err_size, "extends: expected ascending scores from 1 to %" PRId64 ", got %" PRId64,
+                           max_extend, m->extends[i]);
+    return true;
+}
+
+/* n words, all different, nothing after them. */
+static bool words_ok(const char words[][MAX_WORD], int n, int max)
+{
+    for (int i = 0; i < n; i++) {
+        if (!text_ok(words[i], MAX_WORD) || !manifest_word_ok(words[i]))
+            return false;
+        for (int j = 0; j < i; j++)
+            if (strcmp(words[i], words[j]) == 0)
+                return false;
+    }
+    return all_zero(words + n, (size_t)(max - n) * MAX_WORD);
+}
+
+static bool check_difficulties(const struct manifest *m, char *err, size_t err_size)
+{
+    int n = m->n_difficulties;
+
+    if (n < 1 || n > MAX_DIFFICULTIES || !words_ok(m->difficulties, n, MAX_DIFFICULTIES))
+        return err_set(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
+                       MAX_DIFFICULTIES, MAX_WORD - 1);
+    if (m->difficulty < 0 || m->difficulty >= n)
+        return err_set(err, err_size, "difficulty: not listed in difficulties");
+    return true;
+}
+
+static bool check_dip(const struct dip *d, char *err, size_t err_size)
+{
+    if (!text_ok(d->name, sizeof d->name) || !manifest_word_ok(d->name))
+        return err_set(err, err_size, "dip: expected names of 1 to %d letters, digits, _ or -", MAX_WORD - 1);
+    if (d->values < 0 || d->values > MAX_DIP_VALUES || !words_ok(d->value_name, d->values, MAX_DIP_VALUES))
+        return err_set(err, err_size, "dip.%s: expected 1 to %d different words of at most %d letters", d->name,
+                       MAX_DIP_VALUES, MAX_WORD - 1);
+    if (d->number ? d->values != 0 : d->values == 0 || d->lo != 0 || d->hi != d->values - 1)
+        return err_set(err, err_size, "dip.%s: expected either a range or 1 to %d values", d->name, MAX_DIP_VALUES);
+    if (d->lo > d->hi || d->value < d->lo || d->value > d->hi)
+        return err_set(err, err_size, "dip.%s: expected min <= default <= max, got %" PRId32 ", %" PRId32 ", %" PRId32,
+                       d->name, d->lo, d->value, d->hi);
+    if ((int64_t)d->hi - d->lo >= MAX_DIP_RANGE)
+        return err_set(err, err_size,
+                       "dip.%s: expected at most %d numbers from min to max, got %" PRId32 " to %" PRId32, d->name,
+                       MAX_DIP_RANGE, d->lo, d->hi);
+    return true;
+}
+
+static bool check_dips(const struct manifest *m, char *err, size_t err_size)
+{
+    int n = m->n_dips;
+
+    if (n < 0 || n > MAX_DIPS)
+        return err_set(err, err_size, "dip: expected at most %d switches", MAX_DIPS);
+    for (int i = 0; i < n; i++) {
+        if (!check_dip(&m->dips[i], err, err_size))
+            return false;
+        if (i > 0 && strcmp(m->dips[i - 1].name, m->dips[i].name) >= 0)
+            return err_set(err, err_size, "dip.%s: not in alphabetical order", m->dips[i].name);
+    }
+    return true;
+}
+
+bool manifest_check(const struct manifest *m, char *err, size_t err_size)
+{
+    return check_texts(m, err, err_size) && check_numbers(m, err, err_size) && check_extends(m, err, err_size) &&
+           check_difficulties(m, err, err_size) && check_dips(m, err, err_size);
+}
+
+/* A walk over the struct: it writes the bytes, or reads them. */
+struct walk {
+    uint8_t *out;      /* NULL: reading */
+    const uint8_t *in; /* NULL: writing */
+    bool good;
+};
+
+static void walk_text(struct walk *w, char *s, size_t n)
+{
+    if (w->out != NULL) {
+        memcpy(w->out, s, n);
+        w->out += n;
+    } else {
+        memcpy(s, w->in, n);
+        w->in += n;
+    }
+}
+
+static void walk_32(struct walk *w, int32_t *v)
+{
+    if (w->out != NULL) {
+        bytes_put32(w->out, (uint32_t)*v);
+        w->out += 4;
+    } else {
+        *v = (int32_t)bytes_get32(w->in);
+        w->in += 4;
+    }
+}
+
+static void walk_64(struct walk *w, int64_t *v)
+{
+    if (w->out != NULL) {
+        bytes_put64(w->out, (uint64_t)*v);
+        w->out += 8;
+    } else {
+        *v = (int64_t)bytes_get64(w->in);
+        w->in += 8;
+    }
+}
+
+static void walk_dip(struct walk *w, struct dip *d)
+{
+    int32_t number = d->number;
+
+    walk_text(w, d->name, sizeof d->name);
+    walk_32(w, &number);
+    walk_32(w, &d->lo);
+    walk_32(w, &d->hi);
+    walk_32(w, &d->value);
+    walk_32(w, &d->values);
+    walk_text(w, d->value_name[0], sizeof d->value_name);
+    d->number = number != 0;
+    w->good = w->good && (number == 0 || number == 1);
+}
+
+static void walk_numbers(struct walk *w, struct manifest *m, int from, int to)
+{
+    for (int i = from; i < to; i++)
+        walk_32(w, (int32_t *)(void *)((char *)m + manifest_numbers[i].offset));
+}
+
+static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
+{
+    int32_t format = expected;
+
+    walk_32(w, &format);
+    w->good = format == expected;
+    walk_text(w, m->id, sizeof m->id);
+    walk_text(w, m->title, sizeof m->title);
+    walk_text(w, m->author, sizeof m->author);
+    walk_text(w, m->entry, sizeof m->entry);
+    walk_numbers(w, m, 0, NUMBERS_1);
+    for (int i = 0; i < MAX_EXTENDS; i++)
+        walk_64(w, &m->extends[i]);
+    walk_32(w, &m->n_extends);
+    walk_text(w, m->difficulties[0], sizeof m->difficulties);
+    walk_32(w, &m->n_difficulties);
+    walk_32(w, &m->difficulty);
+    for (int i = 0; i < MAX_DIPS; i++)
+        walk_dip(w, &m->dips[i]);
+    walk_32(w, &m->n_dips);
+    walk_numbers(w, m, NUMBERS_1, numbers_of[expected]);
+}
+
+static size_t bytes_of(int format)
+{
+    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
+}
+
+uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
+{
+    const int format = m->bulletml ? FORMAT : FORMAT_PLAIN;
+    struct manifest copy = *m;
+    struct walk w = { out, NULL, true };
+
+    memset(out, 0, MANIFEST_BYTES);
+    walk_manifest(&w, &copy, format);
+    assert(w.out == out + bytes_of(format));
+    return (uint32_t)bytes_of(format);
+}
+
+static bool unused_dips_zero(const struct manifest *m)
+{
+    for (int i = m->n_dips; i < MAX_DIPS; i++) {
+        const struct dip *d = &m->dips[i];
+        if (d->number || d->lo != 0 || d->hi != 0 || d->value != 0 || d->values != 0 ||
+            !all_zero(d->name, sizeof d->name) || !all_zero(d->value_name, sizeof d->value_name))
+            return false;
+    }
+    return true;
+}
+
+bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size)
+{
+    struct walk w = { NULL, data, true };
+    int format = FORMAT;
+
+    while (format > 0 && size != bytes_of(format))
+        format--;
+    if (!format)
+        return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
+    memset(m, 0, sizeof *m);
+    m->nvram_kib = NV_KIB;        /* of format 1 */
+    m->registers = MAX_REGISTERS; /* of format 3: as many as its ships could have */
+    walk_manifest(&w, m, format);
+    if (!w.good)
+        return err_set(err, err_size, "unknown format");
+    if (format == FORMAT && !m->bulletml)
+        return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d", FORMAT_PLAIN);
+    if (!manifest_check(m, err, err_size))
+        return false;
+    return unused_dips_zero(m) ? true : err_set(err, err_size, "dip: unused switches are not zero");
+}

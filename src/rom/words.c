@@ -1,0 +1,71 @@
+/*
+ * words.c - see words.h.
+ */
+#include "words.h"
+
+#include <inttypes.h>
+#include <string.h>
+#include "../base/bytes.h"
+#include "../base/err.h"
+
+enum { HEAD = 4, ENTRY = 8 };
+
+const char *words_entry(const struct words *w, uint32_t i, const char **words)
+{
+    const uint8_t *entry = w->data + HEAD + (size_t)i * ENTRY;
+
+    if (words)
+        *words = (const char *)w->data + bytes_get32(entry + 4);
+    return (const char *)w->data + bytes_get32(entry);
+}
+
+/* Does a string that is no longer than it may be begin there? */
+static bool string_ok(const uint8_t *data, size_t size, size_t first, uint32_t at)
+{
+    size_t most = at < size ? size - at : 0;
+
+    return at >= first && memchr(data + at, 0, most < WORDS_TEXT ? most : WORDS_TEXT) != NULL;
+}
+
+bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size)
+{
+    *w = (struct words){ data, size >= HEAD ? bytes_get32(data) : 0 };
+    if (size < HEAD || w->n > WORDS_MAX || size - HEAD < (size_t)w->n * ENTRY || (size > HEAD && data[size - 1] != 0))
+        return err_set(err, err_size, "not a table of %" PRIu32 " translations (%zu bytes)", w->n, size);
+    for (uint32_t i = 0; i < w->n; i++) {
+        const uint8_t *entry = data + HEAD + (size_t)i * ENTRY;
+        if (!string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry)) ||
+            !string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry + 4)))
+            return err_set(err, err_size, "translation %" PRIu32 " is missing", i);
+        if (i > 0 && strcmp(words_entry(w, i - 1, NULL), words_entry(w, i, NULL)) >= 0)
+            return err_set(err, err_size, "translation %" PRIu32 " is out of order (expected byte order)", i);
+    }
+    return true;
+}
+
+/* As strcmp of a string and the n bytes of a text. */
+static int compare(const char *s, const char *text, size_t n)
+{
+    size_t m = strlen(s);
+    int order = memcmp(s, text, m < n ? m : n);
+
+    return order ? order : (m > n) - (m < n);
+}
+
+const char *words_find(const struct words *w, const char *text, size_t n)
+{
+    uint32_t lo = 0, hi = w->data ? w->n : 0;
+    const char *words;
+
+    while (lo < hi) {
+        uint32_t mid = lo + (hi - lo) / 2;
+        int order = compare(words_entry(w, mid, &words), text, n);
+        if (!order)
+            return words;
+        if (order < 0)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    return NULL;
+}

@@ -1,0 +1,434 @@
+/*
+ * api_bg.c - bg: the background's layers and its plane.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../base/trig.h"
+#include "api_parts.h"
+
+enum {
+    MOST_LINES = 1024,  /* the highest field */
+    SHADE_WORK = 500000 /* VM instructions that take as long */
+};
+
+static const char def[] = "bg.lines", fog_def[] = "plane: fog";
+
+static double pixels(int64_t q16)
+{
+    return (double)q16 / 65536;
+}
+
+static void push_name(lua_State *L, const char *name)
+{
+    if (name)
+        lua_pushstring(L, name);
+    else
+        lua_pushnil(L);
+}
+
+/* ---- what layers and the plane share ---- */
+
+enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
+
+#define SHARED                                                                                                         \
+    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
+        { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "    \
+                "`vx` every frame"),                                                                                   \
+          PROP_WRITE },                                                                                                \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "     \
+                "`vy` every frame"),                                                                                   \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
+        { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
+                "drawing order; `back` is behind all things, and `front` is in front of all sprites"),                 \
+          PROP_WRITE },                                                                                                \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
+        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
+    {                                                                                                                  \
+        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves"), PROP_WRITE                \
+    }
+
+static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct bg *g = &b->bg;
+    const int blend = (g->flags[i] & BG_BLEND) / BG_BLEND_ONE;
+
+    switch (p) {
+    case P_MAP:
+        push_name(L, g->map[i] ? cart_map_name(&b->cart, g->map[i] - 1) : NULL);
+        break;
+    case P_X:
+        lua_pushnumber(L, pixels(g->x[i]));
+        break;
+    case P_Y:
+        lua_pushnumber(L, pixels(g->y[i]));
+        break;
+    case P_VX:
+        lua_pushnumber(L, fx_to_double(g->vx[i]));
+        break;
+    case P_VY:
+        lua_pushnumber(L, fx_to_double(g->vy[i]));
+        break;
+    case P_LAYER:
+        lua_pushstring(L, g->flags[i] & BG_FRONT ? "front" : "back");
+        break;
+    case P_BANK:
+        lua_pushinteger(L, g->bank[i]);
+        break;
+    case P_BLEND:
+        push_name(L, blend ? cart_blend_name(&b->cart, blend - 1) : NULL);
+        break;
+    default:
+        lua_pushboolean(L, g->flags[i] & BG_HIDDEN);
+    }
+}
+
+static void set_flag(struct bg *g, uint32_t i, unsigned flag, bool on)
+{
+    g->flags[i] = (uint8_t)(on ? g->flags[i] | flag : g->flags[i] & ~flag);
+}
+
+static void set_shared(struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct bg *g = &b->bg;
+
+    switch (p) {
+    case P_MAP:
+        g->map[i] = (uint16_t)v->i;
+        break;
+    case P_X:
+        g->x[i] = v->f;
+        break;
+    case P_Y:
+        g->y[i] = v->f;
+        break;
+    case P_VX:
+        g->vx[i] = v->f;
+        break;
+    case P_VY:
+        g->vy[i] = v->f;
+        break;
+    case P_LAYER:
+        set_flag(g, i, BG_FRONT, v->i);
+        break;
+    case P_BANK:
+        g->bank[i] = (uint8_t)v->i;
+        break;
+    case P_BLEND:
+        g->flags[i] = (uint8_t)((g->flags[i] & ~BG_BLEND) | v->i * BG_BLEND_ONE);
+        break;
+    default:
+        set_flag(g, i, BG_HIDDEN, v->i);
+    }
+}
+
+/* ---- layers ---- */
+
+enum { P_WRAP = P_SHARED, LAYER_PROPS };
+
+static const struct api_prop layer_props[LAYER_PROPS] = {
+    SHARED,
+    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE },
+};
+
+static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    if (p == P_WRAP)
+        lua_pushboolean(L, b->bg.flags[i] & BG_WRAP);
+    else
+        get_shared(L, b, i, p);
+}
+
+static void set_layer(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    (void)L;
+    if (p == P_WRAP)
+        set_flag(&b->bg, i, BG_WRAP, v->i);
+    else
+        set_shared(b, i, p, v);
+}
+
+const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROPS, get_layer, set_layer };
+
+/* ---- the plane ---- */
+
+enum { P_HORIZON = P_SHARED, P_HEIGHT, P_DIR, P_CEILING, P_FOG, PLANE_PROPS };
+enum { FOG_TO, FOG_FAR, FOG_PARAMS };
+
+static const struct api_prop plane_props[PLANE_PROPS] = {
+    SHARED,
+    { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
+      PROP_WRITE },
+    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE },
+    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction in which the eye looks; 270 is up the map"), PROP_WRITE },
+    { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL,
+            "true for a ceiling above the horizon instead of a floor below it"),
+      PROP_WRITE },
+    { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
+            "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
+            "that colour is left; nil for no fog"),
+      PROP_WRITE },
+};
+
+static const struct api_param fog_params[FOG_PARAMS] = {
+    PARAM("to", A_INT, REQ, 0, 0xffffff, NULL, NULL, ""),
+    PARAM("far", A_FX, REQ, 1, WORLD, "px", NULL, ""),
+};
+
+static void push_fog(lua_State *L, const struct bg *g)
+{
+    if (g->fog[BG_PLANE] == BG_NO_FOG) {
+        lua_pushnil(L);
+        return;
+    }
+    lua_createtable(L, 0, FOG_PARAMS);
+    lua_pushinteger(L, g->fog[BG_PLANE]);
+    lua_setfield(L, -2, "to");
+    lua_pushnumber(L, fx_to_double(g->far[BG_PLANE]));
+    lua_setfield(L, -2, "far");
+}
+
+static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct bg *g = &b->bg;
+
+    switch (p) {
+    case P_HORIZON:
+        lua_pushinteger(L, g->horizon[i]);
+        break;
+    case P_HEIGHT:
+        lua_pushnumber(L, fx_to_double(g->height[i]));
+        break;
+    case P_DIR:
+        lua_pushnumber(L, trig_to_degrees(g->dir[i]));
+        break;
+    case P_CEILING:
+        lua_pushboolean(L, g->flags[i] & BG_CEILING);
+        break;
+    case P_FOG:
+        push_fog(L, g);
+        break;
+    default:
+        get_shared(L, b, i, p);
+    }
+}
+
+/* Makes the tables of shades that follow from `to`. */
+static void shade(struct board *b, int at, uint32_t to)
+{
+    if (!b->bg_shades.s.live)
+        memset(b->bg_shades.to, 0, BG_TABLES);
+    b->bg_shades.s.live = b->bg_shades.s.cap;
+    bg_shade(b->bg_shades.to + at,
+             b->cart.has_looks ? cart_palette_at(&b->cart, board_palette(b)) : cart_palette(&b->cart, "main"), to);
+}
+
+void api_bg_shade(lua_State *L, struct board *b, bool other)
+{
+    const bool fog = b->bg.fog[BG_PLANE] != BG_NO_FOG, black = b->bg.over[0];
+
+    if (fog) /* also where nothing is made: no palette is part of what a tick computes */
+        vm_charge(L, SHADE_WORK);
+    if (black)
+        vm_charge(L, SHADE_WORK);
+    if (other && fog)
+        shade(b, BG_FOG_TABLES, b->bg.fog[BG_PLANE]);
+    if (other && black)
+        shade(b, BG_BLACK_TABLES, 0);
+}
+
+static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
+{
+    struct api_value f[FOG_PARAMS];
+
+    if (!v->given) {
+        b->bg.fog[BG_PLANE] = BG_NO_FOG;
+        return;
+    }
+    api_read_fields(L, fog_def, NULL, &(struct api_fields){ fog_params, FOG_PARAMS, NAME_LISTS }, v->at, f);
+    if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE]) {
+        vm_charge(L, SHADE_WORK);
+        shade(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
+    }
+    b->bg.fog[BG_PLANE] = (uint32_t)f[FOG_TO].i;
+    b->bg.far[BG_PLANE] = f[FOG_FAR].f;
+}
+
+static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct bg *g = &b->bg;
+
+    switch (p) {
+    case P_HORIZON:
+        g->horizon[i] = (int16_t)v->i;
+        break;
+    case P_HEIGHT:
+        g->height[i] = v->f;
+        break;
+    case P_DIR:
+        g->dir[i] = v->a;
+        break;
+    case P_CEILING:
+        set_flag(g, i, BG_CEILING, v->i);
+        break;
+    case P_FOG:
+        set_fog(L, b, v);
+        break;
+    default:
+        set_shared(b, i, p, v);
+    }
+}
+
+const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, get_plane, set_plane };
+
+/* ---- functions ---- */
+
+enum { ARG_I, ARG_LINES };
+
+static const struct api_param layer_params[] = { PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL,
+                                                       "number of the layer, from back to front") };
+static const struct api_param lines_params[] = {
+    PARAM("i", A_INT, REQ, 1, BG_LAYERS, NULL, NULL, "number of the layer"),
+    PARAM("lines", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "a wave, or a list of shifts in px, one for each line from the top of the field, repeated as needed; if "
+          "omitted, the layer becomes straight again")
+};
+
+enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
+
+static const struct api_param wave_params[WAVE_PARAMS] = {
+    PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance the lines sway to each side"),
+    PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, "distance from one crest to the next"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave moves down"),
+};
+
+static int bg_layer(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushinteger(L, handle_of(H_LAYER, 1, (uint32_t)v[ARG_I].i - 1));
+    return 1;
+}
+
+static int bg_plane(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b, (void)v;
+    lua_pushinteger(L, handle_of(H_PLANE, 1, BG_PLANE));
+    return 1;
+}
+
+/* The list of px at `at`. */
+static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
+{
+    const lua_Unsigned n = lua_rawlen(L, at);
+    char name[32];
+
+    if (n > room)
+        api_error(L, def, "expected at most %d lines (the height of the field), got %d", (int)room, (int)n);
+    vm_charge(L, n);
+    for (uint32_t k = 0; k < n; k++) {
+        struct api_param p = { name, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
+        struct api_value v = { 0 };
+        lua_rawgeti(L, at, (lua_Integer)k + 1);
+        snprintf(name, sizeof name, "line %d", (int)k + 1);
+        api_check(L, def, &p, lua_gettop(L), &v);
+        px[k] = v.f;
+        lua_pop(L, 1);
+    }
+    return (uint32_t)n;
+}
+
+/* Bytes of the list are folded too: a table's are not. */
+static void set_list(lua_State *L, struct board *b, uint32_t i, int at)
+{
+    fx px[MOST_LINES];
+    const uint32_t n = list_of_px(L, at, px, b->bg_lines.s.cap / BG_LAYERS);
+
+    for (uint32_t k = 0; k < n; k++)
+        script_fold(b, (uint32_t)px[k]);
+    bg_set_lines(&b->bg, &b->bg_lines, i, px, n);
+}
+
+static void set_wave(struct board *b, uint32_t i, const struct api_value *v)
+{
+    struct bg *g = &b->bg;
+
+    g->wave[i] = v[WAVE].f;
+    g->every[i] = v[EVERY].f;
+    g->speed[i] = v[SPEED].f;
+    for (int k = 0; k < WAVE_PARAMS; k++)
+        script_fold(b, (uint32_t)v[k].f);
+}
+
+static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t i = (uint32_t)v[ARG_I].i - 1;
+    struct api_value wave[WAVE_PARAMS] = { { 0 } };
+
+    if (v[ARG_LINES].given && lua_rawlen(L, v[ARG_LINES].at)) {
+        set_wave(b, i, wave);
+        set_list(L, b, i, v[ARG_LINES].at);
+        return 0;
+    }
+    if (v[ARG_LINES].given)
+        api_read_fields(L, def, NULL, &(struct api_fields){ wave_params, WAVE_PARAMS, NAME_LISTS }, v[ARG_LINES].at,
+                        wave);
+    bg_set_lines(&b->bg, &b->bg_lines, i, NULL, 0);
+    set_wave(b, i, wave);
+    if (!v[ARG_LINES].given)
+        b->bg.phase[i] = 0;
+    return 0;
+}
+
+/* ---- for bg.lua and boss.lua ---- */
+
+static const struct api_param fade_params[] = { PARAM("n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL, "") };
+static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL, "") };
+
+/* Returns the frames until it is black. */
+static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (v[ARG_I].i && !b->bg.over[0]) {
+        vm_charge(L, SHADE_WORK);
+        shade(b, BG_BLACK_TABLES, 0);
+    }
+    lua_pushinteger(L, bg_fade(&b->bg, (uint32_t)v[ARG_I].i));
+    return 1;
+}
+
+static int sys_bg_shown(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (v[ARG_I].given)
+        b->bg.shown[0] = (uint16_t)v[ARG_I].i;
+    lua_pushinteger(L, b->bg.shown[0]);
+    return 1;
+}
+
+static int sys_bg_clear(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L, (void)v;
+    bg_clear(&b->bg, &b->bg_lines);
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "bg.layer", bg_layer, PARAMS(layer_params), 1, 0, "layer",
+      HELP("returns one of the four tile layers of the background") },
+    PARAM("bg.plane", bg_plane, NULL, 0, 0, 0, "plane",
+          "returns the plane of the background, a floor or a ceiling in perspective"),
+    { "bg.lines", bg_lines, PARAMS(lines_params), 2, API_CHANGES, NULL, HELP("shifts each line of a layer sideways") },
+#ifndef WITHOUT_HELP
+    { "bg.lines lines", NULL, PARAMS(wave_params), 0, API_LUA | API_SYS, NULL,
+      HELP("a wave, given instead of a list") },
+#endif
+    { "sys.bg_fade", sys_bg_fade, PARAMS(fade_params), 1, API_SYS | API_CHANGES, "frames",
+      HELP("fades the background to black and back; returns the frames until it is black") },
+    { "sys.bg_shown", sys_bg_shown, PARAMS(shown_params), 1, API_SYS | API_CHANGES, "number",
+      HELP("returns the number of the background shown; n sets it") },
+    { "sys.bg_clear", sys_bg_clear, NULL, 0, 0, API_SYS | API_CHANGES, NULL,
+      HELP("turns the background off; a fade continues") },
+};
+const struct api_module api_bg = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,273 @@
+/*
+ * api_board.c - board and rom.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "../../base/hash.h"
+#include "api.h"
+#include "api_parts.h"
+
+/* The only parameter of each entry here. */
+enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
+
+static const struct api_param name_opt[] = { PARAM(
+    "name", A_STR, OPT, 0, 0, NULL, NULL,
+    "difficulty from rom.lua to switch to; if omitted, the difficulty doesn't change") };
+static const struct api_param dip_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                  "name of a switch declared in `dip` in rom.lua") };
+static const struct api_param file_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "name of a sprite, or of a file in the game's folder") };
+static const struct api_param text_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "name of a .txt file in the game's folder") };
+static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NULL, NULL,
+                                                   "name of a pool, such as bullets, enemies, sparks or tasks") };
+static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
+                                                   "name of a demo in the ROM") };
+static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "screen to open") };
+static const struct api_param frames_req[] = { PARAM(
+    "n", A_INT, REQ, 1, 60, "frames", NULL,
+    "length of the stop; of several stops in the same frame, the longest counts") };
+static const struct api_param value_req[] = { PARAM("v", A_ANY, REQ, 0, 0, NULL, NULL,
+                                                    "number, string or boolean to fold in") };
+
+static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->core.frame);
+    return 1;
+}
+
+static int no_difficulty(lua_State *L, const struct manifest *m, const char *name)
+{
+    struct api_hint near;
+
+    api_hint_begin(&near, name);
+    for (int i = 0; i < m->n_difficulties; i++)
+        api_hint_add(&near, m->difficulties[i]);
+    return api_error(L, "board.difficulty", "unknown difficulty \"%s\"%s", name, api_hint_push(L, &near, "in rom.lua"));
+}
+
+static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.m;
+
+    if (v[ARG_NAME].given) {
+        int i = 0;
+        while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[ARG_NAME].at)))
+            i++;
+        if (i == m->n_difficulties)
+            return no_difficulty(L, m, lua_tostring(L, v[ARG_NAME].at));
+        b->core.difficulty = (uint32_t)i;
+    }
+    lua_pushstring(L, m->difficulties[b->core.difficulty]);
+    return 1;
+}
+
+static int board_dip(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct manifest *m = &b->cart.m;
+
+    for (int i = 0; i < m->n_dips; i++) {
+        if (strcmp(m->dips[i].name, lua_tostring(L, v[ARG_NAME].at)))
+            continue;
+        if (m->dips[i].number)
+            lua_pushinteger(L, b->start.dip[i]);
+        else
+            lua_pushstring(L, m->dips[i].value_name[b->start.dip[i]]);
+        return 1;
+    }
+    struct api_hint near;
+    api_hint_begin(&near, lua_tostring(L, v[ARG_NAME].at));
+    for (int i = 0; i < m->n_dips; i++)
+        api_hint_add(&near, m->dips[i].name);
+    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", near.word, api_hint_push(L, &near, "in rom.lua"));
+}
+
+static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L, (void)v;
+    b->reset = true;
+    return 0;
+}
+
+/* The slots of the part that the argument names. */
+static const struct slots *slots_at(lua_State *L, struct board *b, const char *entry, int at)
+{
+    const struct slots *s = part_named(b, lua_tostring(L, at));
+
+    if (!s) {
+        struct api_hint near;
+        api_hint_begin(&near, lua_tostring(L, at));
+        for (int i = 0; i < PARTS; i++)
+            api_hint_add(&near, machine_parts[i].chip->name);
+        api_error(L, entry, "unknown pool \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
+    }
+    return s;
+}
+
+static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, slots_at(L, b, "board.live", v[ARG_CHIP].at)->live);
+    return 1;
+}
+
+static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, slots_at(L, b, "board.refused", v[ARG_CHIP].at)->refused);
+    return 1;
+}
+
+/* A pause comes before it, and a stop that is longer; a task on its way to a practice mark passes it over. */
+static int board_stop(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t until = -v[ARG_FRAMES].i - 1;
+
+    if (b->vm.loading)
+        return api_error(L, "board.stop", "cannot be called while scripts load");
+    if (until < b->core.frozen && b->core.frozen <= 0 && !tasks_skipping(&b->tasks))
+        b->core.frozen = until;
+    return 0;
+}
+
+static int board_attract(lua_State *L, struct board *b, struct api_value *v)
+{
+    b->output->out.request = REQUEST_ATTRACT;
+    strcpy(b->output->out.attract, lua_tostring(L, v[ARG_DEMO].at));
+    return 0;
+}
+
+static int board_ask_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    b->output->out.request = REQUEST_ASK;
+    b->output->out.ask = (enum board_ask)v[ARG_WHAT].i;
+    return 0;
+}
+
+static int board_note(lua_State *L, struct board *b, struct api_value *v)
+{
+    double d = lua_tonumber(L, v[ARG_VALUE].at);
+    uint64_t bits;
+    size_t n;
+    const char *s;
+
+    switch (lua_type(L, v[ARG_VALUE].at)) {
+    case LUA_TNUMBER:
+        memcpy(&bits, &d, sizeof bits);
+        if (!isfinite(d))
+            return api_error(L, "board.note", "v: expected a finite number");
+        b->core.notes = hash_fold(
+            b->core.notes, lua_isinteger(L, v[ARG_VALUE].at) ? (uint64_t)lua_tointeger(L, v[ARG_VALUE].at) : bits);
+        return 0;
+    case LUA_TSTRING:
+        s = lua_tolstring(L, v[ARG_VALUE].at, &n);
+        b->core.notes = hash_bytes(b->core.notes, s, n);
+        return 0;
+    case LUA_TBOOLEAN:
+        b->core.notes = hash_fold(b->core.notes, 2 + (uint64_t)lua_toboolean(L, v[ARG_VALUE].at));
+        return 0;
+    default:
+        return api_error(L, "board.note", "v: expected a number, string or boolean, got a %s",
+                         luaL_typename(L, v[ARG_VALUE].at));
+    }
+}
+
+/* ---- rom ---- */
+
+static int rom_has(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[ARG_NAME].at), *text;
+    size_t n;
+
+    lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_text(&b->cart, name, &text, &n) ||
+                           rom_find(b->cart.rom, name) >= 0);
+    return 1;
+}
+
+static int rom_text(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *text;
+    size_t n;
+
+    if (!cart_text(&b->cart, lua_tostring(L, v[ARG_NAME].at), &text, &n))
+        return api_error(L, "rom.text", "no text file \"%s\" in the game", lua_tostring(L, v[ARG_NAME].at));
+    lua_pushlstring(L, text, n);
+    return 1;
+}
+
+/* Upvalue 1: what the table is called. */
+static int read_only(lua_State *L)
+{
+    const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
+
+    return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read-only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
+}
+
+/* Leaves a read-only view of the table on top of the stack in its place. */
+static void seal(lua_State *L, const char *name)
+{
+    lua_newtable(L);
+    lua_rotate(L, -2, 1);
+    lua_pushstring(L, name);
+    lua_pushcclosure(L, read_only, 1);
+    vm_seal(L);
+}
+
+static void rect(lua_State *L, const char *name, int x, int y, int w, int h)
+{
+    const char *const keys[] = { "x", "y", "w", "h" };
+    const int values[] = { x, y, w, h };
+    char full[16];
+
+    lua_createtable(L, 0, 4);
+    for (int i = 0; i < 4; i++) {
+        lua_pushinteger(L, values[i]);
+        lua_setfield(L, -2, keys[i]);
+    }
+    snprintf(full, sizeof full, "rom.%s", name);
+    seal(L, full);
+    lua_setfield(L, -2, name);
+}
+
+void api_rom_open(lua_State *L)
+{
+    const struct manifest *m = &vm_board(L)->cart.m;
+
+    lua_getglobal(L, "rom");
+    lua_pushstring(L, m->title);
+    lua_setfield(L, -2, "title");
+    rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
+    rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
+    seal(L, "rom");
+    lua_setglobal(L, "rom");
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("returns the number of frames since power-on") },
+    { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",
+      HELP("returns the name of the current difficulty; given a name, switches to that difficulty first") },
+    { "board.dip", board_dip, PARAMS(dip_req), 1, 0, "value",
+      HELP("returns the setting of a DIP switch, a name or a number") },
+    { "board.reset", board_reset_run, NO_PARAMS, 0, API_CHANGES, NULL,
+      HELP("restarts the board after this frame, as if power had been cut") },
+    { "board.live", board_live_run, PARAMS(chip_req), 1, 0, "count",
+      HELP("returns how many entries of a pool are in use") },
+    { "board.refused", board_refused_run, PARAMS(chip_req), 1, 0, "count",
+      HELP("returns how many entries weren't created because the pool was full") },
+    { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
+      HELP("shows a demo from the ROM and pauses this board until the demo ends") },
+    { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
+      HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
+           "demo") },
+    { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,
+      HELP("freezes the field and all tasks after this frame (hit-stop); button presses during the stop take effect "
+           "after it") },
+    { "board.note", board_note, PARAMS(value_req), 1, API_CHANGES, NULL,
+      HELP("folds a value into the state hash; a demo in which the value differs is reported as diverged") },
+    { "rom.has", rom_has, PARAMS(file_req), 1, 0, "boolean",
+      HELP("returns true if the game has a sprite or a file with that name") },
+    { "rom.text", rom_text, PARAMS(text_req), 1, 0, "string", HELP("returns the contents of a text file in the game") },
+};
+const struct api_module api_board = { entries, sizeof entries / sizeof *entries };

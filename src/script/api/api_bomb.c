@@ -1,0 +1,190 @@
+/*
+ * api_bomb.c - bomb.def, and how a player's bomb begins. When it ends, and that the button starts it: players_run.c.
+ */
+#include <string.h>
+#include "../../base/edit.h"
+#include "../events_run.h"
+#include "../../machine/sound.h"
+#include "api_parts.h"
+
+/* Registry: a list of bombs, struct bomb, with their run under their number below 0, and their numbers by name. Only a
+ * game that declares one has it. */
+static const char bombs_key = 0;
+
+enum { MOST_BOMBS = 255, NAME_ROOM = 32 };
+
+struct bomb {
+    int32_t over, safe, cost;
+    char stock[NAME_ROOM];
+};
+
+enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
+
+static const struct api_param def[] = {
+    PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
+          "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
+    PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
+          "duration of the bomb; then `run` stops, and everything that `run` started or spawned is removed"),
+    PARAM("run", A_FUNC, REQ, 0, 0, NULL, NULL, "run(p): task of the bomb"),
+    PARAM("safe", A_INT, OPT, 0, INT32_MAX, "frames", NULL,
+          "frames for which nothing can hit the ship; defaults to `over`"),
+    PARAM("stock", A_STR, OPT, 1, 31, NULL, "bombs", "name of the ship's register from which the bomb is paid"),
+    PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount that the bomb takes from `stock`; 0 needs no register"),
+};
+
+/* Pushes the list; false: there is none, and nothing is pushed. */
+static bool push_bombs(lua_State *L)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &bombs_key) == LUA_TTABLE)
+        return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[D_NAME].at);
+
+    (void)b;
+    if (!push_bombs(L)) {
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &bombs_key);
+    }
+    const int list = lua_gettop(L);
+    const lua_Integer n = (lua_Integer)lua_rawlen(L, list) + 1;
+    if (lua_getfield(L, list, name) != LUA_TNIL)
+        return api_error(L, "bomb.def", "bomb \"%s\" is already declared", name);
+    if (n > MOST_BOMBS)
+        return api_error(L, "bomb.def", "too many bombs (at most %d)", MOST_BOMBS);
+    struct bomb *bomb = lua_newuserdatauv(L, sizeof *bomb, 0);
+    memset(bomb, 0, sizeof *bomb);
+    bomb->over = (int32_t)v[D_OVER].i;
+    bomb->safe = v[D_SAFE].given ? (int32_t)v[D_SAFE].i : bomb->over;
+    bomb->cost = (int32_t)v[D_COST].i;
+    strcpy(bomb->stock, v[D_STOCK].given ? lua_tostring(L, v[D_STOCK].at) : "bombs");
+    lua_rawseti(L, list, n);
+    lua_pushvalue(L, v[D_RUN].at);
+    lua_rawseti(L, list, -n);
+    lua_pushinteger(L, n);
+    lua_setfield(L, list, name);
+    return 0;
+}
+
+/* Pushes the list; returns bomb i (from 1 on). */
+static const struct bomb *push_bomb(lua_State *L, int i)
+{
+    push_bombs(L);
+    lua_rawgeti(L, -1, i);
+    const struct bomb *bomb = lua_touserdata(L, -1);
+    lua_pop(L, 1); /* the list keeps it */
+    return bomb;
+}
+
+static void refuse_name(lua_State *L, const char *what, const char *name)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    if (push_bombs(L))
+        for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
+            if (lua_type(L, -2) == LUA_TSTRING)
+                api_suggest_nearer(name, lua_tostring(L, -2), &best, &found);
+    if (found)
+        api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", what, name, found);
+    api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", what, name);
+}
+
+uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v)
+{
+    const int top = lua_gettop(L);
+
+    if (!v->given)
+        return 0;
+    const char *name = lua_tostring(L, v->at);
+    if (!push_bombs(L) || lua_getfield(L, -1, name) != LUA_TNUMBER)
+        refuse_name(L, what, name);
+    const int i = (int)lua_tointeger(L, -1);
+    const struct bomb *bomb = push_bomb(L, i);
+    if (bomb->cost)
+        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", what, name), ship,
+                            bomb->stock);
+    lua_settop(L, top);
+    return (uint8_t)i;
+}
+
+/* Takes the cost from the stock; false: there is not enough. */
+static bool pay(lua_State *L, struct board *b, uint32_t p, const struct bomb *bomb)
+{
+    const int reg = bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;
+
+    if (reg < 0)
+        return true;
+    const int32_t stock = board_register(b, p, (uint32_t)reg);
+    if (stock < bomb->cost)
+        return false;
+    board_set_register(b, p, (uint32_t)reg, (int64_t)stock - bomb->cost);
+    return true;
+}
+
+void api_bomb_afford(lua_State *L, struct board *b, uint32_t p)
+{
+    const struct player_kinds *k = &b->player_kinds;
+    const int numbers[] = { k->bomb[b->player.kind[p]], k->bomb_focus[b->player.kind[p]] }, top = lua_gettop(L);
+
+    for (int i = 0; i < 2; i++) {
+        const struct bomb *bomb = numbers[i] ? push_bomb(L, numbers[i]) : NULL;
+        const int reg = bomb && bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;
+        if (reg >= 0 && board_register(b, p, (uint32_t)reg) < bomb->cost)
+            board_set_register(b, p, (uint32_t)reg, bomb->cost);
+    }
+    lua_settop(L, top);
+}
+
+bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
+{
+    struct player *s = &b->player;
+    const struct player_kinds *k = &b->player_kinds;
+    const uint16_t kind = s->kind[p];
+    const bool focus = b->input.held[p] & PAD_FOCUS, late = s->hit[p];
+    const int i = focus && k->bomb_focus[kind] ? k->bomb_focus[kind] : k->bomb[kind], top = lua_gettop(L);
+
+    if (!s->in[p] || !i || s->bombing[p])
+        return false;
+    const struct bomb *bomb = push_bomb(L, i);
+    if (!pay(L, b, p, bomb))
+        return lua_settop(L, top), false;
+    s->hit[p] = 0;
+    s->bombing[p] = (uint32_t)bomb->over;
+    s->safe[p] = s->safe[p] > (uint32_t)bomb->safe ? s->safe[p] : (uint32_t)bomb->safe;
+    s->bomb[p] = tasks_scope(b, board_handle(b, H_PLAYER, (int32_t)p), true);
+    lua_rawgeti(L, -1, -i);
+    lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)p));
+    tasks_start(b, L, s->bomb[p], 1);
+    sound_cue(b, CUE_BOMB, b->player.x[p]);
+    board_event(b, EV_BOMB, board_handle(b, H_PLAYER, (int32_t)p), late);
+    lua_settop(L, top);
+    return true;
+}
+
+enum { ARG_SELF };
+
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL,
+                                               "the thing itself") };
+
+static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int64_t h = v[ARG_SELF].i;
+
+    lua_pushboolean(L, board_alive(b, h) && api_bomb_start(L, b, handle_slot(h)));
+    return 1;
+}
+
+static const struct api_entry entries[] = {
+    { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a bomb: a task that a ship starts, at a cost deducted from a register") },
+    API_VERB("player:bomb", player_bomb, self, 1, "boolean",
+             "starts the bomb of the player's ship; returns false if the ship has no bomb, can't pay for it or is "
+             "still bombing"),
+};
+const struct api_module api_bomb = { entries, sizeof entries / sizeof *entries };

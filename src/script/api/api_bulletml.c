@@ -1,0 +1,281 @@
+/*
+ * api_bulletml.c - bullet.ml: BulletML documents of the ROM. A game without room for them has no bullet.ml
+ * (api_reserved.c).
+ */
+#include <string.h>
+#include "../bulletml_run.h"
+#include "api_parts.h"
+
+enum {
+    P_NAME,
+    P_KIND,
+    P_PLACE,
+    P_KINDS = P_PLACE + PLACE_PARAMS,
+    P_RANK,
+    P_SEED,
+    P_SPEED,
+    P_ANGLE,
+    P_MIRROR,
+    P_PARAMS,
+    P_LOOP,
+    P_STEER,
+    P_BANK,
+    P_TAG,
+    P_ON_FIRE
+};
+
+static const char ENTRY[] = "bullet.ml";
+
+enum { FASTEST = 64 /* px a frame of speed 1 */ };
+
+static const struct api_param params[] = {
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
+    PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind of its bullets"),
+    PLACE,
+    PARAM("kinds", A_TABLE, OPT, 0, 0, NULL, NULL, "kinds for bullets with a label, { LABEL = kind }"),
+    PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
+    PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
+          "seed of $rand; the same seed gives the same numbers; 0 draws a seed from the game's random numbers"),
+    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", "pixels per frame for a speed of 1 in the document"),
+    PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees to rotate the document's pattern, clockwise"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the document's pattern left to right"),
+    PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "list of up to 9 numbers, the values of $1 to $9 in the actions that run first"),
+    PARAM("loop", A_BOOL, OPT, 0, 0, NULL, "false", "restart the document when it ends"),
+    PARAM("steer", A_BOOL, OPT, 0, 0, NULL, "false", "let the document move the enemy given as `from`"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
+          "number added to the palette bank of its bullets; overrides their kind's"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
+    PARAM("on_fire", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
+};
+
+/* The nearest Q31.32; the range was checked. */
+static int64_t q32(double v)
+{
+    const double whole = v * 4294967296.0; /* exact, below 2^51 for what is below 2^19 */
+
+    return fx_nearest(whole);
+}
+
+static uint16_t program_of(lua_State *L, const struct board *b, const char *name)
+{
+    const int i = cart_find_bulletml(&b->cart, name);
+    struct api_hint near;
+
+    if (i >= 0)
+        return (uint16_t)i;
+    api_hint_begin(&near, name);
+    for (int k = 0; k < b->cart.bulletmls; k++)
+        api_hint_add(&near, cart_bulletml_name(&b->cart, k));
+    api_error(L, ENTRY, "name: no bulletml/%s.xml in the game%s", name, api_hint_push(L, &near, "documents"));
+    return 0;
+}
+
+static bool knows_label(lua_State *L, const char *key, const void *of)
+{
+    const struct ml *ml = of;
+
+    vm_charge(L, 1);
+    for (uint32_t i = 0; key && i < ml->labels && i < ML_KINDS; i++)
+        if (!strcmp(ml_label(ml, i), key))
+            return true;
+    return false;
+}
+
+/* The error for the key of `kinds` on top. */
+static void refuse_label(lua_State *L, const struct ml *ml)
+{
+    const char *label = luakeys_text(L, -1);
+    struct api_hint near;
+
+    if (!label)
+        api_error(L, ENTRY, "kinds: expected { label = kind }, got key %s", api_push_got(L, -1));
+    api_hint_begin(&near, label);
+    for (uint32_t i = 0; i < ml->labels; i++) {
+        api_hint_add(&near, ml_label(ml, i));
+        if (!strcmp(ml_label(ml, i), label))
+            api_error(L, ENTRY, "kinds: label \"%s\" is not one of the first %d labels of the document", label,
+                      ML_KINDS);
+    }
+    api_error(L, ENTRY, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &near, "labels"));
+}
+
+/* Reads kinds = { label = kind } into out, the kind of each label. */
+static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_KINDS])
+{
+    static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
+    struct api_value v = { 0 };
+
+    if (luakeys_push_stray(L, at, knows_label, ml))
+        refuse_label(L, ml);
+    for (uint32_t i = 0; i < ml->labels && i < ML_KINDS; i++, lua_pop(L, 1)) {
+        if (lua_getfield(L, at, ml_label(ml, i)) == LUA_TNIL)
+            continue;
+        api_check(L, ENTRY, &kind, lua_gettop(L), &v);
+        out[i] = (uint16_t)v.i;
+    }
+}
+
+/* Reads params = { $1, $2, .. }; returns how many. */
+static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PARAMS])
+{
+    static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL };
+    const lua_Unsigned n = lua_rawlen(L, at);
+    struct api_value v = { 0 };
+
+    if (n > ML_PARAMS)
+        api_error(L, ENTRY, "params: expected at most %d numbers, got %d", ML_PARAMS, (int)n);
+    for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
+        if (!lua_isinteger(L, -2) || lua_tointeger(L, -2) < 1 || lua_tointeger(L, -2) > (lua_Integer)n)
+            api_error(L, ENTRY, "params: expected a list of numbers");
+    for (lua_Unsigned i = 0; i < n; i++, lua_pop(L, 1)) {
+        lua_rawgeti(L, at, (lua_Integer)i + 1);
+        api_fold(L, b, -1);
+        api_check(L, ENTRY, &param, lua_gettop(L), &v);
+        const int64_t whole = (int64_t)v.n; /* the parts one by one: their sum has more bits than a double */
+        out[i] = whole * ML_ONE + q32(v.n - (double)whole);
+    }
+    return (int)n;
+}
+
+/* A seed that is not 0. */
+static uint32_t seed_of(struct board *b, const struct api_value *v)
+{
+    return v->i ? (uint32_t)v->i : 1 + (uint32_t)board_chance(b, UINT32_MAX);
+}
+
+static uint8_t flags_of(const struct api_value *v)
+{
+    return (uint8_t)((v[P_LOOP].i ? ROOT_LOOPS : 0) | (v[P_STEER].i ? ROOT_STEERS : 0) |
+                     (v[P_MIRROR].i ? ROOT_MIRRORED : 0) | (v[P_ON_FIRE].given ? ROOT_TELLS : 0) |
+                     (v[P_BANK].given ? ROOT_BANK : 0));
+}
+
+static int start(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct api_value *from = &v[P_PLACE + PLACE_FROM];
+    struct bulletml_start s = { .program = program_of(L, b, lua_tostring(L, v[P_NAME].at)),
+                                .owner = tasks_owner(b),
+                                .follow = from->given ? from->i : 0,
+                                .dx = from->given ? v[P_PLACE + PLACE_DX].f : 0,
+                                .dy = from->given ? v[P_PLACE + PLACE_DY].f : 0,
+                                .kind = (uint16_t)v[P_KIND].i,
+                                .flags = flags_of(v),
+                                .rank = q32(v[P_RANK].n),
+                                .pace = q32(v[P_SPEED].n),
+                                .angle = v[P_ANGLE].a };
+    uint16_t kinds[ML_KINDS];
+    int64_t param[ML_PARAMS];
+    struct ml ml;
+
+    for (int i = 0; i < ML_KINDS; i++)
+        kinds[i] = s.kind;
+    cart_bulletml(&b->cart, s.program, &ml);
+    if (v[P_KINDS].given)
+        read_kinds(L, &ml, v[P_KINDS].at, kinds);
+    if (v[P_PARAMS].given)
+        s.params = read_params(L, b, v[P_PARAMS].at, param);
+    if (v[P_STEER].i && !(from->given && handle_kind(from->i) == H_ENEMY))
+        api_error(L, ENTRY, "steer: requires `from` (an enemy)");
+    s.kinds = kinds;
+    s.param = param;
+    s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;
+    s.tag = v[P_TAG].given ? api_tag(L, ENTRY, v[P_TAG].at) : 0;
+    int32_t i = NO_SLOT;
+    if (api_place(L, b, ENTRY, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
+        s.seed = seed_of(b, &v[P_SEED]);
+        i = bulletml_begin(b, &s);
+    }
+    if (i != NO_SLOT && v[P_ON_FIRE].given) {
+        lua_pushvalue(L, v[P_ON_FIRE].at);
+        bulletml_set_handler(L, (uint32_t)i);
+    }
+    if (i != NO_SLOT)
+        for (int k = 0; k < ML_KINDS; k++)
+            script_fold(b, kinds[k]);
+    lua_pushinteger(L, board_handle(b, H_BULLETML, i));
+    return 1;
+}
+
+/* { name =, labels = { .. } } of each document, in byte order of the names. */
+static int documents(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct ml ml;
+
+    (void)v;
+    lua_createtable(L, b->cart.bulletmls, 0);
+    for (int i = 0; i < b->cart.bulletmls; i++) {
+        cart_bulletml(&b->cart, i, &ml);
+        lua_createtable(L, 0, 2);
+        lua_pushstring(L, cart_bulletml_name(&b->cart, i));
+        lua_setfield(L, -2, "name");
+        lua_createtable(L, (int)ml.labels, 0);
+        for (uint32_t k = 0; k < ml.labels; k++) {
+            lua_pushstring(L, ml_label(&ml, k));
+            lua_rawseti(L, -2, (lua_Integer)k + 1);
+        }
+        lua_setfield(L, -2, "labels");
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
+
+static const struct api_prop props[PROPS] = {
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
+            "position"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
+            "position"),
+      PROP_WRITE },
+    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE },
+    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ },
+};
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct ml_roots *o = &b->ml_roots;
+
+    if (p == R_NAME)
+        lua_pushstring(L, cart_bulletml_name(&b->cart, o->program[i]));
+    else if (p == R_RANK)
+        lua_pushnumber(L, (double)o->rank[i] / 4294967296.0);
+    else
+        lua_pushnumber(L, fx_to_double((p == R_X ? o->x : o->y)[i]));
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    (void)L;
+    if (p == R_RANK)
+        b->ml_roots.rank[i] = q32(v->n);
+    else
+        (p == R_X ? b->ml_roots.x : b->ml_roots.y)[i] = v->f;
+}
+
+const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get, set };
+
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
+                                               "the thing itself") };
+
+static int stop(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (board_alive(b, v[0].i))
+        bulletml_stop(b, handle_slot(v[0].i));
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
+      HELP("runs a BulletML document until the document or its owner ends; needs `board = { bulletml = n }`") },
+    PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
+          "returns a list of the game's BulletML documents, { name = NAME, labels = { LABEL, .. } }, sorted by name"),
+    API_VERB("bulletml:stop", stop, self, 1, NULL,
+             "stops the document; its bullets keep flying and finish their actions"),
+};
+const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

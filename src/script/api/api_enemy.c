@@ -1,0 +1,720 @@
+/*
+ * api_enemy.c - enemy.
+ */
+#include "../../base/trig.h"
+#include "../events_run.h"
+#include "api_enemy.h"
+
+enum {
+    D_NAME,
+    D_SPRITE,
+    D_HIT,
+    D_HP,
+    D_SCORE,
+    D_BANK,
+    D_TOUCH,
+    D_SPARK,
+    D_DROPS,
+    D_RUN,
+    D_ON_HIT,
+    D_ON_DEATH,
+    D_SWEPT,
+    D_BLEND,
+    D_BLOCKS,
+    D_PICTURES,
+    D_BLINK,
+    D_RATE,
+    D_PARTS,
+    D_BLINK_SOFT
+};
+
+static const struct api_param def[] = {
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL,
+          "hitbox, relative to the thing's position; \"none\" never hits"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, "1", "damage it takes before it dies"),
+    PARAM("score", A_INT, OPT, 0, 1e12, "points", "0", "points for the player who kills it"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("touch", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether it hits players who touch it; if false, players can fly through it"),
+    PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "kind of the twelve sparks it leaves when it dies; nil leaves none"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL, "items dropped when it dies, { NAME = count }"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "run(e): task that starts when the enemy spawns and ends with the enemy"),
+    PARAM("on_hit", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_hit(e, p, damage): called when a shot or a laser of player p hits the enemy but doesn't kill it; p may "
+          "be nil"),
+    PARAM("on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_death(e, p): called when it dies, with the player who gets its score; p may be nil"),
+    PARAM("swept", A_BOOL, OPT, 0, 0, NULL, "true",
+          "check the entire path flown in each frame for players; if false, check only the position at the end of the "
+          "frame"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    PARAM("blocks", A_BOOL, OPT, 0, 0, NULL, "false", "whether it removes bullets that touch it"),
+    PARAM("pictures", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
+          "the enemy blinks"),
+    PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+          "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
+    PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
+    PARAM("blink_soft", A_BOOL, OPT, 0, 0, NULL, "false", "blink only along the outline of the sprite"),
+};
+
+static const char *const first_pictures[] = { "hurt", NULL };
+
+static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
+{
+    if (!v->given)
+        return;
+    lua_pushvalue(L, v->at);
+    events_set_function(L, (uint16_t)kind, what);
+}
+
+static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const struct api_value *v)
+{
+    if (v[D_RATE].given)
+        api_body_check(L, "enemy.def", "rate");
+    if (k->rate)
+        k->rate[i] = v[D_RATE].given ? v[D_RATE].f : ENEMY_WHOLE;
+    if (v[D_PARTS].given)
+        api_body_define(L, i, v[D_PARTS].at);
+}
+
+static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct enemy_kinds *k = &b->enemy_kinds;
+
+    const struct api_shape shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
+    const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
+    struct api_pictures pictures;
+
+    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_PICTURES,
+                      &pictures);
+    api_pictures_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
+    int32_t i = api_kind(L, "enemy.def", &k->s, &columns, &shape);
+    api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
+    k->hp[i] = (int32_t)v[D_HP].i;
+    k->score[i] = v[D_SCORE].i;
+    k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
+    k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
+                            v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) |
+                            (pictures.n ? ENEMY_HURT : 0) | (v[D_BLINK_SOFT].i ? ENEMY_SOFT : 0));
+    api_pictures_keep(L, N_ENEMY, i, &pictures);
+    k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
+    keep_function(L, &v[D_RUN], i, "run");
+    keep_function(L, &v[D_ON_HIT], i, "on_hit");
+    keep_function(L, &v[D_ON_DEATH], i, "on_death");
+    if (v[D_DROPS].given) {
+        api_drops(L, "enemy.def", v[D_DROPS].at);
+        events_set_function(L, (uint16_t)i, "drops");
+    }
+    define_body(L, k, i, v);
+    return 0;
+}
+
+enum {
+    S_KIND,
+    S_PLACE,
+    S_PATH = S_PLACE + PLACE_PARAMS,
+    S_MIRROR,
+    S_HP,
+    S_BANK,
+    S_TAG,
+    S_RUN,
+    S_ON_DEATH,
+    S_STAY,
+    S_DROPS,
+    S_FOLLOW,
+    S_SHARE,
+    S_RATE,
+    S_VALUES
+};
+
+static const struct api_param spawn[] = {
+    PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
+    PLACE,
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
+          "route to fly; the enemy is removed at the end of the route; use it instead of `x` and `y`, or `from`"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the path left to right"),
+    PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,
+          "number added to the palette bank of its sprite; overrides its kind's"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),
+    PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL, "run(e): task that ends with the enemy; overrides its kind's"),
+    PARAM(
+        "on_death", A_FUNC, OPT, 0, 0, NULL, NULL,
+        "on_death(e, p): called when it dies, with the player who gets its score; p may be nil; overrides its kind's"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the enemy when the boss phase that spawned it ends"),
+    PARAM("drops", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "items dropped when it dies, { NAME = count }; overrides its kind's"),
+    PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL,
+          "enemy to attach to as a part, at a distance of `dx` and `dy`; use it instead of a position; needs `board = "
+          "{ bodies = true }`"),
+    PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
+          "fraction of the damage to the part that is also dealt to the body; defaults to 0; needs `follow`"),
+    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+          "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
+};
+
+/* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
+static void start_task(lua_State *L, struct board *b, int64_t h, int n)
+{
+    lua_pushinteger(L, h);
+    lua_insert(L, -n - 1);
+    tasks_start(b, L, h, n + 1);
+}
+
+/* A game without the module path has no routes. */
+void api_push_routes(lua_State *L, const char *entry, int at, const char *message)
+{
+    lua_pushglobaltable(L);
+    lua_pushliteral(L, "path");
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    if (!lua_istable(L, -1))
+        api_error(L, entry, "%s", message);
+    lua_getfield(L, -1, "known");
+    lua_pushvalue(L, at);
+    lua_call(L, 1, 1);
+    if (!lua_toboolean(L, -1))
+        api_error(L, entry, "%s", message);
+    lua_pop(L, 1);
+}
+
+/* Routes belong to path.lua: path.place says where one starts, path.travel follows it and removes the enemy. */
+static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
+{
+    double px, py;
+
+    api_push_routes(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (from path.def)");
+    lua_getfield(L, -1, "place");
+    lua_rawgeti(L, v[S_PATH].at, 1);
+    lua_pushboolean(L, (int)v[S_MIRROR].i);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
+    lua_call(L, 4, 2);
+    px = lua_tonumber(L, -2);
+    py = lua_tonumber(L, -1);
+    if (!fx_from_double(px, x) || !fx_from_double(py, y))
+        api_error(L, "enemy.spawn", "path: the route starts outside the world");
+    lua_pop(L, 3);
+}
+
+static void follow(lua_State *L, struct board *b, int64_t h, const struct api_value *v)
+{
+    lua_getglobal(L, "path");
+    lua_getfield(L, -1, "travel");
+    lua_remove(L, -2);
+    lua_pushvalue(L, v[S_PATH].at);
+    lua_pushboolean(L, (int)v[S_MIRROR].i);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DX].n);
+    lua_pushnumber(L, v[S_PLACE + PLACE_DY].n);
+    start_task(L, b, h, 4);
+}
+
+/* Its own drops; without items, it may have none. */
+static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct api_value *drops)
+{
+    if (drops && drops->given)
+        api_drops(L, "enemy.spawn", drops->at);
+    else if (b->items.s.cap)
+        lua_pushnil(L);
+    else
+        return;
+    events_set_drops(L, i);
+}
+
+int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner)
+{
+    int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
+
+    if (i == NO_SLOT) {
+        board_full(b, &b->enemies.s);
+        return i;
+    }
+    b->enemies.by[i] = tasks_serial(b);
+    b->enemies.owner[i] = owner;
+    lua_pushnil(L);
+    events_set_death(L, (uint32_t)i);
+    set_drops(L, b, (uint32_t)i, NULL);
+    return i;
+}
+
+void api_enemy_run(lua_State *L, struct board *b, uint32_t i)
+{
+    if (events_push_function(L, b->enemies.kind[i], "run"))
+        start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
+}
+
+/* Where it is to come. False: what it is placed by is dead. */
+static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+{
+    const struct api_value *at = v + S_PLACE;
+    const bool place = at[PLACE_X].given || at[PLACE_Y].given || at[PLACE_FROM].given;
+
+    if (v[S_FOLLOW].given || v[S_SHARE].given || v[S_RATE].given)
+        api_body_check(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
+    if (v[S_FOLLOW].given) {
+        if (place || v[S_PATH].given)
+            api_error(L, "enemy.spawn", "`follow` cannot be combined with a position or a path");
+        *x = *y = 0;
+        return board_alive(b, v[S_FOLLOW].i);
+    }
+    if (v[S_SHARE].given)
+        api_error(L, "enemy.spawn", "share: requires `follow`");
+    if (!v[S_PATH].given)
+        return api_place(L, b, "enemy.spawn", at, x, y);
+    if (place)
+        api_error(L, "enemy.spawn", "expected a position or a path, got both");
+    path_start(L, v, x, y);
+    return true;
+}
+
+/* What enemy.spawn says of a new enemy. */
+static void set_spawned(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    struct enemies *e = &b->enemies;
+
+    if (v[S_HP].given)
+        e->hp[i] = (int32_t)v[S_HP].i;
+    if (v[S_BANK].given)
+        e->bank[i] = (uint8_t)v[S_BANK].i;
+    if (v[S_TAG].given)
+        e->tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
+    if (v[S_RATE].given)
+        e->rate[i] = v[S_RATE].f;
+    if (v[S_FOLLOW].given)
+        enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_PLACE + PLACE_DX].f, v[S_PLACE + PLACE_DY].f,
+                       v[S_SHARE].f);
+    api_value_set(b, N_ENEMY_VALUE, i, v + S_VALUES);
+    lua_pushvalue(L, v[S_ON_DEATH].at);
+    events_set_death(L, i);
+    if (v[S_DROPS].given)
+        set_drops(L, b, i, &v[S_DROPS]);
+}
+
+static void start_tasks(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    const int64_t h = board_handle(b, H_ENEMY, (int32_t)i);
+
+    if (v[S_RUN].given) {
+        lua_pushvalue(L, v[S_RUN].at);
+        start_task(L, b, h, 0);
+    } else
+        api_enemy_run(L, b, i);
+    if (v[S_PATH].given)
+        follow(L, b, h, v);
+}
+
+static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint16_t kind = (uint16_t)v[S_KIND].i;
+    int32_t i = NO_SLOT;
+    int64_t owner;
+    fx x, y;
+
+    if (spawn_place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[S_STAY].i, &owner)) {
+        if (v[S_FOLLOW].given)
+            api_body_check_depth(L, b, kind, v[S_FOLLOW].i);
+        i = api_enemy_bring(L, b, kind, x, y, owner);
+    }
+    const int64_t h = board_handle(b, H_ENEMY, i);
+    if (i != NO_SLOT) {
+        set_spawned(L, b, (uint32_t)i, v);
+        if (b->enemies.rate)
+            api_body_spawn_parts(L, b, (uint32_t)i);
+        start_tasks(L, b, (uint32_t)i, v);
+        if (b->enemies.rate && b->enemies.parts[i])
+            api_body_run_parts(L, b, (uint32_t)i);
+    }
+    lua_pushinteger(L, h);
+    return 1;
+}
+
+static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_each(L, b, H_ENEMY, "enemy.each", &b->enemies.s, b->enemies.tag, v);
+}
+
+static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
+}
+
+/* Is enemy i alive, and has it the tag (0: any)? */
+static bool in_group(const struct board *b, uint32_t i, uint32_t tag)
+{
+    return !(b->enemies.flags[i] & ENEMY_GONE) && api_has_tag(b->enemies.tag, i, tag);
+}
+
+static void push_count(lua_State *L, struct board *b, uint32_t tag)
+{
+    lua_Integer n = 0;
+
+    vm_charge(L, b->enemies.s.live);
+    EACH_LIVE (i, &b->enemies.s)
+        n += in_group(b, i, tag);
+    lua_pushinteger(L, n);
+}
+
+static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
+{
+    push_count(L, b, v[EACH_TAG].given ? api_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
+    return 1;
+}
+
+/* ---- properties and verbs ---- */
+
+enum {
+    P_X,
+    P_Y,
+    P_HP,
+    P_BANK,
+    P_TAG,
+    P_SAFE,
+    P_KIND,
+    P_AGE,
+    P_FROZEN,
+    P_PICTURE,
+    P_FLIP_X,
+    P_HIDDEN,
+    P_BODY,
+    PROPS = P_BODY + BODY_FOLLOW + 1
+};
+
+/* The last is of groups alone. */
+static const struct api_prop props[PROPS + 1] = {
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "horizontal position in the field; a write teleports the enemy and ends its move"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position in the field; a write teleports the enemy and ends its move"),
+      PROP_WRITE },
+    { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
+            "hit points left, rounded up; writing 0 doesn't kill the enemy"),
+      PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
+    { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
+            "frames for which it takes no damage, or forever; shots still hit it"),
+      PROP_WRITE },
+    { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
+      PROP_WRITE },
+    { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
+            "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
+      PROP_WRITE },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"),
+      PROP_WRITE },
+    { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL,
+            "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
+      PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "for a part, distance to the right of its body; a write ends the part's move"),
+      PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "for a part, distance below its body; a write ends the part's move"),
+      PROP_WRITE },
+    { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
+            "for a part, fraction of the damage it takes that is also dealt to its body"),
+      PROP_WRITE },
+    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live enemies with the tag; no other property of a group can be read"),
+      PROP_READ },
+};
+
+static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct enemies *e = &b->enemies;
+
+    switch (p) {
+    case P_X:
+        lua_pushnumber(L, fx_to_double(e->x[i]));
+        break;
+    case P_Y:
+        lua_pushnumber(L, fx_to_double(e->y[i]));
+        break;
+    case P_HP:
+        lua_pushinteger(L, e->hp[i]);
+        break;
+    case P_BANK:
+        lua_pushinteger(L, e->bank[i] & ENEMY_BANK);
+        break;
+    case P_TAG:
+        api_push_tag(L, e->tag[i]);
+        break;
+    case P_SAFE:
+        api_push_or_forever(L, e->safe[i]);
+        break;
+    case P_KIND:
+        api_names_push(L, N_ENEMY, e->kind[i]);
+        break;
+    case P_FROZEN:
+        api_push_or_forever(L, e->frozen[i]);
+        break;
+    case P_PICTURE:
+        api_picture_push(L, N_ENEMY, e->kind[i], e->flags[i] / ENEMY_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        lua_pushboolean(L, e->flags[i] & flag_of[p]);
+        break;
+    case P_AGE:
+        lua_pushinteger(L, b->core.clock - e->born[i]);
+        break;
+    default:
+        api_body_get(L, b, i, (enum api_body_prop)(p - P_BODY));
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct enemies *e = &b->enemies;
+
+    switch (p) {
+    case P_X:
+        enemies_put(e, i, v->f, e->y[i]);
+        break;
+    case P_Y:
+        enemies_put(e, i, e->x[i], v->f);
+        break;
+    case P_HP:
+        e->hp[i] = (int32_t)v->i;
+        if (e->wound)
+            e->wound[i] = 0;
+        break;
+    case P_BANK:
+        e->bank[i] = (uint8_t)((e->bank[i] & ENEMY_BLINK) | v->i);
+        break;
+    case P_PICTURE:
+        e->flags[i] = (uint8_t)((unsigned)(e->flags[i] & ~ENEMY_PICTURE) |
+                                api_picture_named(L, N_ENEMY, e->kind[i], "enemy", v) * ENEMY_PICTURE_ONE);
+        break;
+    case P_FLIP_X:
+    case P_HIDDEN:
+        e->flags[i] = (uint8_t)(v->i ? e->flags[i] | flag_of[p] : e->flags[i] & ~flag_of[p]);
+        break;
+    case P_TAG:
+        e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        break;
+    case P_FROZEN:
+        e->frozen[i] = api_or_forever(v);
+        break;
+    case P_SAFE:
+        e->safe[i] = api_or_forever(v);
+        break;
+    default:
+        api_body_set(L, b, i, (enum api_body_prop)(p - P_BODY), v->f);
+    }
+}
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    if (p != PROPS)
+        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only `count` can)", props[p].value.name);
+    push_count(L, b, tag);
+}
+
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    const bool parts = p > P_BODY + BODY_RATE;
+
+    vm_charge(L, b->enemies.s.live);
+    EACH_LIVE (i, &b->enemies.s)
+        if (in_group(b, i, tag) && (!parts || b->enemies.body[i]))
+            set(L, b, i, p, v);
+}
+
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
+const struct api_thing api_enemies_thing = { "enemies", props, PROPS + 1, get_group, set_group };
+
+/* ---- verbs ---- */
+
+enum {
+    ARG_SELF,
+    MOVE_X,
+    MOVE_Y,
+    MOVE_OVER,
+    MOVE_EASE,
+    MOVE_DX,
+    MOVE_DY,
+    SHIFT_X = 1,
+    SHIFT_Y,
+    HURT_HP = 1,
+    HURT_PLAYER,
+    KILL_PLAYER = 1
+};
+
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
+static const struct api_param move[] = {
+    SELF,
+    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+          "horizontal position to move to; give `x` and `y`, or `dx` and `dy`"),
+    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position to move to"),
+    PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
+          "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
+    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new `dx`"),
+    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new `dy`"),
+};
+static const struct api_param shift_by[] = {
+    SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; a negative distance moves left"),
+    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; a negative distance moves up")
+};
+static const struct api_param hurt[] = {
+    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
+    PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
+};
+static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+                                                        "player who gets its score; defaults to the nearest player") };
+static const struct api_param self[] = { SELF };
+
+static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    const uint32_t over = (uint32_t)v[MOVE_OVER].i;
+
+    (void)L;
+    if (v[MOVE_X].given)
+        enemies_go(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, over, (enum ease)v[MOVE_EASE].i);
+    else
+        enemies_go_by(&b->enemies, i, v[MOVE_DX].f, v[MOVE_DY].f, over, (enum ease)v[MOVE_EASE].i);
+}
+
+static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    (void)L;
+    enemies_shift(&b->enemies, i, v[SHIFT_X].f, v[SHIFT_Y].f);
+}
+
+/* The player a script's damage or kill counts for: the one given, else the nearest living one, 1 or 2; 0: none. */
+static uint32_t credit(const struct board *b, uint32_t i, const struct api_value *player)
+{
+    struct targets t = board_players(b);
+
+    return player->given ? (uint32_t)player->i : (uint32_t)(targets_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
+}
+
+static void hurt_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    events_enemy_hurt(b, L, i, (int32_t)v[HURT_HP].i, credit(b, i, &v[HURT_PLAYER]));
+}
+
+static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+{
+    events_enemy_die(b, L, i, credit(b, i, &v[KILL_PLAYER]));
+}
+
+/* A death runs on_death, which may remove others and spawn new ones in their slots: so those that live now are listed
+ * first, and each is asked whether it still does. */
+static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
+{
+    int list = lua_gettop(L) + 1;
+    lua_Integer n = 0;
+
+    vm_charge(L, b->enemies.s.live);
+    luaL_checkstack(L, 2, NULL);
+    lua_newtable(L);
+    EACH_LIVE (i, &b->enemies.s)
+        if (in_group(b, i, tag)) {
+            lua_pushinteger(L, board_handle(b, H_ENEMY, (int32_t)i));
+            lua_rawseti(L, list, ++n);
+        }
+    for (lua_Integer k = 1; k <= n; k++) {
+        lua_rawgeti(L, list, k);
+        int64_t h = lua_tointeger(L, -1);
+        lua_pop(L, 1);
+        if (board_alive(b, h))
+            verb(L, b, handle_slot(h), v);
+    }
+    lua_settop(L, list - 1);
+}
+
+int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v)
+{
+    int64_t h = v[ARG_SELF].i;
+
+    if (handle_kind(h) == H_ENEMIES)
+        each_of(L, b, handle_slot(h), verb, v);
+    else if (board_alive(b, h))
+        verb(L, b, handle_slot(h), v);
+    return 0;
+}
+
+static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
+{
+    const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
+
+    if (x != y || dx != dy || x == dx)
+        return api_error(L, api_bound(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
+    return api_enemy_act(L, b, move_one, v);
+}
+
+static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_enemy_act(L, b, shift_one, v);
+}
+
+static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_enemy_act(L, b, hurt_one, v);
+}
+
+static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_enemy_act(L, b, kill_one, v);
+}
+
+/* Takes also those that leave in this frame: what else they touched is spared. */
+static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    int64_t h = v[ARG_SELF].i;
+    struct enemies *e = &b->enemies;
+
+    if (handle_kind(h) != H_ENEMIES) {
+        if (board_there(b, h) && !(e->flags[handle_slot(h)] & ENEMY_DYING))
+            enemies_drop(e, handle_slot(h));
+        return 0;
+    }
+    vm_charge(L, e->s.live);
+    EACH_LIVE (i, &e->s)
+        if (api_has_tag(e->tag, i, handle_slot(h)) && !(e->flags[i] & ENEMY_DYING))
+            enemies_drop(e, i);
+    return 0;
+}
+
+/* The verbs of one and of a group; `it` names who does it. */
+#define ENEMY_VERBS(thing, it, order)                                                                                  \
+    API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
+             "starts moving " it " to a position or by a distance, and returns immediately"),                          \
+        API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
+                 "teleports " it " by a distance and shifts the rest of its move by the same distance"),               \
+        API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
+        API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
+                 "kills " it order "; score, sparks, drops and on_death work as usual"),                               \
+        API_VERB(thing ":remove", enemy_remove, self, 1, NULL,                                                         \
+                 "removes " it " without score, sparks, drops or on_death")
+
+static const struct api_entry entries[] = {
+    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of enemy: its sprite, its hitbox and its rules") },
+    { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
+      HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
+    API_GROUPS("enemy", enemy_group, enemy_each),
+    { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",
+      HELP("returns the number of live enemies with the given tag") },
+    ENEMY_VERBS("enemy", "it", ""),
+    ENEMY_VERBS("enemies", "each enemy", " in slot order"),
+};
+const struct api_module api_enemy = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,463 @@
+/*
+ * api_item.c - item; and lists of what enemies, bullets and phases drop.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/trig.h"
+#include "api_parts.h"
+#include "../events_run.h"
+
+/* ---- tables with names ---- */
+
+enum { MOST_NAMES = ITEM_REGISTERS + 2 };
+#define NAMED "{ NAME = n }"
+
+/* The whole number under a name of the table at `at`. */
+static int64_t number_of(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
+                         double hi)
+{
+    char full[64];
+    struct api_param p = { full, A_INT, REQ, lo, hi, NULL, NULL, NULL };
+    struct api_value v = { 0 };
+
+    snprintf(full, sizeof full, "%s.%s", what, name);
+    lua_getfield(L, at, name);
+    api_check(L, entry, &p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.i;
+}
+
+/* ---- lists of drops ---- */
+
+enum { DROP_BYTES = 4 /* of a list's entry: kind and number, 16 bits each */ };
+
+/* Is it a list that api_drops may have made? */
+static bool is_list(const struct board *b, const uint8_t *list, size_t size)
+{
+    if (!list || size % DROP_BYTES || size > MOST_NAMES * DROP_BYTES)
+        return false;
+    for (size_t i = 0; i < size; i += DROP_BYTES)
+        if (bytes_get16(list + i) >= b->item_kinds.s.live)
+            return false;
+    return true;
+}
+
+enum { AN_ITEM = 6 /* work: one that is dropped */ };
+
+/* Of a list that an enemy, a bullet or a phase drops. */
+static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
+
+void api_push_drops(lua_State *L, const char *entry, int at)
+{
+    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
+    const char *line = api_off(&vm_board(L)->cart.m, "item"), *names[MOST_NAMES];
+    uint8_t list[MOST_NAMES * DROP_BYTES];
+    struct api_value v;
+
+    if (line)
+        api_error(L, entry, "drops: " API_OFF, line);
+    int n = api_sorted_names(L, entry, "drops", NAMED, at, names, MOST_NAMES);
+    for (int i = 0; i < n; i++) {
+        lua_pushstring(L, names[i]);
+        api_check(L, entry, &kind, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        bytes_put16(list + i * DROP_BYTES, (uint16_t)v.i);
+        bytes_put16(list + i * DROP_BYTES + 2, (uint16_t)number_of(L, entry, "drops", at, names[i], 0, UINT16_MAX));
+    }
+    lua_pushlstring(L, (const char *)list, (size_t)n * DROP_BYTES);
+}
+
+void api_drops(lua_State *L, const char *entry, int at)
+{
+    api_push_drops(L, entry, at);
+    api_fold(L, vm_board(L), lua_gettop(L));
+}
+
+void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
+{
+    size_t size = 0;
+    const uint8_t *list = (const uint8_t *)lua_tolstring(L, -1, &size);
+    uint16_t kind[MOST_NAMES], n[MOST_NAMES];
+    struct item_drop d = usual_drop;
+    int kinds = is_list(b, list, size) ? (int)size / DROP_BYTES : 0;
+
+    for (int i = 0; i < kinds; i++) {
+        kind[i] = bytes_get16(list + i * DROP_BYTES);
+        n[i] = bytes_get16(list + i * DROP_BYTES + 2);
+        vm_charge(L, AN_ITEM * (uint64_t)n[i]);
+    }
+    d.x = x;
+    d.y = y;
+    board_drop(b, &d, kind, n, kinds);
+    lua_pop(L, 1);
+}
+
+/* ---- item.def ---- */
+
+enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_TAKE };
+
+static const struct api_param def[] = {
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
+    PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
+          "radius of the circle that a ship's hitbox must touch to take the item"),
+    PARAM("gives", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "amounts that the player gets for taking the item, { score = n, lives = n, REGISTER = n }"),
+    PARAM("full", A_STR, OPT, 1, 31, NULL, NULL,
+          "register of the ship or the run; while the register is at its max, the item gives only its score"),
+    PARAM("gravity", A_FX, OPT, 0, MAX_SPEED, "px/frame", "0.04",
+          "downward acceleration, the speed added in each frame"),
+    PARAM("top", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "maximum falling speed"),
+    PARAM("magnet", A_BOOL, OPT, 0, 0, NULL, "true",
+          "whether it flies to ships that attract it; if false, only item:pull makes it fly"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    PARAM("on_take", A_FUNC, OPT, 0, 0, NULL, NULL,
+          "on_take(p, item): called after the player has received what the item gives"),
+};
+
+static const char DEF[] = "item.def";
+
+/* The number of a register among those that items give or fill. */
+static int register_number(lua_State *L, const char *name)
+{
+    int i = api_names_find(L, N_ITEM_REGISTER, name);
+
+    if (i != NO_SLOT)
+        return i;
+    i = (int)vm_board(L)->names[N_ITEM_REGISTER].n;
+    if (i == ITEM_REGISTERS)
+        api_error(L, DEF, "gives: too many registers (items can give at most %d different ones)", ITEM_REGISTERS);
+    api_names_declare(L, N_ITEM_REGISTER, DEF, name, i);
+    return i;
+}
+
+/* score = n, or { low, high }. */
+static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
+{
+    static const struct api_param pair = { "gives.score", A_SPAN, REQ, 0, ITEM_MOST, NULL, NULL, NULL };
+    struct api_value v;
+
+    if (lua_getfield(L, gives, "score") == LUA_TTABLE) {
+        int at = lua_gettop(L);
+        api_check(L, DEF, &pair, at, &v);
+        lua_rawgeti(L, at, 1);
+        lua_rawgeti(L, at, 2);
+        k->low[i] = lua_tointeger(L, -2);
+        k->high[i] = lua_tointeger(L, -1);
+        lua_settop(L, at - 1);
+        return;
+    }
+    lua_pop(L, 1);
+    k->low[i] = k->high[i] = number_of(L, DEF, "gives", gives, "score", 0, ITEM_MOST);
+}
+
+static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives)
+{
+    const char *names[MOST_NAMES];
+    int n = api_sorted_names(L, DEF, "gives", NAMED, gives, names, MOST_NAMES);
+
+    for (int j = 0; j < n; j++)
+        if (!strcmp(names[j], "score"))
+            read_score(L, k, i, gives);
+        else if (!strcmp(names[j], "lives"))
+            k->lives[i] = (int32_t)number_of(L, DEF, "gives", gives, names[j], 0, MOST_LIVES);
+        else
+            k->gives[i * ITEM_REGISTERS + register_number(L, names[j])] =
+                (int32_t)number_of(L, DEF, "gives", gives, names[j], -INT32_MAX, INT32_MAX);
+}
+
+static int item_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct item_kinds *k = &b->item_kinds;
+    int32_t i = slots_append(&k->s);
+
+    if (i == NO_SLOT)
+        return api_error(L, DEF, "too many kinds (at most %d)", (int)k->s.cap);
+    api_names_declare(L, N_ITEM, DEF, lua_tostring(L, v[D_NAME].at), i);
+    k->sprite[i] = (uint16_t)v[D_SPRITE].i;
+    k->radius[i] = v[D_RADIUS].f;
+    k->gravity[i] = v[D_GRAVITY].f;
+    k->top[i] = v[D_TOP].f;
+    k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->flags[i] = (uint8_t)((v[D_MAGNET].i ? ITEM_MAGNET : 0) | v[D_BLEND].i * ITEM_BLEND_ONE);
+    if (v[D_GIVES].given)
+        read_gives(L, k, i, v[D_GIVES].at);
+    if (v[D_FULL].given)
+        k->full[i] = (uint16_t)(register_number(L, lua_tostring(L, v[D_FULL].at)) + 1);
+    if (v[D_GIVES].given || v[D_FULL].given)
+        api_note_place(L, DEF, lua_tostring(L, v[D_NAME].at));
+    if (v[D_TAKE].given) {
+        lua_pushvalue(L, v[D_TAKE].at);
+        events_set_function(L, (uint16_t)i, "item's on_take");
+    }
+    return 0;
+}
+
+static bool has_most(const struct board *b, uint32_t row)
+{
+    return registers_rule(&b->registers, row).most != REGISTER_MOST;
+}
+
+/* Has any ship, or the run, a register of that name with a max? */
+static bool can_fill(lua_State *L, const struct board *b, const char *name)
+{
+    const int of_run = api_run_register(L, name);
+
+    for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
+        int reg = api_ship_register(L, (int32_t)ship, name);
+        if (reg >= 0 && has_most(b, b->player_kinds.first[ship] + (uint32_t)reg))
+            return true;
+    }
+    return of_run >= 0 && has_most(b, b->registers.first + (uint32_t)of_run);
+}
+
+/* Neither a ship nor the run has the item's register r. */
+static void refuse_register(lua_State *L, const struct board *b, int r)
+{
+    const struct item_kinds *k = &b->item_kinds;
+    const char *name = board_name(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
+    uint32_t i = 0;
+
+    while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full[i] != r + 1)
+        i++;
+    const char *item = board_name(b, N_ITEM, (int)i);
+    if (near)
+        api_error_at(L, DEF, item, "item \"%s\": unknown register \"%s\" (did you mean \"%s\"?)", item, name, near);
+    api_error_at(L, DEF, item,
+                 "item \"%s\": unknown register \"%s\" (add registers = { %s = 0 } to player.def or game.def)", item,
+                 name, name);
+}
+
+void api_items_check(lua_State *L, struct board *b)
+{
+    for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++)
+        if (!api_register_declared(L, board_name(b, N_ITEM_REGISTER, r)))
+            refuse_register(L, b, r);
+    for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
+        const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
+        if (name && !can_fill(L, b, name))
+            api_error_at(
+                L, DEF, board_name(b, N_ITEM, (int)i),
+                "full: register \"%s\" has no max (write registers = { %s = { max = n } } in player.def or game.def)",
+                name, name);
+    }
+}
+
+/* ---- item.drop ---- */
+
+enum { P_KIND, P_PLACE, P_N = P_PLACE + PLACE_PARAMS, P_DIR, P_SPREAD, P_SPEED, P_TAG };
+
+static const struct api_param drop[] = {
+    PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
+    PLACE,
+    PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, "270", "middle of the range of directions, clockwise from the right"),
+    PARAM("spread", A_NUM, OPT, 0, 360, "degrees", "60",
+          "angle over which the items are evenly spread, centred on `dir`"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "1.5", "initial speed"),
+    PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the items in"),
+};
+
+static uint64_t spread_of(double degrees)
+{
+    ang a;
+
+    if (degrees >= 360)
+        return 1ull << 32;
+    trig_from_degrees(degrees, &a);
+    return a;
+}
+
+static int item_drop_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint16_t kind = (uint16_t)v[P_KIND].i, n = (uint16_t)v[P_N].i;
+    struct item_drop d = { .dir = v[P_DIR].a, .spread = spread_of(v[P_SPREAD].n), .speed = v[P_SPEED].f };
+
+    if (v[P_TAG].given)
+        d.tag = api_tag(L, "item.drop", v[P_TAG].at);
+    vm_charge(L, AN_ITEM * (uint64_t)n);
+    if (api_place(L, b, "item.drop", v + P_PLACE, &d.x, &d.y))
+        board_drop(b, &d, &kind, &n, 1);
+    return 0;
+}
+
+static int item_each(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_each(L, b, H_ITEM, "item.each", &b->items.s, b->items.tag, v);
+}
+
+static int item_group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_group(L, H_ITEMS, "item.group", &v[EACH_TAG]);
+}
+
+/* ---- properties ---- */
+
+enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
+
+/* The last is of groups alone. */
+static const struct api_prop props[PROPS + 1] = {
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position in the field"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position in the field"), PROP_WRITE },
+    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE },
+    { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive is downwards"),
+      PROP_WRITE },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
+    { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
+      PROP_WRITE },
+    { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"),
+      PROP_READ },
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live items with the tag; no other property of a group can be read"),
+      PROP_READ },
+};
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct items *s = &b->items;
+    const fx *const column[] = { s->x, s->y, s->vx, s->vy };
+
+    switch (p) {
+    case I_TAG:
+        api_push_tag(L, s->tag[i]);
+        break;
+    case I_FROZEN:
+        lua_pushinteger(L, s->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen[i]);
+        break;
+    case I_KIND:
+        api_names_push(L, N_ITEM, s->kind[i]);
+        break;
+    case I_AGE:
+        lua_pushinteger(L, b->core.clock - s->born[i]);
+        break;
+    default:
+        lua_pushnumber(L, fx_to_double(column[p][i]));
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct items *s = &b->items;
+    fx *const column[] = { s->x, s->y, s->vx, s->vy };
+
+    if (p == I_TAG)
+        s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+    else if (p == I_FROZEN)
+        s->frozen[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
+    else
+        column[p][i] = v->f;
+}
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    lua_Integer n = 0;
+
+    if (p != PROPS)
+        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only `count` can)", props[p].value.name);
+    vm_charge(L, b->items.s.live);
+    EACH_LIVE (i, &b->items.s)
+        n += api_has_tag(b->items.tag, i, tag);
+    lua_pushinteger(L, n);
+}
+
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->items.s.live);
+    EACH_LIVE (i, &b->items.s)
+        if (api_has_tag(b->items.tag, i, tag))
+            set(L, b, i, p, v);
+}
+
+const struct api_thing api_item_thing = { "item", props, PROPS, get, set };
+const struct api_thing api_items_thing = { "items", props, PROPS + 1, get_group, set_group };
+
+/* ---- verbs ---- */
+
+enum { ARG_SELF, PULL_PLAYER };
+
+#define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
+static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+                                                     "player to fly to; defaults to the nearest one") };
+static const struct api_param self[] = { SELF };
+
+typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
+
+/* A player that is dead or not in the game attracts nothing. */
+static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
+{
+    const struct targets t = board_players(b);
+    int32_t p =
+        v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_nearest(&t, b->items.x[i], b->items.y[i]);
+
+    if (p >= 0 && b->player.in[p])
+        items_pull(&b->items, i, (uint32_t)p);
+}
+
+static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
+{
+    (void)v;
+    slots_drop(&b->items.s, i);
+}
+
+/* For the item before the colon, or each of the group. */
+static void each_of(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
+{
+    int64_t h = v[ARG_SELF].i;
+
+    if (handle_kind(h) == H_ITEM) {
+        if (board_alive(b, h))
+            verb(b, handle_slot(h), v);
+        return;
+    }
+    vm_charge(L, b->items.s.live);
+    EACH_LIVE (i, &b->items.s)
+        if (api_has_tag(b->items.tag, i, handle_slot(h)))
+            verb(b, i, v);
+}
+
+static int item_pull_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    each_of(L, b, pull_one, v);
+    return 0;
+}
+
+static int item_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    each_of(L, b, remove_one, v);
+    return 0;
+}
+
+#ifndef WITHOUT_HELP
+static const struct api_param gives[] = {
+    PARAM("score", A_ANY, OPT, 0, 0, "number or { low, high }", "0",
+          "points; { low, high } gives `low` at the bottom of the field and `high` at or above the collect line"),
+    PARAM("lives", A_INT, OPT, 0, MOST_LIVES, NULL, "0", "extra lives"),
+};
+#endif
+
+static const struct api_entry entries[] = {
+    { "item.def", item_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of item: its sprite, how it falls and what it gives; needs `board = { items = n }`") },
+    { "item.drop", item_drop_run, PARAMS(drop), 0, API_CHANGES, NULL,
+      HELP("drops items from a position or a thing, in evenly spread directions") },
+    API_GROUPS("item", item_group, item_each),
+    { "item:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("makes it fly to a player until it is taken; it falls again if that player dies") },
+    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes it; no player gets anything") },
+    { "items:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("makes each item fly to a player until it is taken; it falls again if that player dies") },
+    { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes each item; no player gets anything") },
+#ifndef WITHOUT_HELP
+    { "item.def gives", NULL, PARAMS(gives), 0, API_LUA | API_SYS, NULL,
+      HELP("amounts that the player gets; any other key names a register of the ship or the run, to which the amount "
+           "is added") },
+#endif
+};
+const struct api_module api_item = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,697 @@
+/*
+ * api_laser.c - laser: kinds, beams, bolts and curves, their properties and verbs. A game without room for lasers has
+ * no table `laser` (api_reserved.c).
+ */
+#include <string.h>
+#include "../../base/trig.h"
+#include "../../machine/lasers_run.h"
+#include "api_parts.h"
+
+enum { FRAMES = 1000000 /* most of a warning, growth or fade */ };
+
+/* ---- kinds ---- */
+
+enum {
+    D_NAME,
+    D_STRIP,
+    D_WIDTH,
+    D_HIT,
+    D_HEAD,
+    D_TAIL,
+    D_BANK,
+    D_BLEND,
+    D_GRAZE,
+    D_CLEARABLE,
+    D_VANISH,
+    D_DAMAGE,
+    D_EVERY
+};
+
+static const struct api_param laser_def[] = {
+    PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
+    PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
+          "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
+    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"),
+    PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
+    PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
+          "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
+    PARAM("tail", A_SPRITE, OPT, 0, 0, NULL, NULL, "sprite drawn at the other end; nil draws none"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette banks of its sprites"),
+    PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
+          "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
+    PARAM("graze", A_INT, OPT, 0, 65535, "frames", "8",
+          "frames until a player can graze the laser again; 0 makes grazing impossible"),
+    PARAM("clearable", A_BOOL, OPT, 0, 0, NULL, "true", "whether it can be cleared without `all = true`"),
+    PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
+          "kind of spark left along the laser when it is cleared, unless the call that clears it names another kind; "
+          "nil leaves none"),
+    PARAM("damage", A_INT, OPT, 0, 1000000, "hp", NULL,
+          "damage to each enemy it touches; makes the kind a player laser, which is harmless to players"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
+};
+
+/* The share of its width that hits, or -1: nothing does. */
+static fx read_hit(lua_State *L, int at)
+{
+    static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL };
+    static const struct api_fields fields = { &share, 1, NAME_LISTS };
+    struct api_value v = { 0 };
+
+    if (lua_type(L, at) == LUA_TSTRING) {
+        if (strcmp(lua_tostring(L, at), "none"))
+            api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
+        return -1;
+    }
+    if (luakeys_push_stray(L, at, api_knows_field, &fields))
+        api_error(L, "laser.def", "hit: expected %s, got a table with key %s", api_hit_forms[HIT_LASERS],
+                  api_push_got(L, -1));
+    if (lua_getfield(L, at, "share") == LUA_TNIL)
+        api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
+    api_check(L, "laser.def", &share, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.f;
+}
+
+static uint16_t or_none(const struct api_value *v)
+{
+    return v->given ? (uint16_t)(v->i + 1) : 0;
+}
+
+static int define(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct laser_kinds *k = &b->laser_kinds;
+    const fx share = read_hit(L, v[D_HIT].at);
+
+    if (v[D_EVERY].given && !v[D_DAMAGE].given)
+        api_error(L, "laser.def", "every: requires `damage`");
+    int32_t i = slots_append(&k->s);
+    if (i == NO_SLOT)
+        api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
+    api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
+    k->strip[i] = (uint16_t)v[D_STRIP].i;
+    k->head[i] = or_none(&v[D_HEAD]);
+    k->tail[i] = or_none(&v[D_TAIL]);
+    k->width[i] = v[D_WIDTH].f;
+    k->share[i] = share;
+    k->bank[i] = (uint8_t)v[D_BANK].i;
+    k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_SHOOTS : 0) |
+                            v[D_BLEND].i * LASER_BLEND_ONE);
+    k->graze[i] = (uint16_t)v[D_GRAZE].i;
+    k->every[i] = (uint16_t)v[D_EVERY].i;
+    k->damage[i] = (int32_t)v[D_DAMAGE].i;
+    k->vanish[i] = or_none(&v[D_VANISH]);
+    return 0;
+}
+
+/* ---- firing ---- */
+
+/* What all three have, in this order. `owners`: whose player a laser takes by default. */
+#define LASER_PARAMS(owners)                                                                                           \
+    PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
+        PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
+              "direction, clockwise from the right; with `aim`, the default is 0, and the angle is added to the "      \
+              "direction towards the target"),                                                                         \
+        PARAM("aim", A_BOOL, OPT, 0, 0, NULL, "false",                                                                 \
+              "point at the nearest target: an enemy for player lasers, otherwise a player"),                          \
+        PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
+              "number added to the palette banks of its sprites; overrides its kind's"),                               \
+        PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
+        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
+              "full width, once it has grown; overrides its kind's"),                                                  \
+        PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
+              "player who owns it and gets its score; defaults to the owner of " owners)
+enum {
+    F_KIND,
+    F_PLACE,
+    F_DIR = F_PLACE + PLACE_PARAMS,
+    F_AIM,
+    F_BANK,
+    F_TAG,
+    F_WIDTH,
+    F_BY,
+    F_OWN, /* and what is of one alone */
+    F_SPEED = F_OWN,
+    F_MOTION,
+    F_DELAY,
+    F_AROUND,
+    F_LENGTH,
+    F_POINTS = F_LENGTH,
+    F_FOLLOW = F_OWN,
+    F_TURNS,
+    F_BEAM_LENGTH,
+    F_HOLD,
+    F_WARN,
+    F_GROW,
+    F_FADE,
+    F_SPIN
+};
+
+#define FLIGHT_PARAMS                                                                                                  \
+    PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                                 \
+          "speed of flight; if negative, it flies backwards"),                                                         \
+        PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
+        PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
+        PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
+              "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
+
+static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
+                                                PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
+                                                      "full length, once it has emerged") };
+static const struct api_param curve_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
+                                                 PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32",
+                                                       "length of its body, in frames of flight") };
+static const struct api_param beam_params[] = {
+    LASER_PARAMS("`from` or `follow`"),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
+          "and `y`, or `from`"),
+    PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
+    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from the start of the beam to its end"),
+    PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames the beam stays at its full width"),
+    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40",
+          "frames at the start during which the beam is a dotted line that never hits"),
+    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8",
+          "frames the beam takes to reach its full width; it hits during these frames, too"),
+    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12",
+          "frames the beam takes to fade out; it doesn't hit during these frames"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
+};
+
+static uint8_t player_of(const struct board *b, const struct api_value *v)
+{
+    return v->given ? board_player_of(b, v->i) : 0;
+}
+
+/* What the common arguments say of the head, which is at (x, y). */
+static struct bullet_shape head_of(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
+                                   fx y)
+{
+    const struct laser_kinds *k = &b->laser_kinds;
+    const uint16_t kind = (uint16_t)v[F_KIND].i;
+    const uint8_t from = player_of(b, &v[F_PLACE + PLACE_FROM]);
+    struct bullet_shape s = { .x = x,
+                              .y = y,
+                              .dir = v[F_DIR].a,
+                              .kind = kind,
+                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
+                              .player = v[F_BY].given ? player_of(b, &v[F_BY]) : from,
+                              .by = tasks_serial(b) };
+
+    if (v[F_AIM].i)
+        s.dir = api_aim(b, k->flags[kind] & LASER_SHOOTS, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
+    if (v[F_TAG].given)
+        s.tag = api_tag(L, entry, v[F_TAG].at);
+    return s;
+}
+
+/* A ship that was hit fires no laser of its own. */
+static bool is_silent(const struct board *b, const struct bullet_shape *s)
+{
+    return s->player && b->player.hit[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
+}
+
+static fx width_of(const struct board *b, const struct api_value *v)
+{
+    return v[F_WIDTH].given ? v[F_WIDTH].f : b->laser_kinds.width[v[F_KIND].i];
+}
+
+static int push_laser(lua_State *L, const struct board *b, int32_t i)
+{
+    lua_pushinteger(L, board_handle(b, H_LASER, i));
+    return 1;
+}
+
+enum { FADE = 12 /* frames, of what flies */ };
+
+/* A bolt or a curve. */
+static int fly(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_shape *shape)
+{
+    fx x, y;
+
+    if (!api_place(L, b, entry, v + F_PLACE, &x, &y))
+        return push_laser(L, b, NO_SLOT);
+    struct bullet_shape s = head_of(L, b, entry, v, x, y);
+    s.speed = v[F_SPEED].f;
+    s.motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0;
+    s.fine = api_motion_fine(b, s.motion);
+    s.delay = (uint32_t)v[F_DELAY].i;
+    api_check_around(L, &b->laser_heads, entry, &v[F_AROUND]);
+    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
+    shape->width = width_of(b, v);
+    shape->hold = LASER_FOREVER;
+    shape->fade = FADE;
+    int32_t i = is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
+    if (i != NO_SLOT && s.fine)
+        bullets_set_speed(&b->laser_heads, (uint32_t)i, api_units(true, &v[F_SPEED]));
+    return push_laser(L, b, i);
+}
+
+static int bolt(lua_State *L, struct board *b, struct api_value *v)
+{
+    return fly(L, b, "laser.bolt", v, &(struct laser_shape){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
+}
+
+static int curve(lua_State *L, struct board *b, struct api_value *v)
+{
+    return fly(L, b, "laser.curve", v, &(struct laser_shape){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
+}
+
+/* Where a beam begins. False: what it is placed by is gone. */
+static bool beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+{
+    struct api_value place[PLACE_PARAMS];
+
+    memcpy(place, v + F_PLACE, sizeof place);
+    if (v[F_FOLLOW].given) {
+        if (place[PLACE_X].given || place[PLACE_Y].given || place[PLACE_FROM].given)
+            api_error(L, "laser.beam", "`follow` cannot be combined with `x`, `y` or `from`");
+        place[PLACE_FROM] = v[F_FOLLOW];
+    }
+    return api_place(L, b, "laser.beam", place, x, y);
+}
+
+static int beam(lua_State *L, struct board *b, struct api_value *v)
+{
+    const bool follows = v[F_FOLLOW].given;
+    fx x, y;
+
+    if (v[F_TURNS].i && !follows)
+        api_error(L, "laser.beam", "turns: requires `follow`");
+    if (!beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
+        return push_laser(L, b, NO_SLOT);
+    struct bullet_shape s = head_of(L, b, "laser.beam", v, x, y);
+    struct laser_shape shape = { .form = LASER_BEAM,
+                                 .flags = v[F_TURNS].i ? LASER_TURNS : 0,
+                                 .length = v[F_BEAM_LENGTH].f,
+                                 .width = width_of(b, v),
+                                 .dx = follows ? v[F_PLACE + PLACE_DX].f : 0,
+                                 .dy = follows ? v[F_PLACE + PLACE_DY].f : 0,
+                                 .spin = v[F_SPIN].a,
+                                 .warn = (int32_t)v[F_WARN].i,
+                                 .grow = (int32_t)v[F_GROW].i,
+                                 .hold = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
+                                 .fade = (int32_t)v[F_FADE].i,
+                                 .follow = follows ? v[F_FOLLOW].i : 0 };
+    if (follows && !v[F_BY].given)
+        s.player = player_of(b, &v[F_FOLLOW]);
+    return push_laser(L, b, is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
+}
+
+/* ---- properties ---- */
+
+enum {
+    L_X,
+    L_Y,
+    L_DIR,
+    L_SPEED,
+    L_VX,
+    L_VY,
+    L_KIND,
+    L_BANK,
+    L_TAG,
+    L_MOTION,
+    L_AROUND,
+    L_AGE,
+    L_FROZEN,
+    L_LENGTH,
+    L_WIDTH,
+    L_SPIN,
+    L_DX,
+    L_DY,
+    L_STATE,
+    L_FORM,
+    L_FOLLOW,
+    L_BY,
+    L_LAST
+};
+_Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
+               "the first properties are those of all flying things");
+
+#define LASER_PROPS                                                                                                    \
+    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
+            "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "    \
+            "the entire laser"),                                                                                       \
+      PROP_WRITE },                                                                                                    \
+        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+                "vertical position of its head; a write moves the entire laser"),                                      \
+          PROP_WRITE },                                                                                                \
+        { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
+                "direction in which a beam points or a bolt or curve flies, 0 to 360"),                                \
+          PROP_WRITE },                                                                                                \
+        { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "horizontal velocity; a write changes `dir` and `speed`"),                                             \
+          PROP_WRITE },                                                                                                \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
+                "vertical velocity; a write changes `dir` and `speed`"),                                               \
+          PROP_WRITE },                                                                                                \
+        { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },                         \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
+          PROP_WRITE },                                                                                                \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },                       \
+        { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
+                "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
+          PROP_WRITE },                                                                                                \
+        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"),      \
+          PROP_WRITE },                                                                                                \
+        { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
+          PROP_READ },                                                                                                 \
+        { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
+                "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
+          PROP_WRITE },                                                                                                \
+        { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "length; read-only for a curve"), PROP_WRITE },     \
+        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"), PROP_WRITE },      \
+        { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
+                "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
+          PROP_WRITE },                                                                                                \
+        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
+                "for a beam, distance to the right of the followed thing"),                                            \
+          PROP_WRITE },                                                                                                \
+    {                                                                                                                  \
+        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "for a beam, distance below the followed thing"), PROP_WRITE \
+    }
+
+static const struct api_prop laser_props[] = {
+    LASER_PROPS,
+    { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
+            "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
+      PROP_READ },
+    { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ },
+    { PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ },
+};
+
+static const struct api_prop lasers_props[] = {
+    LASER_PROPS,
+    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
+            "number of live lasers with the tag; no other property of a group can be read"),
+      PROP_READ },
+};
+
+static void push_thing(lua_State *L, int64_t h)
+{
+    if (h)
+        lua_pushinteger(L, h);
+    else
+        lua_pushnil(L);
+}
+
+static fx length_of(const struct board *b, uint32_t i)
+{
+    int64_t sum = 0;
+    fx x, y, to_x, to_y;
+
+    if (b->lasers.form[i] != LASER_CURVE)
+        return b->lasers.length[i];
+    lasers_corner(b, i, 0, &x, &y);
+    for (uint32_t k = 1; k < lasers_corners(b, i); k++, x = to_x, y = to_y) {
+        lasers_corner(b, i, k, &to_x, &to_y);
+        sum += fx_hypot(fx_sub(to_x, x), fx_sub(to_y, y));
+    }
+    return fx_sat(sum);
+}
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    static const char *const states[LASER_STATES] = { "warn", "grow", "on", "fade" }, *const forms[] = { "beam", "bolt",
+                                                                                                         "curve" };
+    const struct lasers *l = &b->lasers;
+    const uint8_t player = b->laser_heads.player[i];
+
+    switch (p) {
+    case L_KIND:
+        api_names_push(L, N_LASER, b->laser_heads.kind[i]);
+        break;
+    case L_LENGTH:
+        vm_charge(L, lasers_corners(b, i));
+        lua_pushnumber(L, fx_to_double(length_of(b, i)));
+        break;
+    case L_WIDTH:
+        lua_pushnumber(L, fx_to_double(l->width[i]));
+        break;
+    case L_SPIN:
+        lua_pushnumber(L, trig_to_degrees(l->spin[i]));
+        break;
+    case L_DX:
+    case L_DY:
+        lua_pushnumber(L, fx_to_double((p == L_DX ? l->dx : l->dy)[i]));
+        break;
+    case L_STATE:
+        lua_pushstring(L, states[lasers_state_of(b, i, lasers_age(b, i))]);
+        break;
+    case L_FORM:
+        lua_pushstring(L, forms[l->form[i]]);
+        break;
+    case L_FOLLOW:
+        push_thing(L, l->follow[i]);
+        break;
+    case L_BY:
+        push_thing(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
+        break;
+    default:
+        api_get_flight(L, b, &b->laser_heads, N_LASER, i, p);
+    }
+}
+
+static void set_length(lua_State *L, struct board *b, uint32_t i, fx length)
+{
+    struct lasers *l = &b->lasers;
+
+    if (l->form[i] == LASER_CURVE)
+        vm_fault(L, FAULT_SCRIPT, "laser: length: cannot be set on a curve (`points` sets its length)");
+    l->length[i] = length;
+    l->grown[i] = fx_min(l->grown[i], length);
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct lasers *l = &b->lasers;
+    struct bullets *h = &b->laser_heads;
+
+    switch (p) {
+    case L_X:
+        lasers_place(b, i, v->f, h->y[i]);
+        api_set_flight(L, b, h, NULL, i, p, v); /* the part that is finer than an fx */
+        return;
+    case L_Y:
+        lasers_place(b, i, h->x[i], v->f);
+        api_set_flight(L, b, h, NULL, i, p, v);
+        return;
+    case L_SPEED:
+    case L_VX:
+    case L_VY:
+    case L_MOTION:
+        if (l->form[i] != LASER_BEAM) /* else it does not fly */
+            api_set_flight(L, b, h, NULL, i, p, v);
+        break;
+    case L_LENGTH:
+        set_length(L, b, i, v->f);
+        break;
+    case L_WIDTH:
+        l->width[i] = v->f;
+        return;
+    case L_SPIN:
+        l->spin[i] = v->a;
+        return;
+    case L_DX:
+        l->dx[i] = v->f;
+        return;
+    case L_DY:
+        l->dy[i] = v->f;
+        return;
+    default:
+        api_set_flight(L, b, h, NULL, i, p, v);
+    }
+    lasers_settle(b, i);
+}
+
+static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+{
+    lua_Integer n = 0;
+
+    if (p != L_STATE)
+        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only `count` can)",
+                 lasers_props[p].value.name);
+    EACH_LIVE (i, &b->lasers.s)
+        n += api_has_tag(b->laser_heads.tag, i, tag);
+    vm_charge(L, b->lasers.s.live);
+    lua_pushinteger(L, n);
+}
+
+static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
+{
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        if (api_has_tag(b->laser_heads.tag, i, tag))
+            set(L, b, i, p, v);
+}
+
+const struct api_thing api_laser_thing = { "laser", laser_props, L_LAST, get, set };
+const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1, get_group, set_group };
+
+/* ---- verbs ---- */
+
+enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
+enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
+
+static fx shifted(fx at, fx by)
+{
+    return fx_clamp(fx_add(at, by), -WORLD * 65536, WORLD * 65536);
+}
+
+static void act(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
+{
+    struct bullets *h = &b->laser_heads;
+
+    switch (verb) {
+    case V_AIM:
+        h->dir[i] = api_aim(b, b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS, h->x[i], h->y[i]) + v[ARG_BY].a;
+        break;
+    case V_TURN:
+        h->dir[i] += v[ARG_BY].a;
+        break;
+    case V_SHIFT:
+        lasers_place(b, i, shifted(h->x[i], v[ARG_DX].f), shifted(h->y[i], v[ARG_DY].f));
+        return;
+    case V_FADE:
+        lasers_fade(&b->lasers, i, lasers_age(b, i));
+        return;
+    case V_REMOVE:
+        lasers_remove(b, i);
+        return;
+    }
+    api_override(h, i, OVERRIDE_DIR);
+    bullets_steer(h, i);
+    lasers_settle(b, i);
+}
+
+static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
+{
+    int64_t h = v[ARG_SELF].i;
+
+    if (!handle_kind_group(handle_kind(h))) {
+        if (board_alive(b, h))
+            act(b, handle_slot(h), verb, v);
+        return 0;
+    }
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        if (api_has_tag(b->laser_heads.tag, i, handle_slot(h)))
+            act(b, i, verb, v);
+    return 0;
+}
+
+static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_AIM);
+}
+
+static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_TURN);
+}
+
+static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_SHIFT);
+}
+
+static int verb_fade(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_FADE);
+}
+
+static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    return verb(L, b, v, V_REMOVE);
+}
+
+/* What waits for the group's tag need not have it. */
+static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct motion_world w = board_world(b, false);
+
+    vm_charge(L, b->lasers.s.live);
+    EACH_LIVE (i, &b->lasers.s)
+        bullets_signal(&b->laser_heads, &w, i, (uint16_t)handle_slot(v[ARG_SELF].i));
+    return 0;
+}
+
+enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
+static const struct api_param self_add[] = { SELF_OF(EITHER), AIM_ADD };
+static const struct api_param self_by[] = { SELF_OF(EITHER), TURN_BY };
+static const struct api_param self_shift[] = { SELF_OF(EITHER), SHIFT_DX, SHIFT_DY };
+static const struct api_param self_only[] = { SELF_OF(EITHER) };
+static const struct api_param self_group[] = { SELF_OF(1 << H_LASERS) };
+
+static int group(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    return api_group(L, H_LASERS, "laser.group", &v[EACH_TAG]);
+}
+
+static int each(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_each(L, b, H_LASER, "laser.each", &b->lasers.s, b->laser_heads.tag, v);
+}
+
+/* ---- entries ---- */
+
+#define BEAM                                                                                                           \
+    {                                                                                                                  \
+        "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
+            HELP("fires a straight laser from a position or a thing; it warns, grows, holds and fades")                \
+    }
+#define BOLT                                                                                                           \
+    {                                                                                                                  \
+        "laser.bolt", bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                              \
+            HELP("fires a straight laser of a fixed length that flies like a bullet")                                  \
+    }
+#define CURVE                                                                                                          \
+    {                                                                                                                  \
+        "laser.curve", curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                           \
+            HELP("fires a laser whose head flies like a bullet and whose body follows its path")                       \
+    }
+const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curve = CURVE;
+
+static const struct api_entry entries[] = {
+    { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
+      HELP("declares a kind of laser: its sprites, its width and its rules; needs `board = { lasers = n }`") },
+    BEAM,
+    BOLT,
+    CURVE,
+    API_GROUPS("laser", group, each),
+    { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
+      HELP(
+          "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
+    { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("points it at the nearest player or, if it is a player laser, at the nearest enemy") },
+    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
+    { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      HELP("teleports the entire laser by a distance, without collisions on the way") },
+    { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("fades it out; it stops hitting immediately") },
+    { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
+      API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
+    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes it and leaves nothing") },
+    { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("points each laser at the nearest player and each player laser at the nearest enemy") },
+    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
+      HELP("turns each laser by an angle") },
+    { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+      HELP("teleports each laser by a distance, without collisions on the way") },
+    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("fades each laser out; it stops hitting immediately") },
+    { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
+      API_CHANGES | API_METHOD, "count",
+      HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
+           "removed") },
+    API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
+             "resumes every laser whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
+             "tag signals all tags"),
+    { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes each laser and leaves nothing") },
+};
+const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

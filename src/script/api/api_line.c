@@ -1,0 +1,233 @@
+/*
+ * api_line.c - text.line: lines of text at any pixel.
+ */
+#include <math.h>
+#include "../../../fb/utf8.h"
+#include "api.h"
+#include "../lua/lualib.h"
+
+enum {
+    L_PLACE,
+    L_TEXT = L_PLACE + PLACE_PARAMS,
+    L_FOLLOW,
+    L_FONT,
+    L_WIDTH,
+    L_ALIGN,
+    L_BANK,
+    L_SCREEN,
+    L_LETTER,
+    L_BOX,
+    L_HIDDEN,
+    L_STAY
+};
+
+static const struct api_param line_put[] = {
+    PLACE,
+    PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
+          "string or number to write, up to 240 characters; \\n starts a new row"),
+    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+          "thing to follow, at a distance of `dx` and `dy`; the line is removed when the thing is; not with `x`, `y` "
+          "or `from`"),
+    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
+    PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
+    PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at `x`"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
+    PARAM("screen", A_BOOL, OPT, 0, 0, NULL, "false",
+          "measure `x` and `y` from the top left of the screen instead of the field; not with `follow`"),
+    PARAM("letter", A_INT, OPT, 0, 600, "frames", "0",
+          "frames from one letter to the next; 0 shows all letters immediately"),
+    PARAM("box", A_BOOL, OPT, 0, 0, NULL, "false", "draw a box behind the text in the darkest colour of the bank"),
+    PARAM("hidden", A_BOOL, OPT, 0, 0, NULL, "false", "create the line without drawing it"),
+    PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),
+};
+
+/* The text at `at`, a string or a number; raises. */
+static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
+{
+    if (lua_type(L, at) != LUA_TSTRING && lua_type(L, at) != LUA_TNUMBER)
+        api_error(L, entry, "text: expected a string or a number, got a %s", luaL_typename(L, at));
+    if (lua_type(L, at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, at)))
+        api_error(L, entry, "text: expected a finite number");
+    const char *s = lualib_tolstring(L, at, n);
+    size_t count = utf8_count(s, *n, MAX_TEXT, NULL);
+
+    if (count > LINE_TEXT)
+        api_error(L, entry, "text: expected at most %d characters, got %d", LINE_TEXT, (int)count);
+    vm_charge(L, LINE_TEXT / 8);
+    return s;
+}
+
+_Static_assert((int)ALIGN_CENTER == LINE_CENTER && (int)ALIGN_RIGHT == LINE_RIGHT,
+               "the words of `align` have the values of LINE_CENTER and LINE_RIGHT");
+
+static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, fx y)
+{
+    const bool follows = v[L_FOLLOW].given;
+
+    l->x[i] = follows ? 0 : x;
+    l->y[i] = follows ? 0 : y;
+    l->dx[i] = follows ? v[L_PLACE + 3].f : 0;
+    l->dy[i] = follows ? v[L_PLACE + 4].f : 0;
+    l->follow[i] = follows ? v[L_FOLLOW].i : 0;
+    l->font[i] = (uint8_t)v[L_FONT].i;
+    l->width[i] = (uint16_t)(v[L_WIDTH].given ? v[L_WIDTH].i : 0);
+    l->align[i] = (uint8_t)v[L_ALIGN].i;
+    l->bank[i] = (uint8_t)v[L_BANK].i;
+    l->letter[i] = (uint16_t)v[L_LETTER].i;
+    l->flags[i] =
+        (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) | (v[L_BOX].i ? LINE_BOX : 0));
+}
+
+/* False: the thing it is placed by, or follows, is dead. */
+static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
+{
+    *x = *y = 0;
+    if (!v[L_FOLLOW].given)
+        return api_place(L, b, "text.line", v + L_PLACE, x, y);
+    if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
+        api_error(L, "text.line", "`follow` cannot be combined with `x`, `y` or `from`");
+    if (v[L_SCREEN].i)
+        api_error(L, "text.line", "`screen` cannot be combined with `follow`");
+    return board_alive(b, v[L_FOLLOW].i);
+}
+
+static int text_line(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct lines *l = &b->lines;
+    size_t n;
+    const char *s = text_at(L, "text.line", v[L_TEXT].at, &n);
+    int64_t owner;
+    fx x, y;
+    bool comes = place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[L_STAY].i, &owner);
+    int32_t i = comes ? slots_take(&l->s) : NO_SLOT;
+
+    if (i == NO_SLOT && comes)
+        board_full(b, &l->s);
+    else if (i != NO_SLOT) {
+        fill(l, (uint32_t)i, v, x, y);
+        l->owner[i] = owner;
+        lines_say(l, (uint32_t)i, s, n, b->core.clock);
+    }
+    lua_pushinteger(L, board_handle(b, H_LINE, i));
+    return 1;
+}
+
+enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
+
+static const struct api_prop props[PROPS] = {
+    { PARAM(
+          "x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+          "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
+      PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+            "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
+      PROP_WRITE },
+    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of `x` at which it is drawn"),
+      PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below `y` at which it is drawn"), PROP_WRITE },
+    { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
+            "text of the line; after a write, the letters appear one by one again"),
+      PROP_WRITE },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
+    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ },
+};
+
+static void push_text(lua_State *L, const struct lines *l, uint32_t i)
+{
+    char text[LINE_TEXT * UTF8_BYTES];
+    size_t n = 0;
+
+    for (uint32_t k = 0; k < l->length[i]; k++)
+        n += utf8_put(text + n, l->code[(size_t)i * LINE_TEXT + k]);
+    lua_pushlstring(L, text, n);
+}
+
+static void get(lua_State *L, struct board *b, uint32_t i, int p)
+{
+    const struct lines *l = &b->lines;
+    fx x = l->x[i], y = l->y[i];
+
+    if (p <= P_Y && l->follow[i])
+        board_where(b, l->follow[i], &x, &y);
+    switch (p) {
+    case P_X:
+        lua_pushnumber(L, fx_to_double(x));
+        break;
+    case P_Y:
+        lua_pushnumber(L, fx_to_double(y));
+        break;
+    case P_DX:
+        lua_pushnumber(L, fx_to_double(l->dx[i]));
+        break;
+    case P_DY:
+        lua_pushnumber(L, fx_to_double(l->dy[i]));
+        break;
+    case P_TEXT:
+        push_text(L, l, i);
+        break;
+    case P_BANK:
+        lua_pushinteger(L, l->bank[i]);
+        break;
+    case P_HIDDEN:
+        lua_pushboolean(L, l->flags[i] & LINE_HIDDEN);
+        break;
+    default:
+        lua_pushboolean(L, lines_seen(l, i, b->core.clock) == l->length[i]);
+    }
+}
+
+static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+{
+    struct lines *l = &b->lines;
+    size_t n;
+
+    switch (p) {
+    case P_X:
+        l->x[i] = l->follow[i] ? l->x[i] : v->f;
+        break;
+    case P_Y:
+        l->y[i] = l->follow[i] ? l->y[i] : v->f;
+        break;
+    case P_DX:
+        l->dx[i] = v->f;
+        break;
+    case P_DY:
+        l->dy[i] = v->f;
+        break;
+    case P_TEXT: {
+        const char *s = text_at(L, "line.text", v->at, &n);
+        lines_say(l, i, s, n, b->core.clock);
+        break;
+    }
+    case P_BANK:
+        l->bank[i] = (uint8_t)v->i;
+        break;
+    default:
+        l->flags[i] = (uint8_t)(v->i ? l->flags[i] | LINE_HIDDEN : l->flags[i] & ~LINE_HIDDEN);
+    }
+}
+
+const struct api_thing api_line_thing = { "line", props, PROPS, get, set };
+
+enum { ARG_SELF };
+
+static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL, "") };
+
+static int line_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (!board_alive(b, v[ARG_SELF].i))
+        return 0;
+    slots_drop(&b->lines.s, handle_slot(v[ARG_SELF].i));
+    slots_trim(&b->lines.s);
+    return 0;
+}
+
+static const struct api_entry entries[] = {
+    { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
+      HELP("writes a line of text at any pixel in the field or on the screen, or attached to a thing; needs `board = { "
+           "lines = n }`") },
+    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
+};
+const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,176 @@
+/*
+ * api_names.c - the names scripts declare, tags, and suggestions for misspelt names.
+ */
+#include <string.h>
+#include "../../base/edit.h"
+#include "../lua/lualib.h"
+#include "api_parts.h"
+
+/* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
+static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
+
+static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
+                                               "option", "motion", "tag",   "value",  "value", "value", "item" };
+
+const char *api_names_off(lua_State *L, enum name_kind what)
+{
+    return api_off(&vm_board(L)->cart.m, nouns[what]);
+}
+
+/* What is off has no names. */
+void api_open_names(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    memset(b->names, 0, sizeof b->names);
+    for (int i = 0; i < NAME_LISTS; i++) {
+        if (api_off(&b->cart.m, nouns[i]))
+            continue;
+        lua_newtable(L);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
+    }
+}
+
+/* Room for n names; it doubles. */
+static void make_room(lua_State *L, enum name_kind what, uint32_t n)
+{
+    struct name_list *t = &vm_board(L)->names[what];
+    uint32_t room = t->room ? t->room : 16;
+
+    while (room < n)
+        room *= 2;
+    if (room > t->room) {
+        const char **at = lua_newuserdatauv(L, room * sizeof *at, 0);
+        memset(at, 0, room * sizeof *at);
+        if (t->room)
+            memcpy(at, t->at, t->room * sizeof *at);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &back_key[what]);
+        t->at = at;
+        t->room = room;
+    }
+    t->n = n > t->n ? n : t->n;
+}
+
+void api_names_declare(lua_State *L, enum name_kind what, const char *entry, const char *name, int index)
+{
+    if (api_names_find(L, what, name) != NO_SLOT)
+        api_error(L, entry, "%s%s \"%s\" is already declared", nouns[what], what < N_MOTION ? " kind" : "", name);
+    if (index != NO_MOTION)
+        make_room(L, what, (uint32_t)index + 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    name = lua_pushstring(L, name);
+    lua_pushinteger(L, index);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+    if (index != NO_MOTION)
+        vm_board(L)->names[what].at[index] = name;
+}
+
+static int find_in_table(lua_State *L, enum name_kind what, const char *name)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]) == LUA_TNIL)
+        return lua_pop(L, 1), NO_SLOT;
+    int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
+    lua_pop(L, 2);
+    return index;
+}
+
+int api_names_find(lua_State *L, enum name_kind what, const char *name)
+{
+    struct board *b = vm_board(L);
+    uint16_t *guess = &b->vm.guesses.names[api_guess(name, strlen(name), (unsigned)what)];
+    const char *there = board_name(b, what, *guess);
+
+    if (there && (there == name || !strcmp(there, name)))
+        return *guess;
+    int index = find_in_table(L, what, name);
+    if (index >= 0 && index <= UINT16_MAX)
+        *guess = (uint16_t)index;
+    return index;
+}
+
+void api_names_push(lua_State *L, enum name_kind what, int index)
+{
+    const char *name = board_name(vm_board(L), what, index);
+
+    if (name)
+        lua_pushstring(L, name);
+    else
+        lua_pushnil(L);
+}
+
+/* Words of other engines, and what they are called here. */
+static const char *const meanings[][2] = {
+    { "angle", "dir" },     { "direction", "dir" }, { "heading", "dir" },        { "velocity", "speed" },
+    { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
+    { "life", "hp" },       { "image", "sprite" },  { "texture", "sprite" },     { "hitbox", "hit" },
+    { "duration", "over" }, { "count", "n" },       { "acceleration", "accel" }, { "type", "kind" },
+    { "rotation", "dir" },
+};
+
+static int distance(const char *word, const char *candidate)
+{
+    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
+        if (!strcmp(meanings[i][0], word) && !strcmp(meanings[i][1], candidate))
+            return 1;
+    return edit_distance(word, candidate);
+}
+
+void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found)
+{
+    int d = distance(word, candidate);
+
+    if (d < *best || (d == *best && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
+        *best = d;
+        *found = candidate;
+    }
+}
+
+void api_names_suggest(lua_State *L, enum name_kind what, const char *name)
+{
+    const char *found = NULL;
+    int best = EDIT_FAR;
+
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
+    }
+    lua_pop(L, 1);
+    if (found)
+        lua_pushstring(L, found);
+    else
+        lua_pushnil(L);
+}
+
+uint16_t api_tag(lua_State *L, const char *entry, int at)
+{
+    size_t n;
+    const char *tag = lua_tolstring(L, at, &n);
+
+    if (n > 31 || n == 0 || strlen(tag) != n)
+        api_error(L, entry, "tag: expected a string of 1 to 31 bytes, got %d", (int)n);
+    int i = api_names_find(L, N_TAG, tag);
+    if (i != NO_SLOT)
+        return (uint16_t)i;
+    i = (int)vm_board(L)->names[N_TAG].n;
+    i = i ? i : 1; /* 0: no tag */
+    if (i > 4095)
+        api_error(L, entry, "tag: too many tags (at most 4095 in a run), got \"%s\"", tag);
+    api_names_declare(L, N_TAG, entry, tag, i);
+    return (uint16_t)i;
+}
+
+void api_push_tag(lua_State *L, uint16_t tag)
+{
+    if (tag)
+        api_names_push(L, N_TAG, tag);
+    else
+        lua_pushnil(L);
+}
+
+const char *api_library_names(const char *library)
+{
+    return lualib_names(library);
+}

@@ -1,0 +1,167 @@
+/*
+ * api_rng.c - rng and angle.
+ */
+#include <string.h>
+#include "../../base/rng.h"
+#include "../../base/trig.h"
+#include "api.h"
+
+static uint64_t draw(struct board *b, uint64_t below)
+{
+    return board_chance(b, below);
+}
+
+enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
+
+static const struct api_param ab_int[] = { PARAM("a", A_INT, REQ, -9e15, 9e15, NULL, NULL, "lowest result"),
+                                           PARAM("b", A_INT, REQ, -9e15, 9e15, NULL, NULL, "highest result") };
+static const struct api_param ab_number[] = { PARAM("a", A_NUM, REQ, -1e15, 1e15, NULL, NULL, "lowest result"),
+                                              PARAM("b", A_NUM, REQ, -1e15, 1e15, NULL, NULL,
+                                                    "upper limit, which is never returned unless it equals `a`") };
+static const struct api_param p_only[] = { PARAM("p", A_NUM, REQ, 0, 1, NULL, NULL, "probability") };
+static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL,
+                                                    "list to pick from, not empty") };
+
+static int rng_int(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (v[ARG_A].i > v[ARG_B].i)
+        return api_error(L, "rng.int", "`a` is greater than `b`");
+    lua_pushinteger(L, v[ARG_A].i + (int64_t)draw(b, (uint64_t)(v[ARG_B].i - v[ARG_A].i) + 1));
+    return 1;
+}
+
+/* 53 random bits, so that the fraction is exact. */
+static double fraction(struct board *b)
+{
+    return (double)(draw(b, 0) >> 11) / 9007199254740992.0;
+}
+
+static int rng_number(lua_State *L, struct board *b, struct api_value *v)
+{
+    double n = v[ARG_A].n + (v[ARG_B].n - v[ARG_A].n) * fraction(b);
+
+    if (n >= v[ARG_B].n && v[ARG_B].n > v[ARG_A].n) /* the sum was rounded up */
+        n = v[ARG_A].n;
+    lua_pushnumber(L, n);
+    return 1;
+}
+
+static int rng_chance(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, fraction(b) < v[ARG_P].n);
+    return 1;
+}
+
+static int rng_pick(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint64_t n = lua_rawlen(L, v[ARG_LIST].at);
+
+    if (!n)
+        return api_error(L, "rng.pick", "list: expected at least one element");
+    lua_rawgeti(L, v[ARG_LIST].at, (lua_Integer)draw(b, n) + 1);
+    return 1;
+}
+
+static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushnumber(L, trig_to_degrees((ang)(draw(b, 0) >> 32)));
+    return 1;
+}
+
+/* ---- angle ---- */
+
+static const struct api_param two[] = {
+    PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to start from"),
+    PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to point at")
+};
+static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right"),
+                                         PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down") };
+static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
+                                             PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at") };
+static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
+
+/* A thing, or a table with x and y. False: a dead thing. */
+static bool where(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
+{
+    struct api_param px = { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL },
+                     py = { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL },
+                     thing = { name, A_THING, REQ, PLACES, 0, NULL, NULL, NULL };
+    struct api_value v = { 0 };
+
+    if (lua_type(L, at) != LUA_TTABLE) {
+        api_check(L, entry, &thing, at, &v);
+        return board_where(b, v.i, x, y);
+    }
+    lua_getfield(L, at, "x");
+    api_check(L, entry, &px, lua_gettop(L), &v);
+    *x = v.f;
+    lua_getfield(L, at, "y");
+    api_check(L, entry, &py, lua_gettop(L), &v);
+    *y = v.f;
+    lua_pop(L, 2);
+    return true;
+}
+
+static int angle_to(lua_State *L, struct board *b, struct api_value *v)
+{
+    fx ax, ay, bx, by;
+
+    if (!where(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) ||
+        (ax == bx && ay == by))
+        lua_pushnumber(L, 90); /* nowhere to point: down, as aim does */
+    else
+        lua_pushnumber(L, trig_to_degrees(trig_atan2(fx_sub(by, ay), fx_sub(bx, ax))));
+    return 1;
+}
+
+static int angle_of(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_to_degrees(trig_atan2(v[ARG_DY].f, v[ARG_DX].f)));
+    return 1;
+}
+
+static int angle_difference(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    int32_t d = trig_difference(v[ARG_A].a, v[ARG_B].a);
+    lua_pushnumber(L, (double)d * 360.0 / 4294967296.0);
+    return 1;
+}
+
+static int angle_sin(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_sin30(v[ARG_D].a) / 1073741824.0);
+    return 1;
+}
+
+static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    lua_pushnumber(L, trig_cos30(v[ARG_D].a) / 1073741824.0);
+    return 1;
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer",
+      HELP("returns a random whole number from `a` to `b`, including both") },
+    { "rng.number", rng_number, PARAMS(ab_number), 2, API_CHANGES, "number",
+      HELP("returns a random number from `a` to `b`") },
+    { "rng.chance", rng_chance, PARAMS(p_only), 1, API_CHANGES, "boolean",
+      HELP("returns true with a given probability") },
+    { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
+    { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
+    { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees",
+      HELP("returns the direction from one position to another; 90 if the positions are equal or a thing is dead") },
+    { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a vector") },
+    { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",
+      HELP("returns the shortest turn from one direction to another, from -180 to 180") },
+    { "angle.sin", angle_sin, PARAMS(one_dir), 1, 0, "number",
+      HELP("returns the sine of an angle in degrees, the same on every machine") },
+    { "angle.cos", angle_cos, PARAMS(one_dir), 1, 0, "number",
+      HELP("returns the cosine of an angle in degrees, the same on every machine") },
+};
+const struct api_module api_rng = { entries, sizeof entries / sizeof *entries };

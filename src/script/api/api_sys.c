@@ -1,0 +1,1080 @@
+/*
+ * api_sys.c - sys, which only the standard library (@std) sees.
+ */
+#include <string.h>
+#include "../../base/bytes.h"
+#include "../../base/edit.h"
+#include "../../../fb/text.h"
+#include "../../../fb/utf8.h"
+#include "api_parts.h"
+#include "../events_run.h"
+#include "../../machine/lasers_run.h"
+#include "../../machine/sound.h"
+
+/* Parameters by place; ARG_: the only one of its entry. */
+enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
+enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
+enum { NOTE_ENTRY, NOTE_NAME };
+enum { NEAR_WORD, NEAR_LIST };
+enum { JOIN_PLAYER, JOIN_KIND };
+enum { M_KIND, M_NAME, M_OF, M_TITLE, M_VALUE };
+enum { HOLD_ENEMY, HOLD_ON };
+enum { AIM_X, AIM_Y, AIM_SHOTS };
+enum { DROPS_ENTRY, DROPS_LIST };
+enum { DROP_LIST, DROP_X, DROP_Y };
+enum { ARG_LIST = 0 };
+enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
+enum { RUN_NAME, RUN_VALUE };
+enum { CONTINUES_PLAYER, CONTINUES_N };
+
+static const struct api_param fail[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("message", A_ANY, REQ, 0, 0, NULL, NULL, ""), /* may quote a \0 */
+                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param note_place[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                               PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_near[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param join[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param name_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param pad_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param mark[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                         PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
+static const struct api_param ship[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "") };
+static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
+enum { BACK_FADE = 60 /* frames in which music goes */ };
+static const struct api_param wipe[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param hold[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
+                                         PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
+
+static const struct api_param drops[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                          PARAM("drops", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param drop[] = { PARAM("list", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
+                                         PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
+
+static const struct api_param sys_value[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param any_name[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param run_set[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param scope_req[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param continues[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                              PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
+
+static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    const char *entry = lua_tostring(L, v[FAIL_ENTRY].at), *message = lua_tostring(L, v[FAIL_MESSAGE].at);
+
+    if (v[FAIL_NAME].given)
+        return api_error_at(L, entry, lua_tostring(L, v[FAIL_NAME].at), "%s", message);
+    return api_error(L, entry, "%s", message);
+}
+
+static int sys_note_place(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_note_place(L, lua_tostring(L, v[NOTE_ENTRY].at), lua_tostring(L, v[NOTE_NAME].at));
+    return 0;
+}
+
+static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    int best = EDIT_FAR;
+    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[NEAR_LIST].at);
+
+    (void)b;
+    if (lua_type(L, v[NEAR_WORD].at) != LUA_TSTRING)
+        return lua_pushnil(L), 1;
+    for (lua_Integer i = 1; i <= n; i++) {
+        if (lua_rawgeti(L, v[NEAR_LIST].at, i) == LUA_TSTRING) {
+            int d = edit_distance(lua_tostring(L, v[NEAR_WORD].at), lua_tostring(L, -1));
+            if (d < best)
+                best = d, found = i;
+        }
+        lua_pop(L, 1);
+    }
+    if (!found)
+        lua_pushnil(L);
+    else
+        lua_rawgeti(L, v[NEAR_LIST].at, found);
+    return 1;
+}
+
+static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, b->vm.loading);
+    return 1;
+}
+
+/* Raises what sys.drops would, and changes nothing. */
+static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_push_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
+    return 0;
+}
+
+/* All keys of a table, in an order that is the same on every run; of several that no order tells apart, one. */
+static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint64_t keys = 0;
+
+    (void)b;
+    for (lua_pushnil(L); lua_next(L, v[ARG_LIST].at); lua_pop(L, 1))
+        keys++;
+    lua_newtable(L);
+    const int list = lua_gettop(L);
+    lua_pushnil(L);
+    for (lua_Integer n = 1; luakeys_next(L, v[ARG_LIST].at) > 0; n++) {
+        vm_charge(L, 4 * keys); /* each step looks at all of them */
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, list, n);
+    }
+    return 1;
+}
+
+/* On the board only where there are items. */
+static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    api_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
+    return 1;
+}
+
+static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushvalue(L, v[DROP_LIST].at);
+    api_drop_list(L, b, v[DROP_X].f, v[DROP_Y].f);
+    return 0;
+}
+
+static int sys_read(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)b;
+    vm_read_piece(L, lua_tostring(L, v[ARG_NAME].at));
+    return 1;
+}
+
+enum { WORTH_THING, WORTH_PLAYER };
+
+static const struct api_param worth[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL, ""),
+                                          PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+
+/* Of an item that a player takes: it is asked where it was taken. */
+static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t i = handle_slot(v[WORTH_THING].i);
+
+    if (!board_there(b, v[WORTH_THING].i) || !v[WORTH_PLAYER].i)
+        lua_pushinteger(L, 0);
+    else if (handle_kind(v[WORTH_THING].i) == H_ENEMY)
+        lua_pushinteger(L, b->enemy_kinds.score[b->enemies.kind[i]]);
+    else
+        lua_pushinteger(L, events_item_points(b, (uint32_t)v[WORTH_PLAYER].i - 1, b->items.kind[i]));
+    return 1;
+}
+
+static int sys_emit(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_tostring(L, v[ARG_NAME].at);
+    int n = lua_gettop(L) - 1;
+
+    if (!events_emit(b, L, name, n))
+        return api_error(L, "sys.emit", "unknown event \"%s\"", name);
+    return 0;
+}
+
+/* Changes no RAM: marks are for the cabinet. */
+static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
+                                                     "clear",  "won",   "lost", "start", "ship",  "register",
+                                                     "listed", "game",  "over", "row" };
+    const char *of = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
+               *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
+
+    for (int k = 0; k < MARKER_KINDS; k++)
+        if (!strcmp(kinds[k], lua_tostring(L, v[M_KIND].at)))
+            return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[M_NAME].at), of, title,
+                                    (int32_t)v[M_VALUE].i),
+                   0;
+    return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
+}
+
+/* Nor does this. */
+static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    (void)v;
+    b->output->out.menu = true;
+    return 0;
+}
+
+/* One { name, value } of a list, at place i. */
+static void push_register(lua_State *L, const char *name, int32_t value, int i)
+{
+    lua_createtable(L, 0, 2);
+    lua_pushstring(L, name);
+    lua_setfield(L, -2, "name");
+    lua_pushinteger(L, value);
+    lua_setfield(L, -2, "value");
+    lua_rawseti(L, -2, i);
+}
+
+static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct practice *p = &b->start.practice;
+
+    (void)v;
+    b->vm.practice_read = true;
+    lua_pushstring(L, p->section);
+    lua_createtable(L, 0, 2);
+    lua_pushinteger(L, p->lives);
+    lua_setfield(L, -2, "lives");
+    lua_createtable(L, p->registers, 0);
+    for (int i = 0; i < p->registers; i++)
+        push_register(L, p->reg[i].name, p->reg[i].value, i + 1);
+    lua_setfield(L, -2, "registers");
+    return 2;
+}
+
+/* Adds the registers of a kind of ship, or of the run, to the list on top. */
+static void push_registers(lua_State *L, const struct board *b, int32_t kind, uint32_t first)
+{
+    const char *names[PLAYER_REGISTERS];
+    const int n = api_player_registers(L, kind, names), had = (int)lua_rawlen(L, -1);
+
+    for (int i = 0; i < n; i++) {
+        const struct register_rule rule = registers_rule(&b->registers, first + (uint32_t)i);
+        push_register(L, names[i], rule.start, had + i + 1);
+        lua_rawgeti(L, -1, had + i + 1);
+        api_register_show(L, kind, i);
+        lua_pushinteger(L, rule.most);
+        lua_setfield(L, -2, "max");
+        lua_pushboolean(L, kind == RUN_REGISTERS);
+        lua_setfield(L, -2, "run");
+        lua_pop(L, 1);
+    }
+}
+
+static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
+{
+    int32_t kind = (int32_t)v[ARG_KIND].i;
+
+    lua_createtable(L, 0, 5);
+    lua_pushstring(L, cart_sprite_name(&b->cart, b->player_kinds.sprite[kind]));
+    lua_setfield(L, -2, "sprite");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
+    lua_setfield(L, -2, "speed");
+    lua_pushnumber(L, fx_to_double(b->player_kinds.focus[kind]));
+    lua_setfield(L, -2, "focus");
+    lua_pushinteger(L, b->player_kinds.lives[kind]);
+    lua_setfield(L, -2, "lives");
+    lua_newtable(L);
+    push_registers(L, b, kind, b->player_kinds.first[kind]);
+    push_registers(L, b, RUN_REGISTERS, b->registers.first);
+    lua_setfield(L, -2, "registers");
+    api_player_needs(L, kind);
+    lua_setfield(L, -2, "needs");
+    return 1;
+}
+
+static int sys_join(lua_State *L, struct board *b, struct api_value *v)
+{
+    return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
+}
+
+/* A register of the ship of player 1, or else of the run, as a practice start asks. */
+static void fit_register(lua_State *L, struct board *b, const char *name, int32_t value)
+{
+    int reg = api_player_register(L, b, 0, name);
+
+    if (reg >= 0)
+        board_set_register(b, 0, (uint32_t)reg, value);
+    else if ((reg = api_run_register(L, name)) >= 0)
+        board_set_run_register(b, (uint32_t)reg, value);
+}
+
+/* A game begins: what is of a run is new. What a practice start asks for comes after the handlers of on.start. */
+static int sys_start(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct practice *practice = &b->start.practice;
+
+    registers_start(&b->registers, b->registers.first, b->registers.count, 0);
+    b->core.since = b->core.clock;
+    if (b->voices.s.cap)
+        sound_game(b);
+    memset(b->core.continues, 0, sizeof b->core.continues);
+    memset(b->core.continued, 0, sizeof b->core.continued);
+    events_start(L, v[ARG_SCOPE].i);
+    if (practice->lives > 0)
+        b->player.lives[0] = practice->lives - 1;
+    for (int i = 0; i < practice->registers; i++)
+        fit_register(L, b, practice->reg[i].name, practice->reg[i].value);
+    return 0;
+}
+
+static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
+{
+    b->registers.first = b->registers.s.live;
+    b->registers.count = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[ARG_LIST].at);
+    return 0;
+}
+
+/* The number of the run's register that the value at `at` names, or -1. */
+static int run_register(lua_State *L, int at)
+{
+    return lua_type(L, at) == LUA_TSTRING ? api_run_register(L, lua_tostring(L, at)) : -1;
+}
+
+/* What can be read of the run under that name, or nil. */
+static int sys_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
+    const int reg = run_register(L, v[ARG_NAME].at);
+
+    if (reg >= 0)
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
+    else if (!strcmp(name, "continues"))
+        lua_pushinteger(L, b->core.continued[0] + b->core.continued[1]);
+    else if (!strcmp(name, "frames"))
+        lua_pushinteger(L, b->core.clock - b->core.since);
+    else
+        lua_pushnil(L);
+    return 1;
+}
+
+/* A register of player i, or of the run; nil: the player is out. */
+static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
+    const char *name = lua_tostring(L, v[VALUE_NAME].at);
+    const bool of_run = v[VALUE_OF_RUN].given && v[VALUE_OF_RUN].i;
+    const int reg = of_run ? run_register(L, v[VALUE_NAME].at) : api_player_register(L, b, p, name);
+
+    if (reg < 0 || (!of_run && !b->player.in[p]))
+        lua_pushnil(L);
+    else if (of_run)
+        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
+    else
+        lua_pushinteger(L, board_register(b, p, (uint32_t)reg));
+    return 1;
+}
+
+/* False: there is no such register. */
+static int sys_run_set(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int reg = run_register(L, v[RUN_NAME].at);
+    const uint32_t row = b->registers.first + (uint32_t)reg;
+
+    if (reg >= 0)
+        registers_set(&b->registers, row, 0,
+                      api_register_value(L, "game", lua_tostring(L, v[RUN_NAME].at), row, v[RUN_VALUE].at));
+    lua_pushboolean(L, reg >= 0);
+    return 1;
+}
+
+static int sys_run_names(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *names[PLAYER_REGISTERS];
+    const int n = api_player_registers(L, RUN_REGISTERS, names);
+
+    (void)b, (void)v;
+    lua_createtable(L, n, 0);
+    for (int i = 0; i < n; i++) {
+        lua_pushstring(L, names[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+/* How often player p can go on; with n, sets that: with 0 it may be that all is over. */
+static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
+
+    if (p >= PADS) /* of a dead handle */
+        return 0;
+    if (v[CONTINUES_N].given) {
+        b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
+        if (!v[CONTINUES_N].i)
+            events_game_over(b);
+    }
+    lua_pushinteger(L, b->core.continues[p]);
+    return 1;
+}
+
+static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
+
+    if (p >= PADS || b->player.in[p] || !b->core.continues[p])
+        return 0;
+    b->core.continues[p]--;
+    b->core.continued[p]++;
+    api_player_enter(L, b, p, b->player.kind[p]);
+    b->player.score[p] = b->core.continued[p] < 9 ? b->core.continued[p] : 9;
+    board_event(b, EV_CONTINUE, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    return 0;
+}
+
+static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    if (!v[ARG_PLAYER].i)
+        return 0;
+    player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
+    options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
+    if (b->voices.s.cap && !b->player.in[0] && !b->player.in[1]) /* the game is over */
+        sound_music_stop(b, BACK_FADE);
+    return 0;
+}
+
+/* No background, and the colours of rom.lua. */
+static void wipe_scenery(struct board *b)
+{
+    const uint8_t *p = cart_palette(&b->cart, "main");
+
+    bg_clear(&b->bg, &b->bg_lines);
+    bg_fade(&b->bg, 0);
+    screen_empty(&b->screen);
+    pal_stop(&b->pal);
+    for (int i = 0; i < COLOURS; i++, p += 3)
+        pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
+}
+
+static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    EACH_LIVE (i, &b->bullets.s)
+        bullets_drop(&b->bullets, i);
+    EACH_LIVE (i, &b->shots.s)
+        bullets_drop(&b->shots, i);
+    bullets_release_all(&b->bullets);
+    bullets_release_all(&b->shots);
+    EACH_LIVE (i, &b->enemies.s)
+        enemies_drop(&b->enemies, i);
+    EACH_LIVE (i, &b->lasers.s)
+        lasers_remove(b, i);
+    EACH_LIVE (i, &b->items.s)
+        slots_drop(&b->items.s, i);
+    for (uint32_t p = 0; p < PADS; p++)
+        options_drop_of(&b->options, p, 0);
+    EACH_LIVE (i, &b->sparks.s)
+        slots_drop(&b->sparks.s, i);
+    EACH_LIVE (i, &b->sprites.s)
+        slots_drop(&b->sprites.s, i);
+    EACH_LIVE (i, &b->lines.s)
+        slots_drop(&b->lines.s, i);
+    if (!v[ARG_ON].i)
+        wipe_scenery(b);
+    fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
+    return 0;
+}
+
+static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.freeze", "only a task can freeze the board");
+    b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
+    for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
+        input_forget(&b->input, p, PRESS_PAUSE, PAD_ALL); /* of the screen before */
+    return 0;
+}
+
+/* A scope owned by the board: it outlasts the task that makes it. */
+static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, tasks_scope(b, 0, false));
+    return 1;
+}
+
+static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].i, true));
+    return 1;
+}
+
+enum { SKIP_ON, SKIP_TASK };
+static const struct api_param skip[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
+                                         PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
+
+static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "sys.skip", "only a task can skip");
+    uint32_t i = v[SKIP_TASK].given ? handle_slot(v[SKIP_TASK].i) : (uint32_t)b->tasks.current;
+    uint8_t *flags = &b->tasks.flags[i];
+    if (v[SKIP_TASK].given && !board_alive(b, v[SKIP_TASK].i))
+        return 0;
+    *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
+    if (v[SKIP_TASK].given)
+        b->tasks.wait[i] = 0;
+    else if (b->voices.s.cap)
+        sound_skip(b, v[SKIP_ON].i && !board_lists(b));
+    return 0;
+}
+
+static const struct api_param turn_of[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+
+static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
+        return api_error(L, "sys.turn", "only a task can run another task");
+    if (board_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
+        tasks_turn(b, L, handle_slot(v[0].i));
+    return 0;
+}
+
+static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L, (void)v;
+    for (int i = 0; i < COLOURS; i++)
+        if (b->pal.over[i])
+            pal_set(&b->pal, i, b->pal.to[i]);
+    return 0;
+}
+
+/* Which buttons the game does not see: 0 none, 1 those that fire, 2 all that the ship has. Presses from before, or of
+ * the time it did not see them, are nobody's. */
+static const struct api_param hold_players[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
+
+static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const uint8_t held[] = { 0, PLAYER_NO_FIRE, PLAYER_NO_FIRE | PLAYER_STANDS };
+    struct player *p = &b->player;
+
+    (void)L;
+    for (uint32_t i = 0; i < PADS; i++) {
+        unsigned was = player_withheld(p, i);
+        if (p->in[i])
+            p->in[i] = PLAYER_IN | held[v[ARG_HOW].i];
+        input_forget(&b->input, i, PRESS_GAME, was | player_withheld(p, i));
+    }
+    return 0;
+}
+
+enum { PAD_HOW, PAD_BUTTON, PAD_PLAYER };
+static const struct api_param sys_pad[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
+                                            PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+
+static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const char *how = lua_tostring(L, v[PAD_HOW].at);
+    const uint16_t *pads = !strcmp(how, "down")      ? b->input.held
+                           : !strcmp(how, "pressed") ? b->input.pressed
+                                                     : b->input.repeated;
+
+    lua_pushboolean(L, v[PAD_PLAYER].i && pads[v[PAD_PLAYER].i - 1] >> v[PAD_BUTTON].i & 1);
+    return 1;
+}
+
+static const struct api_param sys_size[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
+
+static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct sprite *s = &b->pictures[v[ARG_NAME].i];
+
+    lua_pushinteger(L, s->w);
+    lua_pushinteger(L, s->h);
+    lua_pushinteger(L, s->ox);
+    lua_pushinteger(L, s->oy);
+    return 4;
+}
+
+enum { CUE_NAME, CUE_PAN };
+static const struct api_param cue[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
+                                        PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
+
+/* Sounds are outside the hash, and so is this call. */
+static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
+{
+    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
+    const int16_t place = (int16_t)(v[CUE_PAN].n * TUNE_PAN);
+
+    if (sound >= 0 && !tasks_skipping(&b->tasks))
+        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, place, 0 });
+    return 0;
+}
+
+enum { ON_NAME, ON_FADE, LEAST_FADE = 30 };
+static const struct api_param music_on[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "") };
+static const struct api_param music_fight[] = { PARAM("name", A_TUNE, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "") };
+
+static int32_t least_fade(const struct api_value *v)
+{
+    return !v->given ? 0 : v->i < LEAST_FADE ? LEAST_FADE : (int32_t)v->i;
+}
+
+static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    lua_pushboolean(L, sound_music(b, (int)v[ON_NAME].i - 1, &how));
+    return 1;
+}
+
+static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)L;
+    sound_music_back(b, (int)v[ON_NAME].i - 1, v[ON_FADE].given ? (int32_t)v[ON_FADE].i : BACK_FADE);
+    return 0;
+}
+
+static const struct api_param music_clock[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
+
+static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->music.passes)
+        vm_charge(L, sound_pass_clock(b, v[0].i));
+    return 0;
+}
+
+/* All that boss/fight.lua does with music, in no time. */
+static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+
+    if (!b->music.passes)
+        return 0;
+    const bool on = v[ON_NAME].given && sound_music(b, (int)v[ON_NAME].i - 1, &how);
+    vm_charge(L, sound_pass_fight(b));
+    if (on)
+        sound_music_back(b, (int)v[ON_NAME].i - 1, BACK_FADE);
+    return 0;
+}
+
+/* The pieces of rom.lua, by name: { name, title, heard } each. */
+static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_createtable(L, b->cart.tunes, 0);
+    for (int i = 0; i < b->cart.tunes; i++) {
+        const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, i));
+        lua_createtable(L, 0, 3);
+        lua_pushstring(L, cart_tune_name(&b->cart, i));
+        lua_setfield(L, -2, "name");
+        lua_pushstring(L, tune_title(&t));
+        lua_setfield(L, -2, "title");
+        lua_pushboolean(L, i < SEQ_HEARD && b->music.heard[i / 64] >> i % 64 & 1);
+        lua_setfield(L, -2, "heard");
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushboolean(L, tasks_skipping(&b->tasks));
+    return 1;
+}
+
+/* nil: no task has its turn. */
+static int sys_task(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    if (b->tasks.current == NO_SLOT)
+        lua_pushnil(L);
+    else
+        lua_pushinteger(L, board_handle(b, H_TASK, b->tasks.current));
+    return 1;
+}
+
+static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    return api_pass_wait(L, b);
+}
+
+static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t i = handle_slot(v[HOLD_ENEMY].i);
+
+    (void)L;
+    if (board_alive(b, v[HOLD_ENEMY].i))
+        b->enemies.flags[i] =
+            (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_UNDYING : b->enemies.flags[i] & ~ENEMY_UNDYING);
+    return 0;
+}
+
+static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark", "item" };
+    const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s,  &b->enemy_kinds.s,
+                                &b->player_kinds.s, &b->spark_kinds.s, &b->item_kinds.s };
+
+    for (int k = 0; k < 6; k++) {
+        if (strcmp(words[k], lua_tostring(L, v[ARG_NAME].at)))
+            continue;
+        lua_newtable(L);
+        lua_Integer n = 0;
+        for (uint32_t i = 0; i < s[k]->live; i++) {
+            if (!board_name(b, (enum name_kind)k, (int)i)) /* a row of the next kind, or of the one before */
+                continue;
+            api_names_push(L, (enum name_kind)k, (int)i);
+            lua_rawseti(L, -2, ++n);
+        }
+        return 1;
+    }
+    return api_error(L, "sys.kinds", "unknown kinds \"%s\"", lua_tostring(L, v[ARG_NAME].at));
+}
+
+static int sys_players(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.m.players);
+    return 1;
+}
+
+static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_newtable(L);
+    for (int i = 0; i < b->cart.m.n_difficulties; i++) {
+        lua_pushstring(L, b->cart.m.difficulties[i]);
+        lua_rawseti(L, -2, i + 1);
+    }
+    return 1;
+}
+
+static const struct api_param sys_glyph[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
+
+static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, text_has(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
+    return 1;
+}
+
+static int sys_on(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, api_off(&b->cart.m, lua_tostring(L, v[ARG_NAME].at)) == NULL);
+    return 1;
+}
+
+/* For ROMs of before: the library asks for it no more. */
+static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->cart.n_glyphs);
+    return 1;
+}
+
+/* The columns of the cells, one behind the other, low bytes first. */
+static size_t text_bytes(const struct fix *f)
+{
+    return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
+}
+
+static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
+{
+    const struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    luaL_Buffer out;
+    char *to = luaL_buffinitsize(L, &out, text_bytes(f));
+
+    (void)v;
+    vm_charge(L, text_bytes(f) / 64);
+    memcpy(to, f->code, cells);
+    memcpy(to + cells, f->bank, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        to[2 * cells + i] = (char)f->font[i];
+        bytes_put16((uint8_t *)to + 3 * cells + 2 * i, f->page[i]);
+    }
+    luaL_pushresultsize(&out, text_bytes(f));
+    return 1;
+}
+
+static const struct api_param kept_text[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL,
+                                                    "") };
+
+static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct fix *f = &b->fix;
+    const size_t cells = (size_t)f->cols * f->rows;
+    size_t n = 0;
+    const char *from = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
+
+    if (!from || n != text_bytes(f))
+        return api_error(L, "sys.text_back", "expected a value from sys.keep_text");
+    vm_charge(L, n / 64);
+    memcpy(f->code, from, cells);
+    memcpy(f->bank, from + cells, cells);
+    for (size_t i = 0; f->page && i < cells; i++) {
+        f->font[i] = (uint8_t)from[2 * cells + i];
+        f->page[i] = bytes_get16((const uint8_t *)from + 3 * cells + 2 * i);
+    }
+    return 0;
+}
+
+/* Does a rectangle of the screen overlap the field? px. */
+static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
+{
+    const struct manifest *m = &b->cart.m;
+    const int left = fx_floor(x) - m->field_x, top = fx_floor(y) - m->field_y;
+
+    return left < m->field_w && left + w > 0 && top < m->field_h && top + h > 0;
+}
+
+static bool sprite_covers(const struct board *b, uint32_t i)
+{
+    const struct sprites *s = &b->sprites;
+    const struct sprite *p = &b->pictures[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
+
+    if (s->layer[i] < LAYER_OVER || s->flags[i] & SPRITE_HIDDEN)
+        return false;
+    if (s->layer[i] >= LAYER_PLATE)
+        return overlaps_field(b, s->x[i], s->y[i], s->sprite[i], (int)s->born[i]);
+    return !(s->flags[i] & SPRITE_SCREEN) ||
+           overlaps_field(b, s->x[i] - p->ox * FX_ONE, s->y[i] - p->oy * FX_ONE, p->w, p->h);
+}
+
+/* Of a line that stands on the screen its place is asked. */
+static bool line_covers(const struct lines *l, const struct board *b, uint32_t i)
+{
+    return !(l->flags[i] & LINE_HIDDEN) &&
+           (!(l->flags[i] & LINE_SCREEN) || overlaps_field(b, l->dx[i], l->dy[i], 1, 1));
+}
+
+/* Into the list at `list` of the stack. */
+static void append_thing(lua_State *L, int list, int64_t handle)
+{
+    lua_pushinteger(L, handle);
+    lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+}
+
+static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    vm_charge(L, (b->sprites.s.live + b->lines.s.live) / 8);
+    lua_newtable(L);
+    lua_newtable(L);
+    const int others = lua_gettop(L), plates = others - 1;
+    EACH_LIVE (i, &b->sprites.s)
+        if (sprite_covers(b, i))
+            append_thing(L, b->sprites.layer[i] < LAYER_PLATE ? others : plates, board_handle(b, H_SPRITE, (int32_t)i));
+    EACH_LIVE (i, &b->lines.s)
+        if (line_covers(&b->lines, b, i))
+            append_thing(L, others, board_handle(b, H_LINE, (int32_t)i));
+    return 2;
+}
+
+static const struct api_param sys_cells[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
+
+static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    size_t n;
+    const char *s = lua_tolstring(L, v[0].at, &n);
+
+    (void)b;
+    vm_charge(L, n / 8);
+    lua_pushinteger(L, (lua_Integer)utf8_count(s, n, n, NULL));
+    return 1;
+}
+
+enum { WRAP_TEXT, WRAP_WIDTH };
+static const struct api_param sys_wrap[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                             PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
+
+/* Adds a word, of no more than width characters, to the row on top of the stack, or begins the next with it. */
+static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
+{
+    size_t m;
+    const char *row = lua_tolstring(L, -1, &m);
+    size_t cells = utf8_count(row, m, width + 1, NULL), more = utf8_count(word, n, width, NULL);
+
+    if (m && cells + 1 + more <= width) {
+        lua_pushliteral(L, " ");
+        lua_pushlstring(L, word, n);
+        lua_concat(L, 3);
+        return;
+    }
+    if (m)
+        lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+    else
+        lua_pop(L, 1);
+    lua_pushlstring(L, word, n);
+}
+
+/* Bytes of what fits into a row of a word of n bytes; a sign that closes does not begin the next. */
+static size_t piece_of(const char *word, size_t n, size_t width)
+{
+    size_t bytes;
+
+    utf8_count(word, n, width, &bytes);
+    const char *next = word + bytes;
+    if (width > 1 && bytes < n && text_closes(utf8_next(&next, word + n)))
+        utf8_count(word, n, width - 1, &bytes);
+    return bytes;
+}
+
+static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    static const char blanks[] = " \t\n\v\f\r";
+    size_t n, bytes, width = (size_t)v[WRAP_WIDTH].i;
+    const char *s = lua_tolstring(L, v[WRAP_TEXT].at, &n), *end = s + n;
+
+    (void)b;
+    vm_charge(L, n);
+    lua_newtable(L);
+    int list = lua_gettop(L);
+    if (utf8_count(s, n, width + 1, NULL) <= width) {
+        lua_pushvalue(L, v[WRAP_TEXT].at);
+        lua_rawseti(L, list, 1);
+        return 1;
+    }
+    lua_pushliteral(L, "");
+    for (; s < end; s++) {
+        size_t word = 0;
+        while (s + word < end && (s[word] == '\0' || strchr(blanks, s[word]) == NULL))
+            word++;
+        for (; word > 0; s += bytes, word -= bytes) {
+            bytes = piece_of(s, word, width);
+            wrap_word(L, list, s, bytes, width);
+        }
+    }
+    lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
+    return 1;
+}
+
+/* A place may be so far from a thing that is anywhere in the world. */
+static const struct api_param sys_aim[] = { PARAM("x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
+                                            PARAM("y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
+                                            PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
+
+static int sys_aim_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushnumber(L, trig_to_degrees(api_aim(b, v[AIM_SHOTS].i, v[AIM_X].f, v[AIM_Y].f)));
+    return 1;
+}
+
+static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, b->core.clock);
+    return 1;
+}
+
+#define NO_PARAMS NULL, 0
+static const struct api_entry entries[] = {
+    { "sys.fail", sys_fail, PARAMS(fail), 3, API_SYS, NULL,
+      HELP("raises an entry's error; of: the name under which sys.note_place recorded the line to report") },
+    { "sys.note_place", sys_note_place, PARAMS(note_place), 2, API_SYS, NULL,
+      HELP("records the author's line that calls an entry, for an error found later") },
+    { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list",
+      HELP("returns all keys of a table, of any type, in order") },
+    { "sys.check_drops", sys_check_drops, PARAMS(drops), 2, API_SYS, NULL,
+      HELP("raises an error unless drops is a list of items") },
+    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", HELP("returns the nearest word in a list") },
+    { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", HELP("returns true while scripts load") },
+    { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any",
+      HELP("runs a file of the library, such as \"screens/title\"") },
+    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, HELP("queues an event") },
+    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, HELP("marks a moment of the run for the cabinet") },
+    { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
+      HELP("called in every frame of a menu: tells the cabinet to show new players the keys") },
+    { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
+      HELP("returns the practice start; more: lives, registers") },
+    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
+      HELP("returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
+           "registers") },
+    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, HELP("makes player i enter the game") },
+    { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL,
+      HELP("starts a game in that scope; a practice start sets lives and registers") },
+    { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
+      HELP("declares the run's registers") },
+    { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number",
+      HELP("returns a register of the run, continues or frames") },
+    { "sys.value", sys_value_run, PARAMS(sys_value), 3, API_SYS, "number",
+      HELP("returns a register of player i, or of the run; nil if the player is out") },
+    { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean",
+      HELP("sets a register of the run") },
+    { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("returns the names of the run's registers") },
+    { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",
+      HELP("returns the number of continues player i has left; n sets it") },
+    { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL,
+      HELP("uses one of player i's continues") },
+    { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("makes player i leave the game") },
+    { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
+      HELP("empties the field and the screen; keep: leaves background and palette unchanged") },
+    { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL,
+      HELP("freezes the board except for that scope's tasks; nil unfreezes it") },
+    { "sys.scope", sys_scope, NO_PARAMS, 0, API_SYS | API_CHANGES, "scope",
+      HELP("returns a scope that the board owns") },
+    { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
+      HELP("returns a scope that, when it ends, removes everything spawned or put in it") },
+    { "sys.skip", sys_skip, PARAMS(skip), 2, API_SYS | API_CHANGES, NULL,
+      HELP("makes this task, or the given one, skip its waits from now on") },
+    { "sys.turn", sys_turn, PARAMS(turn_of), 1, API_SYS | API_CHANGES, NULL, HELP("runs a task's turn immediately") },
+    { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
+    { "sys.hold_players", sys_hold_players, PARAMS(hold_players), 1, API_SYS | API_CHANGES, NULL,
+      HELP("hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
+           "ship") },
+    { "sys.pad", sys_pad_run, PARAMS(sys_pad), 3, API_SYS, "boolean",
+      HELP("returns the state of a button, even if it is hidden from the game") },
+    { "sys.size", sys_size_run, PARAMS(sys_size), 1, API_SYS, "w, h, x, y",
+      HELP("returns a sprite's size and origin in px") },
+    { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean",
+      HELP("returns true while the task skips its waits") },
+    { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
+    { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
+    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL,
+      HELP("lets an enemy's hp reach 0 without killing it") },
+    { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", HELP("returns the declared names") },
+    { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
+      HELP("returns the number of players the manifest allows") },
+    { "sys.difficulties", sys_difficulties, NO_PARAMS, 0, API_SYS, "list",
+      HELP("returns the names of the difficulties, easiest first") },
+    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean",
+      HELP("returns true if the cells' font has a glyph for a character") },
+    { "sys.on", sys_on, PARAMS(name_req), 1, API_SYS, "boolean",
+      HELP("returns true if this board has the capacity for the entry with that name") },
+    { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", HELP("returns the number of characters in the font") },
+    { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", HELP("returns the contents of all cells") },
+    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL,
+      HELP("restores the contents of the cells") },
+    { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
+      HELP("returns two lists of what would be drawn over a window in the field: plates; and lines with the sprites in "
+           "layer `over`") },
+    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count",
+      HELP("returns the number of cells a text takes") },
+    { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
+      HELP("breaks a text into rows of at most n characters; breaks only words that are longer than a row") },
+    { "sys.volley", api_volley, PARAMS(name_req), 1, API_SYS, "function",
+      HELP("returns a function that fires an entire pattern at once; it fires nothing and returns false if the loop in "
+           "Lua must do it") },
+    { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees",
+      HELP("returns the direction in which `aim` points from x, y") },
+    { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list",
+      HELP("checks drops and returns them as a list") },
+    { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL,
+      HELP("drops the items of a list from sys.drops") },
+    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points",
+      HELP("returns the points that a dead enemy or a taken item gave") },
+    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, HELP("plays the sound with that name, if the game has one") },
+    { "sys.music_on", sys_music_on, PARAMS(music_on), 2, API_SYS | API_CHANGES, "boolean",
+      HELP(
+          "sets the current music aside for that piece, after a fade; returns false if the piece is already playing") },
+    { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
+      HELP("ends that piece and resumes the music set aside") },
+    { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
+      HELP("advances the stage's clock by that many frames on the way to a mark") },
+    { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
+      HELP("notes that a fight with that music was skipped on the way to a mark") },
+    { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("returns the pieces of music from rom.lua") },
+    { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("returns the game time") },
+};
+const struct api_module api_sys = { entries, sizeof entries / sizeof *entries };

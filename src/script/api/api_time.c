@@ -1,0 +1,210 @@
+/*
+ * api_time.c - wait, task, on.
+ */
+#include "api_parts.h"
+#include "../events_run.h"
+#include "../../machine/sound.h"
+
+/* Parameters by place; ARG_: the only one of its entry. */
+enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
+enum { OWN_OWNER, OWN_F };
+
+static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
+                                                 "number of frames; 0 continues immediately") };
+
+int api_pass_wait(lua_State *L, struct board *b)
+{
+    const bool lists = board_lists(b), spent = lists && b->vm.work > b->vm.limit / 2;
+
+    if (!tasks_skipping(&b->tasks) || (++b->tasks.skipped <= MAX_SKIPS && !spent))
+        return 0;
+    if (!lists || !lua_isyieldable(L))
+        return api_error(L, "wait",
+                         "more than %d waits while skipping to a mark (waiting for something that is skipped?)",
+                         MAX_SKIPS);
+    tasks_stop(b, (uint32_t)b->tasks.current);
+    return lua_yield(L, 0);
+}
+
+static int wait_run(lua_State *L, struct board *b, struct api_value *v)
+{
+    if (b->tasks.current == NO_SLOT)
+        return api_error(L, "wait", "only a task can wait; start one with task.go");
+    if (!lua_isyieldable(L))
+        return api_error(
+            L, "wait",
+            "cannot wait inside a callback from C (bullet.each, table.sort, string.gsub, <close> and the like)");
+    if (b->tasks.flags[b->tasks.current] & TASK_SKIPS) {
+        if (b->music.passes)
+            vm_charge(L, sound_pass_wait(b, v[ARG_FRAMES].i));
+        return api_pass_wait(L, b);
+    }
+    if (!v[ARG_FRAMES].i)
+        return 0;
+    b->tasks.wait[b->tasks.current] = v[ARG_FRAMES].i;
+    return lua_yield(L, 0);
+}
+
+static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                             "f(...): body of the task; called with the remaining arguments") };
+static const struct api_param own[] = {
+    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
+    PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+          "f(owner, ...): body of the task; called with the owner and the remaining arguments")
+};
+static const struct api_param owner[] = { PARAM(
+    "owner", A_THING, OPT, OWNERS, 0, NULL, NULL,
+    "thing or task whose end also ends the scope; defaults to the owner of the calling task") };
+static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
+
+static int task_go(lua_State *L, struct board *b, struct api_value *v)
+{
+    (void)v;
+    lua_pushinteger(L, tasks_start(b, L, tasks_owner(b), lua_gettop(L) - 1));
+    return 1;
+}
+
+static int task_own(lua_State *L, struct board *b, struct api_value *v)
+{
+    int64_t h = v[OWN_OWNER].i;
+
+    if (!board_alive(b, h))
+        return lua_pushinteger(L, board_handle(b, H_TASK, NO_SLOT)), 1;
+    lua_pushvalue(L, 1); /* owner f ... -> f owner ... */
+    lua_remove(L, 1);
+    lua_insert(L, 2);
+    lua_pushinteger(L, tasks_start(b, L, h, lua_gettop(L) - 1));
+    return 1;
+}
+
+static int task_scope(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : tasks_owner(b), false));
+    return 1;
+}
+
+static int task_stop(lua_State *L, struct board *b, struct api_value *v)
+{
+    uint32_t slot = handle_slot(v[ARG_TASK].i);
+
+    if (!slots_has(&b->tasks.s, slot, handle_gen(v[ARG_TASK].i)))
+        return 0;
+    tasks_stop(b, slot);
+    if ((int32_t)slot != b->tasks.current)
+        return 0;
+    if (!lua_isyieldable(L))
+        return api_error(L, "task.stop", "cannot stop itself inside a callback from C");
+    return lua_yield(L, 0);
+}
+
+static int task_alive(lua_State *L, struct board *b, struct api_value *v)
+{
+    lua_pushboolean(L, board_alive(b, v[ARG_TASK].i));
+    return 1;
+}
+
+static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
+{
+    (void)b, (void)slot, (void)p;
+    lua_pushnil(L);
+}
+
+const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
+
+static const struct api_param on_graze_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
+static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                   "f(player, by): called with the player and the bullet or enemy that "
+                                                   "hit the player; set player.safe here to cancel the hit") };
+static const struct api_param on_death_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player): called with the player, who is still at the position of the death") };
+static const struct api_param on_game_over_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                         "f(): called without arguments") };
+static const struct api_param on_kill_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                    "f(enemy, player): called with the enemy, whose properties can "
+                                                    "still be read, and the player who killed it; player may be nil") };
+static const struct api_param on_leave_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(enemy): called with the enemy, whose properties can still be read") };
+static const struct api_param on_extend_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                      "f(player): called with the player") };
+static const struct api_param on_take_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player, item): called with the player and the item, whose properties can still be read") };
+static const struct api_param on_bomb_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
+static const struct api_param on_continue_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player): called with the player, whose score has just been reset to the number of continues used (at most 9)") };
+static const struct api_param on_start_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
+static const struct api_param on_phase_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was beaten, "
+    "and captured is true if it was beaten without a death or a bomb") };
+static const struct api_param on_stage_f[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
+
+#define ON(name, index)                                                                                                \
+    static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
+    {                                                                                                                  \
+        (void)b;                                                                                                       \
+        lua_pushvalue(L, v[ARG_F].at);                                                                                 \
+        events_on(L, index);                                                                                           \
+        return 0;                                                                                                      \
+    }
+ON(graze, EV_GRAZE)
+ON(hit, EV_HIT)
+ON(death, EV_DEATH)
+ON(game_over, EV_GAME_OVER)
+ON(kill, EV_KILL)
+ON(leave, EV_LEAVE)
+ON(extend, EV_EXTEND)
+ON(take, EV_TAKE)
+ON(bomb, EV_BOMB)
+ON(continue, EV_CONTINUE)
+ON(phase, EV_PHASE)
+ON(stage, EV_STAGE)
+ON(start, EV_START)
+
+#define ON_FLAGS (API_CHANGES | API_LOAD)
+static const struct api_entry entries[] = {
+    { "wait", wait_run, PARAMS(frames), 1, API_CHANGES | API_GLOBAL, NULL,
+      HELP("pauses the task for a number of frames") },
+    { "task.go", task_go, PARAMS(go), 1, API_CHANGES | API_MORE, "task",
+      HELP("starts a task with the same owner as the calling task; both end with that owner") },
+    { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
+      HELP("starts a task that ends with the given owner") },
+    { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
+      HELP("creates a scope to own tasks; stopping the scope stops all of its tasks") },
+    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
+      HELP("stops a task or a scope, and everything it owns") },
+    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },
+    { "on.graze", on_graze, PARAMS(on_graze_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player grazes a bullet") },
+    { "on.hit", on_hit, PARAMS(on_hit_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
+    { "on.death", on_death, PARAMS(on_death_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player loses a life") },
+    { "on.game_over", on_game_over, PARAMS(on_game_over_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when the last player is out") },
+    { "on.kill", on_kill, PARAMS(on_kill_f), 1, ON_FLAGS, NULL, HELP("calls a function each time an enemy is killed") },
+    { "on.leave", on_leave, PARAMS(on_leave_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time an enemy leaves the field") },
+    { "on.extend", on_extend, PARAMS(on_extend_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time the score or an item gives a player an extra life") },
+    { "on.take", on_take, PARAMS(on_take_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player takes an item") },
+    { "on.bomb", on_bomb, PARAMS(on_bomb_f), 1, ON_FLAGS, NULL, HELP("calls a function each time a player bombs") },
+    { "on.continue", on_continue, PARAMS(on_continue_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player continues after losing the last life") },
+    { "on.start", on_start, PARAMS(on_start_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
+    { "on.phase", on_phase, PARAMS(on_phase_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function at the end of each phase of a boss") },
+    { "on.stage", on_stage, PARAMS(on_stage_f), 1, ON_FLAGS, NULL,
+      HELP("calls a function when a stage starts and when it is cleared") },
+};
+const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

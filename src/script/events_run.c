@@ -1,0 +1,753 @@
+/*
+ * events_run.c - see events_run.h.
+ *
+ * Handlers are in the Lua registry: a list of functions for each event that has any, and a table of functions by enemy
+ * kind ("on_hit 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), by item kind ("item's
+ * on_take 3"), or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant); and there
+ * are lists of drops ("drops 3", "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they
+ * are applied in the same frame, after those raised before.
+ */
+#include "bulletml_run.h"
+#include "events_run.h"
+#include <string.h>
+#include "../base/int.h"
+#include "../entities/sparks.h"
+#include "api/api.h"
+#include "../machine/collision/hit.h"
+#include "../machine/lasers_run.h"
+#include "../machine/sound.h"
+
+const char *const events_names[] = { "graze",  "hit",  NULL,   "death",    "game_over", "kill",  "leave",
+                                     "extend", "take", "bomb", "continue", "phase",     "stage", "start" };
+
+enum { EVENT_NAMES = sizeof events_names / sizeof *events_names };
+
+static const char handlers_key = 0, functions_key = 0, emitted_key = 0;
+
+static void new_registry_table(lua_State *L, const void *key)
+{
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, key);
+}
+
+void events_open(lua_State *L)
+{
+    new_registry_table(L, &handlers_key);
+    new_registry_table(L, &functions_key);
+    new_registry_table(L, &emitted_key);
+}
+
+void events_on(lua_State *L, int kind)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    if (lua_rawgeti(L, -1, kind) == LUA_TNIL) {
+        lua_pop(L, 1);
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawseti(L, -3, kind);
+    }
+    lua_pushvalue(L, -3);
+    lua_rawseti(L, -2, (lua_Integer)lua_rawlen(L, -2) + 1);
+    lua_pop(L, 3);
+}
+
+static int kind_named(const char *name)
+{
+    for (int k = 0; k < EVENT_NAMES; k++)
+        if (events_names[k] && !strcmp(events_names[k], name))
+            return k;
+    return -1;
+}
+
+bool events_emit(struct board *b, lua_State *L, const char *name, int n)
+{
+    int kind = kind_named(name);
+
+    if (kind < 0)
+        return false;
+    lua_createtable(L, n, 0);
+    lua_insert(L, -n - 1);
+    for (int i = n; i >= 1; i--)
+        lua_rawseti(L, -i - 1, i);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_insert(L, -2);
+    lua_Integer at = (lua_Integer)lua_rawlen(L, -2) + 1;
+    lua_rawseti(L, -2, at);
+    lua_pop(L, 1);
+    board_event(b, EV_SCRIPT, at, (int64_t)kind << 8 | n);
+    return true;
+}
+
+enum { AN_EVENT = 30, A_HANDLER = 10 /* work of an event, and of each handler called, apart from the handler's own */ };
+
+static void count(struct board *b, uint64_t work)
+{
+    if (!board_work(b, work))
+        board_too_much(
+            b, "events: too many handler calls in one frame (%u events); raise fewer events or declare fewer handlers",
+            b->events.n);
+}
+
+/* Calls every handler of an event with the n values on top of the stack (popped). */
+static void call_handlers(lua_State *L, int kind, int n)
+{
+    int first = lua_gettop(L) - n + 1;
+
+    luaL_checkstack(L, n + 4, NULL);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
+    lua_Integer handlers = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
+    for (lua_Integer h = 1; h <= handlers; h++) {
+        count(vm_board(L), A_HANDLER);
+        lua_rawgeti(L, -1, h);
+        for (int i = 0; i < n; i++)
+            lua_pushvalue(L, first + i);
+        lua_call(L, n, 0);
+    }
+    lua_settop(L, first - 1);
+}
+
+static void push_thing(lua_State *L, int64_t h)
+{
+    if (h)
+        lua_pushinteger(L, h);
+    else
+        lua_pushnil(L);
+}
+
+static void tell(lua_State *L, const struct event *e)
+{
+    push_thing(L, e->a);
+    push_thing(L, e->b);
+    call_handlers(L, (int)e->kind, 2);
+}
+
+void events_set_function(lua_State *L, uint16_t kind, const char *what)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushfstring(L, "%s %d", what, (int)kind);
+    lua_pushvalue(L, -3);
+    lua_rawset(L, -3);
+    lua_pop(L, 2);
+}
+
+void events_set_death(lua_State *L, uint32_t slot)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, (lua_Integer)slot + 1);
+    lua_pop(L, 1);
+}
+
+void events_set_drops(lua_State *L, uint32_t slot)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_insert(L, -2);
+    lua_rawseti(L, -2, -(lua_Integer)slot - 1);
+    lua_pop(L, 1);
+}
+
+void events_push_set(lua_State *L, uint16_t kind, const char *what)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_pushfstring(L, "%s %d", what, (int)kind);
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+}
+
+bool events_push_function(lua_State *L, uint16_t kind, const char *what)
+{
+    events_push_set(L, kind, what);
+    if (lua_isfunction(L, -1))
+        return true;
+    lua_pop(L, 1);
+    return false;
+}
+
+/* Drops the list on top of the stack (popped), if it is one. */
+static void drop(lua_State *L, struct board *b, fx x, fx y)
+{
+    if (lua_type(L, -1) == LUA_TSTRING)
+        api_drop_list(L, b, x, y);
+    else
+        lua_pop(L, 1);
+}
+
+/* What this enemy drops, else what its kind does. */
+static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    bool own = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
+    lua_remove(L, -2);
+    if (!own) {
+        lua_pop(L, 1);
+        events_push_set(L, b->enemies.kind[i], "drops");
+    }
+    drop(L, b, b->enemies.x[i], b->enemies.y[i]);
+}
+
+/* Pushes the on_death of one enemy, else of its kind; false (nothing pushed): neither has one. */
+static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
+    lua_rawgeti(L, -1, (lua_Integer)slot + 1);
+    lua_remove(L, -2);
+    if (lua_isfunction(L, -1))
+        return true;
+    lua_pop(L, 1);
+    return events_push_function(L, kind, "on_death");
+}
+
+/* spark: its kind + 1, 0: none. */
+static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
+{
+    if (spark)
+        board_sparks(
+            b, &(struct spark_burst){
+                   .x = x, .y = y, .speed = 2 << 16, .spread = UINT32_MAX, .kind = (uint16_t)(spark - 1), .n = 12 });
+}
+
+/* Calls an enemy's own handler with the n values on top of the stack (popped). */
+static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
+{
+    struct tasks_now was = tasks_act_for_scene(b, b->enemies.owner[i]);
+
+    lua_call(L, n, 0);
+    tasks_act_for(b, was);
+}
+
+/* A body died: its parts leave their sparks and are gone, in slot order, each after its own. */
+static void burst_parts(struct board *b, uint32_t body)
+{
+    struct enemies *e = &b->enemies;
+
+    if (!e->parts || !e->parts[body])
+        return;
+    EACH_LIVE (i, &e->s) {
+        if (e->body[i] != body + 1 || e->flags[i] & ENEMY_DYING)
+            continue;
+        burst_parts(b, i);
+        death_sparks(b, b->enemy_kinds.spark[e->kind[i]], e->x[i], e->y[i]);
+        enemies_drop(e, i);
+    }
+}
+
+void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
+{
+    uint16_t kind = b->enemies.kind[i];
+    int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
+
+    if (b->enemies.flags[i] & ENEMY_DYING)
+        return;
+    b->enemies.flags[i] |= ENEMY_DYING;
+    if (player)
+        board_score(b, player - 1, b->enemy_kinds.score[kind]);
+    death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
+    board_event(b, EV_KILL, h, p);
+    sound_cue(b, CUE_KILL, b->enemies.x[i]);
+    b->enemies.hp[i] = 0;
+    if (b->items.s.cap)
+        enemy_drops(L, b, i);
+    if (push_death(L, i, kind)) { /* it can still read where it died */
+        push_thing(L, h);
+        push_thing(L, p);
+        call_own(b, L, i, 2);
+    }
+    if (board_there(b, h))
+        burst_parts(b, i);
+}
+
+/* Does an event that names h still have its effect? Not if h was removed or killed since. */
+static bool counts(const struct board *b, int64_t h)
+{
+    if (!board_there(b, h))
+        return false;
+    return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
+}
+
+/* Takes an amount of 2^-32 hp from one enemy. Returns what of it goes on to its body, *body: 0 if there is none. */
+static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player, int64_t *body)
+{
+    struct enemies *e = &b->enemies;
+
+    *body = e->body[i] ? board_handle(b, H_ENEMY, e->body[i] - 1) : 0;
+    if (e->safe[i] || !enemies_share(amount, e->rate[i]))
+        return 0;
+    const uint64_t on = enemies_share(enemies_damage(e, i, amount), e->share[i]);
+    enemies_blink(e, &b->enemy_kinds, i);
+    if (!e->hp[i] && !(e->flags[i] & ENEMY_UNDYING))
+        events_enemy_die(b, L, i, player);
+    return on;
+}
+
+/* The same where enemies may be parts. A handler may take the body away before its share comes. */
+static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+{
+    const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
+    uint64_t amount = (uint64_t)n << 32;
+
+    for (int64_t h = first, body; amount && counts(b, h); h = body)
+        amount = hurt_one(b, L, handle_slot(h), amount, player, &body);
+    return !counts(b, first);
+}
+
+bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+{
+    struct enemies *e = &b->enemies;
+
+    if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
+        return false;
+    if (e->rate)
+        return hurt_bodies(b, L, i, n, player);
+    e->hp[i] = n >= e->hp[i] ? 0 : e->hp[i] - n;
+    enemies_blink(e, &b->enemy_kinds, i);
+    if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
+        return false;
+    events_enemy_die(b, L, i, player);
+    return true;
+}
+
+/* Takes a bullet or shot away that is live or held. */
+static void take_away(struct board *b, struct bullets *s, int64_t h)
+{
+    if (board_alive(b, h))
+        bullets_drop(s, handle_slot(h));
+    else
+        bullets_release(s, handle_slot(h));
+}
+
+/* Shot h hit a thing: it is used up, or goes through it. */
+static void spend(struct board *b, int64_t h, int64_t thing)
+{
+    if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), thing, b->core.clock))
+        take_away(b, &b->shots, h);
+}
+
+/* A bullet's hp are at 0. Its on_death can read it, but it is not alive. */
+static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player)
+{
+    const struct bullet_kinds *k = &b->bullet_kinds;
+    uint32_t i = handle_slot(h);
+    uint16_t kind = b->bullets.kind[i];
+
+    if (board_alive(b, h))
+        bullets_hold(&b->bullets, i);
+    if (player)
+        board_score(b, player - 1, k->score[kind]);
+    death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
+    if (b->items.s.cap) {
+        events_push_set(L, kind, "bullet's drops");
+        drop(L, b, b->bullets.x[i], b->bullets.y[i]);
+    }
+    if (events_push_function(L, kind, "bullet's on_death")) {
+        push_thing(L, h);
+        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+        lua_call(L, 2, 0);
+    }
+    if (board_there(b, h))
+        bullets_release(&b->bullets, i);
+}
+
+/* A shot hits a bullet that has hp, or cancels one that has none. An earlier event may have changed either. */
+static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
+{
+    const struct bullets *s = &b->bullets;
+    uint32_t shot = handle_slot(e->a), i = handle_slot(e->b), player = b->shots.player[shot];
+    int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
+    bool cancels = b->shot_kinds.flags[b->shots.kind[shot]] & KIND_CANCELS;
+
+    if (s->hp && s->hp[i]) {
+        if (s->hp[i] == HP_FOREVER) {
+            take_away(b, &b->shots, e->a);
+            return;
+        }
+        spend(b, e->a, e->b);
+        s->hp[i] = damage >= s->hp[i] ? 0 : s->hp[i] - damage;
+        if (s->hp[i] == 0)
+            bullet_die(b, L, e->b, player);
+    } else if (cancels && !(b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED)) {
+        spend(b, e->a, e->b);
+        board_vanish(b, i);
+        take_away(b, &b->bullets, e->b);
+    }
+}
+
+/* A shot hits: it is used up by an enemy that is still there, safe or not. */
+static void apply_shot(struct board *b, lua_State *L, const struct event *e)
+{
+    if (!counts(b, e->a) || !counts(b, e->b))
+        return;
+    if (handle_kind(e->b) == H_BULLET) {
+        shoot_bullet(b, L, e);
+        return;
+    }
+    uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
+    int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
+    uint32_t player = b->shots.player[shot];
+    spend(b, e->a, e->b);
+    if (!events_enemy_hurt(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
+        push_thing(L, e->b);
+        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+        lua_pushinteger(L, damage);
+        call_own(b, L, i, 3);
+    }
+}
+
+/* Player or 0 of a laser, or of a shot. */
+static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t i)
+{
+    return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
+}
+
+/* A player's laser hurts all enemies that it touches, in slot order; a handler may have moved or removed any of them,
+ * or the laser. */
+static void apply_laser(struct board *b, lua_State *L, const struct event *e)
+{
+    const uint32_t i = handle_slot(e->a);
+
+    if (!board_alive(b, e->a))
+        return;
+    const uint16_t kind = b->laser_heads.kind[i];
+    const int32_t damage = b->laser_kinds.damage[kind];
+    b->lasers.again[i * PADS] = b->core.clock + b->laser_kinds.every[kind];
+    EACH_LIVE (k, &b->enemies.s) {
+        if (!board_alive(b, e->a))
+            return;
+        if (b->enemies.flags[k] & ENEMY_DYING)
+            continue;
+        hit_laser_work(b, i, k);
+        if (!hit_laser_enemy(b, i, k))
+            continue;
+        b->counts.hit++;
+        if (events_enemy_hurt(b, L, k, damage, b->laser_heads.player[i]) ||
+            !events_push_function(L, b->enemies.kind[k], "on_hit"))
+            continue;
+        push_thing(L, board_handle(b, H_ENEMY, (int32_t)k));
+        push_thing(L, shooter(b, &b->laser_heads, i));
+        lua_pushinteger(L, damage);
+        call_own(b, L, k, 3);
+    }
+}
+
+/* The blocker takes it, unless a shot of this frame killed that. */
+static void apply_block(struct board *b, const struct event *e)
+{
+    if (counts(b, e->a) && counts(b, e->b))
+        bullets_drop(&b->bullets, handle_slot(e->a));
+}
+
+/* A pair takes away bullet h, which leaves the pair's spark or its kind's; not what is gone, or not clearable. */
+static void meet_take(struct board *b, uint32_t pair, int64_t h)
+{
+    const struct bullets *s = &b->bullets;
+    uint32_t i = handle_slot(h);
+
+    if (!counts(b, h))
+        return;
+    if (b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED && !(s->meet_flags[pair] & MEET_ALL))
+        return;
+    if (s->meet_spark[pair])
+        board_sparks(b, &(struct spark_burst){
+                            .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(s->meet_spark[pair] - 1), .n = 1 });
+    else
+        board_vanish(b, i);
+    take_away(b, &b->bullets, h);
+}
+
+/* Two bullets of a pair met: its handler is told while both are there. */
+static void apply_meet(struct board *b, lua_State *L, const struct event *e)
+{
+    uint8_t flags = b->bullets.meet_flags[e->pair];
+
+    if (!(counts(b, e->a) && counts(b, e->b)))
+        return;
+    if (events_push_function(L, (uint16_t)e->pair, "on_meet")) {
+        push_thing(L, e->a);
+        push_thing(L, e->b);
+        lua_call(L, 2, 0);
+    }
+    if (flags & MEET_FIRST)
+        meet_take(b, e->pair, e->a);
+    if (flags & MEET_SECOND)
+        meet_take(b, e->pair, e->b);
+}
+
+static void apply_graze(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
+
+    if (!counts(b, e->b) || !board_alive(b, e->a))
+        return;
+    if (handle_kind(e->b) == H_LASER)
+        b->lasers.again[i * PADS + p] = b->core.clock + b->laser_kinds.graze[b->laser_heads.kind[i]];
+    else
+        b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
+    b->player.grazes[p]++;
+    sound_cue(b, CUE_GRAZE, b->player.x[p]);
+    tell(L, e);
+}
+
+/* At its most, the register that fills up, the ship's or else the run's, leaves an item with its points alone. */
+static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
+{
+    const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
+    int reg = name ? api_player_register(L, b, p, name) : -1;
+
+    if (reg >= 0)
+        return registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
+    reg = name ? api_run_register(L, name) : -1;
+    return reg >= 0 && board_run_full(b, (uint32_t)reg);
+}
+
+/* The ship's registers, or the run's. */
+static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+{
+    for (int k = 0; k < ITEM_REGISTERS; k++) {
+        const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
+        const char *name = n ? board_name(b, N_ITEM_REGISTER, k) : NULL;
+        int reg = n ? api_player_register(L, b, p, name) : -1;
+        if (reg >= 0)
+            board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);
+        else if (n && (reg = api_run_register(L, name)) >= 0)
+            board_set_run_register(b, (uint32_t)reg, (int64_t)board_run_register(b, (uint32_t)reg) + n);
+    }
+}
+
+int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind)
+{
+    const fx line = b->player_kinds.line[b->player.kind[p]];
+
+    return items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16));
+}
+
+static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+{
+    const bool full = is_full(L, b, p, kind);
+
+    board_score(b, p, events_item_points(b, p, kind));
+    if (full)
+        return;
+    give_registers(L, b, p, kind);
+    if (!b->item_kinds.lives[kind])
+        return;
+    b->player.lives[p] = (int32_t)int64_min((int64_t)b->player.lives[p] + b->item_kinds.lives[kind], MOST_LIVES);
+    board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
+}
+
+/* The handlers can read the item, which is not alive. A player who was hit in this frame takes it all the same: that it
+ * died comes behind. */
+static void apply_take(struct board *b, lua_State *L, const struct event *e)
+{
+    const uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
+
+    if (!board_alive(b, e->a) || !board_alive(b, e->b))
+        return;
+    slots_hold(&b->items.s, b->items.taken, i);
+    give(L, b, p, b->items.kind[i]);
+    sound_cue(b, CUE_ITEM, b->player.x[p]);
+    if (events_push_function(L, b->items.kind[i], "item's on_take")) {
+        push_thing(L, e->a);
+        push_thing(L, e->b);
+        lua_call(L, 2, 0);
+    }
+    tell(L, e);
+    if (board_there(b, e->b))
+        slots_release(&b->items.s, i);
+}
+
+static bool anyone_in(const struct board *b)
+{
+    return b->player.in[0] || b->player.in[1];
+}
+
+void events_game_over(struct board *b)
+{
+    if (b->core.over || anyone_in(b) || b->core.continues[0] || b->core.continues[1])
+        return;
+    b->core.over = 1;
+    board_event(b, EV_GAME_OVER, 0, 0);
+}
+
+void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y)
+{
+    const struct manifest *m = &b->cart.m;
+    bool two = b->player.in[0] && b->player.in[1];
+
+    *x = (fx)(m->field_w << 15) + (two ? (p ? 1 : -1) * (m->field_w << 13) : 0);
+    *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
+}
+
+void events_player_die(struct board *b, uint32_t p)
+{
+    board_event(b, EV_DEATH, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
+    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
+    if (b->player.safe[p] == 0)
+        b->player.safe[p] = 1;
+    b->player.lives[p]--;
+}
+
+/* What a ship was firing stops when it is hit: its beams fade. */
+static void let_beams_go(struct board *b, uint32_t p)
+{
+    const struct bullets *h = &b->laser_heads;
+
+    EACH_LIVE (i, &b->lasers.s)
+        if (h->player[i] == p + 1 && b->lasers.form[i] == LASER_BEAM && b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS)
+            lasers_fade(&b->lasers, i, lasers_age(b, i));
+}
+
+static void apply_hit(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a);
+
+    if (b->start.practice.invincible) /* tested only here; `safe`, which scripts read and write, stays as it is */
+        return;
+    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b)) /* a handler may have
+                                                                                               removed it */
+        return;
+    tell(L, e);
+    if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
+        return;
+    sound_cue(b, CUE_HIT, b->player.x[p]);
+    let_beams_go(b, p);
+    b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
+    if (!b->player.hit[p])
+        events_player_die(b, p);
+}
+
+/* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
+static void apply_death(struct board *b, lua_State *L, const struct event *e)
+{
+    uint32_t p = handle_slot(e->a);
+    fx x, y;
+
+    tell(L, e);
+    items_let_go(&b->items, p);
+    if (!board_alive(b, e->a))
+        return;
+    if (b->player.lives[p] >= 0) {
+        events_player_start(b, p, &x, &y);
+        player_place(&b->player, p, x, y);
+        return;
+    }
+    b->player.lives[p] = 0;
+    player_leave(&b->player, p);
+    options_drop_of(&b->options, p, 0);
+    events_game_over(b);
+}
+
+/* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
+ * not leave. */
+static void apply_end(struct board *b, lua_State *L, const struct event *e)
+{
+    if (e->kind == EV_LEAVE && !counts(b, e->a))
+        return;
+    tell(L, e);
+    if (board_there(b, e->a))
+        enemies_drop(&b->enemies, handle_slot(e->a));
+}
+
+static void apply_emitted(lua_State *L, const struct event *e)
+{
+    int n = (int)(e->b & 255), kind = (int)(e->b >> 8);
+
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &emitted_key);
+    lua_rawgeti(L, -1, e->a);
+    int args = lua_gettop(L);
+    for (int i = 1; i <= n; i++)
+        lua_rawgeti(L, args, i);
+    call_handlers(L, kind, n);
+    lua_pushnil(L);
+    lua_rawseti(L, args - 1, e->a);
+    lua_settop(L, args - 2);
+}
+
+static void apply_bomb(lua_State *L, const struct event *e)
+{
+    push_thing(L, e->a);
+    lua_pushboolean(L, e->b != 0);
+    call_handlers(L, EV_BOMB, 2);
+}
+
+static void apply(struct board *b, lua_State *L, const struct event *e)
+{
+    switch ((enum event_kind)e->kind) {
+    case EV_GRAZE:
+        apply_graze(b, L, e);
+        break;
+    case EV_HIT:
+        apply_hit(b, L, e);
+        break;
+    case EV_SHOT:
+        apply_shot(b, L, e);
+        break;
+    case EV_BLOCK:
+        apply_block(b, e);
+        break;
+    case EV_MEET:
+        apply_meet(b, L, e);
+        break;
+    case EV_LASER:
+        apply_laser(b, L, e);
+        break;
+    case EV_DEATH:
+        apply_death(b, L, e);
+        break;
+    case EV_TAKE:
+        apply_take(b, L, e);
+        break;
+    case EV_BOMB:
+        apply_bomb(L, e);
+        break;
+    case EV_SCRIPT:
+        apply_emitted(L, e);
+        break;
+    case EV_FIRED:
+        if (board_alive(b, e->a))
+            bulletml_tell(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
+        break;
+    case EV_KILL:
+    case EV_LEAVE:
+        apply_end(b, L, e);
+        break;
+    case EV_EXTEND:
+        sound_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
+        tell(L, e);
+        break;
+    case EV_GAME_OVER:
+    case EV_CONTINUE:
+        tell(L, e);
+        break;
+    }
+}
+
+void events_start(lua_State *L, int64_t game)
+{
+    struct board *b = vm_board(L);
+    const struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+    const int32_t current = b->tasks.current;
+
+    b->tasks.current = NO_SLOT; /* a handler cannot wait */
+    tasks_act_for(b, (struct tasks_now){ game, 0 });
+    call_handlers(L, EV_START, 0);
+    tasks_act_for(b, was);
+    b->tasks.current = current;
+}
+
+int events_run(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    luaL_checkstack(L, 32, NULL);
+    for (uint32_t i = 0; i < b->events.n; i++) {
+        struct event e = events_at(&b->events, i);
+        count(b, AN_EVENT);
+        apply(b, L, &e);
+    }
+    b->events.n = 0;
+    bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */
+    bullets_release_all(&b->shots);
+    if (b->lasers.s.live)
+        lasers_end_frame(b);
+    return 0;
+}

@@ -1,0 +1,430 @@
+/*
+ * lualib.c - see lualib.h. The base functions, and what is kept of the stock libraries; the rest is in the lua*.c
+ * files.
+ *
+ * error wraps its value in a carrier, a userdata with a metatable of its own, so that pcall can tell what a script
+ * raised from what the machine raised. A fault on its way through a pcall is kept in the registry, so that a __close
+ * handler that raises an error in its place cannot hide it: from then on every pcall that fails passes the fault on.
+ */
+#include "lualib.h"
+
+#include <stdint.h>
+#include <string.h>
+#include "luaparts.h"
+#include "../../machine/machine.h"
+#include "../script.h"
+#include "../tasks.h"
+#include "../vm.h"
+
+/* Registry keys are the addresses of these. */
+static const char carrier_key, fault_key, trace_key, metatables_key;
+
+/* ---- error and pcall ---- */
+
+bool lualib_raised(lua_State *L, int idx)
+{
+    if (lua_type(L, idx) != LUA_TUSERDATA || !lua_getmetatable(L, idx))
+        return false;
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
+    bool same = lua_rawequal(L, -1, -2);
+    lua_pop(L, 2);
+    return same;
+}
+
+void lualib_unwrap(lua_State *L, int idx)
+{
+    lua_getiuservalue(L, idx, 1);
+}
+
+void lualib_trace(lua_State *L)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &trace_key);
+}
+
+/* Raises the value on top in a carrier; a carrier, which a __close handler may get, as it is. */
+static int throw_value(lua_State *L)
+{
+    if (!lualib_raised(L, -1)) {
+        lua_newuserdatauv(L, 0, 1);
+        lua_insert(L, -2);
+        lua_setiuservalue(L, -2, 1);
+        lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
+        lua_setmetatable(L, -2);
+    }
+    return lua_error(L);
+}
+
+static int throw_at(lua_State *L, int level)
+{
+    if (lua_type(L, 1) == LUA_TSTRING && level > 0) {
+        luaL_where(L, level);
+        lua_pushvalue(L, 1);
+        lua_concat(L, 2);
+    }
+    return throw_value(L);
+}
+
+static int base_error(lua_State *L)
+{
+    lua_Integer level = luaL_optinteger(L, 2, 1);
+
+    lua_settop(L, 1);
+    return throw_at(L, level < 0 || level > INT16_MAX ? 0 : (int)level);
+}
+
+static int base_assert(lua_State *L)
+{
+    if (lua_toboolean(L, 1))
+        return lua_gettop(L);
+    luaL_checkany(L, 1);
+    lua_remove(L, 1);
+    lua_pushliteral(L, "assertion failed!");
+    lua_settop(L, 1);
+    return throw_at(L, 1);
+}
+
+/* Message handler of pcall: keeps the first fault and its traceback, while the stack is still there. */
+static int note_fault(lua_State *L)
+{
+    if (lualib_raised(L, 1) || lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL) {
+        lua_settop(L, 1);
+        return 1;
+    }
+    lua_settop(L, 1);
+    vm_place(L);
+    lua_pushvalue(L, 1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &fault_key);
+    luaL_traceback(L, L, NULL, 1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &trace_key);
+    return 1;
+}
+
+enum { IN_TASK = 1 }; /* what Lua hands pcall_done after a wait: only tasks can wait, so no handler runs then */
+
+/* The stack: the handler, true, then what the function returned or the error. */
+static int pcall_done(lua_State *L, int status, lua_KContext context)
+{
+    if (status == LUA_OK || status == LUA_YIELD)
+        return lua_gettop(L) - 1;
+    if (context == IN_TASK)
+        tasks_act_for_turn(vm_board(L));
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
+        return lua_error(L);
+    lua_pop(L, 1);
+    if (!lualib_raised(L, -1))
+        return lua_error(L);
+    lua_pushboolean(L, 0);
+    lualib_unwrap(L, -2);
+    return 2;
+}
+
+enum { A_PCALL = 20 /* work: one that catches an error; the others are less */ };
+
+static int base_pcall(lua_State *L)
+{
+    luaL_checkany(L, 1);
+    vm_charge(L, A_PCALL);
+    lua_pushcfunction(L, note_fault);
+    lua_insert(L, 1);
+    lua_pushboolean(L, 1);
+    lua_insert(L, 2);
+    struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
+    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
+    tasks_act_for(vm_board(L), was); /* an error may have left an enemy's handler */
+    return pcall_done(L, status, 0);
+}
+
+/* What a __close handler sees when it looks at a carrier. */
+static int carrier_tostring(lua_State *L)
+{
+    if (!lualib_raised(L, 1))
+        return luaL_argerror(L, 1, "error expected");
+    lualib_unwrap(L, 1);
+    lualib_tolstring(L, -1, NULL);
+    return 1;
+}
+
+static void open_errors(lua_State *L)
+{
+    lua_createtable(L, 0, 3);
+    lua_pushcfunction(L, carrier_tostring);
+    lua_setfield(L, -2, "__tostring");
+    lua_pushliteral(L, "error");
+    lua_setfield(L, -2, "__name");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &carrier_key);
+}
+
+/* ---- metatables ---- */
+
+static void refuse_field(lua_State *L, int metatable, const char *name, const char *where)
+{
+    lua_pushstring(L, name);
+    if (lua_rawget(L, metatable) != LUA_TNIL)
+        luaL_error(L, "%s%s is not allowed in a metatable", where, name);
+    lua_pop(L, 1);
+}
+
+/* Lua follows a chain of __call within one instruction, without an end if there is none. */
+static void refuse_call(lua_State *L, int metatable, const char *where)
+{
+    lua_pushliteral(L, "__call");
+    int type = lua_rawget(L, metatable);
+    if (type != LUA_TNIL && type != LUA_TFUNCTION)
+        luaL_error(L, "%s__call: expected a function, got a %s", where, lua_typename(L, type));
+    lua_pop(L, 1);
+}
+
+/* Enters the metatable at 2 in the list lualib_check_metatables walks. */
+static void remember_metatable(lua_State *L)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
+    lua_pushvalue(L, 2);
+    if (lua_rawget(L, -2) == LUA_TNIL) {
+        lua_pushvalue(L, 2);
+        lua_pushboolean(L, 1);
+        lua_rawset(L, -4);
+    }
+    lua_pop(L, 2);
+}
+
+static int base_setmetatable(lua_State *L)
+{
+    int type = lua_type(L, 2);
+
+    luaL_checktype(L, 1, LUA_TTABLE);
+    luaL_argexpected(L, type == LUA_TNIL || type == LUA_TTABLE, 2, "nil or table");
+    if (luaL_getmetafield(L, 1, "__metatable") != LUA_TNIL)
+        return luaL_error(L, "cannot change a protected metatable");
+    lua_settop(L, 2);
+    if (type == LUA_TTABLE) {
+        refuse_field(L, 2, "__gc", "setmetatable: ");
+        refuse_field(L, 2, "__mode", "setmetatable: ");
+        refuse_call(L, 2, "setmetatable: ");
+        remember_metatable(L);
+    }
+    lua_setmetatable(L, 1);
+    return 1;
+}
+
+void lualib_check_metatables(lua_State *L)
+{
+    luaL_checkstack(L, 6, NULL);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        refuse_field(L, lua_gettop(L), "__gc", "");
+        refuse_field(L, lua_gettop(L), "__mode", "");
+        refuse_call(L, lua_gettop(L), "");
+    }
+    lua_pop(L, 1);
+}
+
+static void open_metatables(lua_State *L)
+{
+    lua_newtable(L);
+    lua_createtable(L, 0, 1);
+    lua_pushliteral(L, "k");
+    lua_setfield(L, -2, "__mode");
+    lua_setmetatable(L, -2);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &metatables_key);
+}
+
+/* ---- load ---- */
+
+/* Replaces the reader function at 1 by all it returns, put together. */
+static void read_pieces(lua_State *L)
+{
+    luaL_Buffer out;
+    size_t n;
+
+    luaL_buffinit(L, &out);
+    for (;;) {
+        lua_pushvalue(L, 1);
+        lua_call(L, 0, 1);
+        if (lua_isnil(L, -1))
+            break;
+        if (!lua_isstring(L, -1))
+            luaL_error(L, "reader function must return a string");
+        lua_tolstring(L, -1, &n);
+        if (n == 0)
+            break;
+        vm_charge(L, 1);
+        luaL_addvalue(&out);
+    }
+    lua_pop(L, 1);
+    luaL_pushresult(&out);
+    lua_replace(L, 1);
+}
+
+/* nil and "CHUNK:LINE: what", as for an error of syntax. */
+static int refuse_text(lua_State *L, const char *chunk, int line, const char *what)
+{
+    lua_pushnil(L);
+    if (*chunk == '@' || *chunk == '=')
+        lua_pushfstring(L, "%s:%d: %s", chunk + 1, line, what);
+    else
+        lua_pushfstring(L, "[string]:%d: %s", line, what);
+    return 2;
+}
+
+/* load(text or function, name, mode, env); whatever mode says, text only. An error in the function is passed on. */
+static int base_load(lua_State *L)
+{
+    bool reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
+    const char *what;
+    size_t n;
+    int line;
+
+    luaL_optstring(L, 3, NULL);
+    const char *chunk = luaL_optstring(L, 2, reader ? "=(load)" : lua_tostring(L, 1));
+    if (reader)
+        luaL_checktype(L, 1, LUA_TFUNCTION);
+    lua_settop(L, 4);
+    if (reader)
+        read_pieces(L);
+    const char *text = lua_tolstring(L, 1, &n);
+    vm_charge(L, 1000 + n * 16);
+    if (!script_scan(text, n, &line, &what))
+        return refuse_text(L, chunk, line, what);
+    int status = luaL_loadbufferx(L, text, n, chunk, "t");
+    if (status == LUA_ERRSYNTAX) {
+        lua_pushnil(L);
+        lua_insert(L, -2);
+        return 2;
+    }
+    if (status != LUA_OK)
+        return lua_error(L);
+    if (has_env) {
+        lua_pushvalue(L, 4);
+        if (!lua_setupvalue(L, -2, 1))
+            lua_pop(L, 1);
+    }
+    return 1;
+}
+
+/* ---- what stays ---- */
+
+static const struct {
+    const char *library, *names;
+} kept[] = {
+    { "", "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
+          "setmetatable string table tonumber tostring type utf8 warn" },
+    { "string", "byte char find format gmatch gsub len lower match rep reverse sub upper" },
+    { "table", "concat insert move pack remove sort unpack" },
+    { "math", "abs acos asin atan ceil cos deg floor fmod huge max maxinteger min mininteger modf pi rad sin sqrt tan "
+              "tointeger type ult" },
+    { "utf8", "char charpattern codepoint codes len offset" },
+};
+
+const char *lualib_names(const char *library)
+{
+    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
+        if (strcmp(kept[i].library, library) == 0)
+            return kept[i].names;
+    return NULL;
+}
+
+/* A stock function whose work grows with the text at argument 1 alone. */
+static int charged(lua_State *L)
+{
+    if (lua_type(L, 1) == LUA_TSTRING)
+        vm_charge(L, lua_rawlen(L, 1) / 4);
+    return luaparts_stock(L);
+}
+
+/* A stock function whose work grows with how much it returns. */
+static int charged_results(lua_State *L)
+{
+    int n = luaparts_stock(L);
+
+    vm_charge(L, (unsigned)n / 4);
+    return n;
+}
+
+/* True when name is one of the words of list, which are separated by spaces. */
+static bool listed(const char *list, const char *name)
+{
+    size_t n = strlen(name);
+
+    for (const char *p = list; n && (p = strstr(p, name)) != NULL; p++)
+        if ((p == list || p[-1] == ' ') && (p[n] == ' ' || p[n] == '\0'))
+            return true;
+    return false;
+}
+
+/* Takes out of the table on top what is not listed. */
+static void keep(lua_State *L, const char *list)
+{
+    lua_pushnil(L);
+    while (lua_next(L, -2)) {
+        lua_pop(L, 1);
+        if (lua_type(L, -1) == LUA_TSTRING && listed(list, lua_tostring(L, -1)))
+            continue;
+        lua_pushvalue(L, -1);
+        lua_pushnil(L);
+        lua_rawset(L, -4);
+    }
+}
+
+static void open_base(lua_State *L)
+{
+    static const luaL_Reg functions[] = {
+        { "assert", base_assert },        { "error", base_error }, { "load", base_load },
+        { "pairs", luatable_pairs },      { "pcall", base_pcall }, { "setmetatable", base_setmetatable },
+        { "tostring", luatext_tostring }, { NULL, NULL }
+    };
+
+    lua_pushglobaltable(L);
+    keep(L, lualib_names(""));
+    luaL_setfuncs(L, functions, 0);
+    luaparts_wrap(L, "tonumber", charged);
+    lua_pop(L, 1);
+}
+
+static void open_string(lua_State *L)
+{
+    lua_getglobal(L, "string");
+    keep(L, lualib_names("string"));
+    luapattern_open(L);
+    luatext_open(L);
+    luaparts_wrap(L, "byte", charged_results);
+    luaparts_wrap(L, "lower", charged);
+    luaparts_wrap(L, "reverse", charged);
+    luaparts_wrap(L, "upper", charged);
+    lua_pop(L, 1);
+}
+
+/* "2" ^ "3" goes through the strings' metatable to the C library's pow. */
+static void open_string_metatable(lua_State *L)
+{
+    lua_pushliteral(L, "");
+    if (lua_getmetatable(L, -1)) {
+        lua_pushnil(L);
+        lua_setfield(L, -2, "__pow");
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+}
+
+void lualib_open(lua_State *L)
+{
+    luaL_checkstack(L, 8, NULL);
+    open_errors(L);
+    open_metatables(L);
+    open_base(L);
+    open_string(L);
+    open_string_metatable(L);
+    lua_getglobal(L, "table");
+    keep(L, lualib_names("table"));
+    luatable_open(L);
+    lua_getglobal(L, "math");
+    keep(L, lualib_names("math"));
+    luamath_open(L);
+    lua_getglobal(L, "utf8");
+    keep(L, lualib_names("utf8"));
+    luautf8_open(L);
+    lua_pop(L, 3);
+}

@@ -1,0 +1,137 @@
+/*
+ * luanames.c - a function of the standard library without the names of its locals, which take about a twelfth of what
+ * the library needs of the heap. They are seen in no message but one about a fault of the library itself.
+ *
+ * Lua has no call for this, so the function is dumped and loaded again without them. The form of a dump is that of Lua
+ * 5.4, its ldump.c; one that is not read to its last byte leaves the function as it was.
+ */
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+#include <lauxlib.h>
+#include "lualib.h"
+
+enum { HEADER = 4 + 1 + 1 + 6 + 3 + 8 + 8, DEEP = 32 }; /* of dumps; functions within functions */
+
+/* A dump that is read, and written over itself. */
+struct dump {
+    unsigned char *at, *end, *to;
+    bool wrong;
+};
+
+/* Passes n bytes, which stay. */
+static void keep(struct dump *d, size_t n)
+{
+    if (n > (size_t)(d->end - d->at)) {
+        d->wrong = true;
+        d->at = d->end;
+        return;
+    }
+    memmove(d->to, d->at, n);
+    d->at += n;
+    d->to += n;
+}
+
+/* A number of 7 bits a byte, the highest first; the last has bit 7. It stays. */
+static size_t number(struct dump *d)
+{
+    size_t n = 0;
+
+    while (d->at < d->end && n < SIZE_MAX >> 7) {
+        unsigned char c = *d->at;
+        keep(d, 1);
+        n = n << 7 | (c & 127u);
+        if (c & 128)
+            return n;
+    }
+    d->wrong = true;
+    return 0;
+}
+
+static void text(struct dump *d)
+{
+    size_t n = number(d); /* its length + 1; 0: none */
+
+    keep(d, n ? n - 1 : 0);
+}
+
+static void constant(struct dump *d)
+{
+    enum { INTEGER = 3, FLOAT = 19, SHORT = 4, LONG = 20 };
+    int type = d->at < d->end ? *d->at : 0;
+
+    keep(d, 1);
+    if (type == INTEGER || type == FLOAT)
+        keep(d, 8);
+    else if (type == SHORT || type == LONG)
+        text(d);
+}
+
+/* The list of locals, from which all go. */
+static void locals(struct dump *d)
+{
+    unsigned char *list = d->to;
+    size_t n = number(d);
+
+    for (size_t i = 0; i < n && !d->wrong; i++) {
+        text(d);
+        number(d);
+        number(d);
+    }
+    d->to = list;
+    *d->to++ = 128; /* none */
+}
+
+static void function(struct dump *d, int deep)
+{
+    text(d);
+    number(d);
+    number(d);
+    keep(d, 3);
+    keep(d, 4 * number(d)); /* code */
+    for (size_t i = number(d); i > 0 && !d->wrong; i--)
+        constant(d);
+    keep(d, 3 * number(d)); /* upvalues */
+    d->wrong = d->wrong || deep == DEEP;
+    for (size_t i = number(d); i > 0 && !d->wrong; i--)
+        function(d, deep + 1);
+    keep(d, number(d)); /* lines */
+    for (size_t i = 2 * number(d); i > 0 && !d->wrong; i--)
+        number(d);
+    locals(d);
+    for (size_t i = number(d); i > 0 && !d->wrong; i--)
+        text(d); /* names of upvalues */
+}
+
+/* What a dump is collected in. lua_dump wants the function on top, so the buffer begins with the first bytes. */
+struct collected {
+    luaL_Buffer b;
+    bool begun;
+};
+
+static int collect(lua_State *L, const void *bytes, size_t n, void *to)
+{
+    struct collected *c = to;
+
+    if (!c->begun)
+        luaL_buffinit(L, &c->b);
+    c->begun = true;
+    luaL_addlstring(&c->b, bytes, n);
+    return 0;
+}
+
+void lualib_drop_locals(lua_State *L, const char *chunk)
+{
+    const int f = lua_gettop(L);
+    struct collected c = { .begun = false };
+
+    luaL_checkstack(L, 8, NULL);
+    lua_dump(L, collect, &c, 0);
+    unsigned char *bytes = (unsigned char *)luaL_buffaddr(&c.b);
+    struct dump d = { bytes, bytes + luaL_bufflen(&c.b), bytes, false };
+    keep(&d, HEADER + 1);
+    function(&d, 0);
+    if (!d.wrong && d.at == d.end && luaL_loadbufferx(L, (char *)bytes, (size_t)(d.to - bytes), chunk, "b") == LUA_OK)
+        lua_replace(L, f);
+    lua_settop(L, f);
+}

@@ -1,0 +1,229 @@
+/*
+ * luatext.c - values as text: tostring, string.format, string.rep.
+ *
+ * The work is stock's. What its texts would hold that differs between hosts, addresses and the spelling of NaN and the
+ * infinities, is replaced before it sees it. format checks each conversion itself, because releases of Lua 5.4 differ
+ * in which flags they take, and hands on a text in which all of them agree.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+#include "lualib.h"
+#include "luaparts.h"
+#include "../vm.h"
+
+enum {
+    MAX_CONVERSION = 21,        /* bytes behind the %, as in 5.4.4 */
+    MAX_REP = 256 * 1024 * 1024 /* bytes string.rep makes at most: no Lua heap holds more */
+};
+
+/* A NaN's sign says nothing and differs between processors. */
+void luatext_push_number(lua_State *L, int idx)
+{
+    lua_Number v = lua_tonumber(L, idx);
+
+    if (v != v) {
+        lua_pushliteral(L, "nan");
+        return;
+    }
+    lua_pushvalue(L, idx);
+    lua_tolstring(L, -1, NULL);
+}
+
+/* The text of a value that says nothing of itself: what it is, never where it is. */
+static void push_kind(lua_State *L, int idx)
+{
+    int type = luaL_getmetafield(L, idx, "__name");
+
+    if (type == LUA_TSTRING)
+        return;
+    if (type != LUA_TNIL)
+        lua_pop(L, 1);
+    lua_pushstring(L, luaL_typename(L, idx));
+}
+
+const char *lualib_tolstring(lua_State *L, int idx, size_t *size)
+{
+    int type = lua_type(L, idx);
+
+    idx = lua_absindex(L, idx);
+    if (luaL_callmeta(L, idx, "__tostring")) {
+        if (!lua_isstring(L, -1))
+            luaL_error(L, "'__tostring' must return a string");
+        if (lua_type(L, -1) == LUA_TNUMBER)
+            luatext_push_number(L, -1);
+    } else if (type == LUA_TNUMBER) {
+        luatext_push_number(L, idx);
+    } else if (type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TSTRING) {
+        luaL_tolstring(L, idx, NULL);
+    } else {
+        push_kind(L, idx);
+    }
+    return lua_tolstring(L, -1, size);
+}
+
+int luatext_tostring(lua_State *L)
+{
+    luaL_checkany(L, 1);
+    lualib_tolstring(L, 1, NULL);
+    return 1;
+}
+
+/* Refuses what is too long on any host, and the empty texts stock would count through. */
+static int string_rep(lua_State *L)
+{
+    size_t n, sep_n;
+
+    luaL_checklstring(L, 1, &n);
+    lua_Integer count = luaL_checkinteger(L, 2);
+    luaL_optlstring(L, 3, "", &sep_n);
+    if (count <= 0 || n + sep_n == 0)
+        return lua_pushliteral(L, ""), 1;
+    if (n + sep_n > MAX_REP || count > (lua_Integer)(MAX_REP / (n + sep_n)))
+        return luaL_error(L, "resulting string too large");
+    vm_charge(L, (uint64_t)count * (1 + (n + sep_n) / 8));
+    return luaparts_stock(L);
+}
+
+/* ---- string.format ---- */
+
+/* A conversion: where its flags, its width, the dot of its precision and its letter stand; the latter two may be one.
+ */
+struct spec {
+    const char *flags, *width, *dot, *letter;
+};
+
+/* The flags a conversion takes, then '.' if it takes a precision; NULL: there is no such conversion. */
+static const char *allowed(char letter)
+{
+    static const char *const kinds[][2] = { { "c", "-" },  { "di", "-+ 0." },     { "u", "-0." }, { "oxX", "-#0." },
+                                            { "s", "-." }, { "eEfgG", "-+ #0." }, { "q", "" } };
+
+    for (size_t i = 0; letter && i < sizeof kinds / sizeof *kinds; i++)
+        if (strchr(kinds[i][0], letter))
+            return kinds[i][1];
+    return NULL;
+}
+
+/* Behind at most two digits. */
+static const char *skip_number(const char *p)
+{
+    for (int i = 0; i < 2 && *p >= '0' && *p <= '9'; i++)
+        p++;
+    return p;
+}
+
+static bool has_flag(const struct spec *f, char flag)
+{
+    return memchr(f->flags, flag, (size_t)(f->width - f->flags)) != NULL;
+}
+
+/* Reads what follows a %. */
+static struct spec read_spec(lua_State *L, const char *p)
+{
+    struct spec f = { .flags = p, .width = p + strspn(p, "-+ #0") };
+
+    f.dot = skip_number(f.width);
+    f.letter = *f.dot == '.' ? skip_number(f.dot + 1) : f.dot;
+    const char *takes = allowed(*f.letter);
+    if (*f.letter == 'q' && f.letter > p)
+        luaL_error(L, "specifier '%%q' cannot have modifiers");
+    if (!takes || f.letter - p >= MAX_CONVERSION || strspn(p, takes) < (size_t)(f.width - p) ||
+        (f.letter > f.dot && !strchr(takes, '.'))) {
+        lua_pushlstring(L, p, (size_t)(f.letter - p) + 1);
+        luaL_error(L, "invalid conversion '%%%s' to 'format'", lua_tostring(L, -1));
+    }
+    return f;
+}
+
+/* Each flag once: five is what some releases take. as_text: the argument is the text of a number, never to be cut. */
+static void add_spec(luaL_Buffer *out, const struct spec *f, bool as_text)
+{
+    luaL_addchar(out, '%');
+    for (const char *flag = as_text ? "-" : "-+ #0"; *flag; flag++)
+        if (has_flag(f, *flag))
+            luaL_addchar(out, *flag);
+    luaL_addlstring(out, f->width, (size_t)((as_text ? f->dot : f->letter) - f->width));
+    luaL_addchar(out, as_text ? 's' : *f->letter);
+}
+
+/* Pushes a NaN or an infinity. */
+static void push_odd(lua_State *L, const struct spec *f, lua_Number v)
+{
+    const char *sign = v < 0 ? "-" : has_flag(f, '+') ? "+" : has_flag(f, ' ') ? " " : "";
+    bool capital = *f->letter < 'a';
+
+    lua_pushfstring(L, "%s%s", sign, v != v ? capital ? "NAN" : "nan" : capital ? "INF" : "inf");
+}
+
+/* Pushes a finite float as Lua reads it; stock would write a hexadecimal one. */
+static void push_literal(lua_State *L, int arg, lua_Number v)
+{
+    char text[32];
+
+    luaL_argcheck(L, fabs(v) < 0x1p63 && v == floor(v), arg, "%q accepts whole numbers only");
+    snprintf(text, sizeof text, "%.1f", v);
+    lua_pushstring(L, text);
+}
+
+/* Charges for an argument, and replaces it by its text when stock would write another. True: that is for %s. */
+static bool prepare(lua_State *L, const struct spec *f, int arg)
+{
+    bool is_text = lua_type(L, arg) == LUA_TSTRING;
+    bool is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
+    bool number = strchr("eEfgG", *f->letter) != NULL;
+    lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
+    size_t n = is_text ? (size_t)lua_rawlen(L, arg) : 0;
+
+    vm_charge(L, number ? 800 : 16 + (*f->letter == 'q' ? n / 2 : 0));
+    if (*f->letter == 's') {
+        if (!is_text)
+            lualib_tolstring(L, arg, &n), lua_replace(L, arg);
+        vm_charge(L, n / 8);
+        return false;
+    }
+    if (number && !(fabs(v) <= DBL_MAX))
+        push_odd(L, f, v);
+    else if (*f->letter == 'q' && is_float && fabs(v) <= DBL_MAX)
+        push_literal(L, arg, v);
+    else
+        return false;
+    lua_replace(L, arg);
+    return true;
+}
+
+static int string_format(lua_State *L)
+{
+    size_t n;
+    int top = lua_gettop(L), arg = 1;
+    const char *p = luaL_checklstring(L, 1, &n), *end = p + n;
+    luaL_Buffer out;
+
+    vm_charge(L, n / 4);
+    luaL_buffinit(L, &out);
+    for (const char *q; (q = memchr(p, '%', (size_t)(end - p))) != NULL;) {
+        luaL_addlstring(&out, p, (size_t)(q - p));
+        p = q + 1;
+        if (*p == '%') {
+            luaL_addlstring(&out, p++ - 1, 2);
+            continue;
+        }
+        if (++arg > top)
+            return luaL_argerror(L, arg, "no value");
+        struct spec f = read_spec(L, p);
+        add_spec(&out, &f, prepare(L, &f, arg));
+        p = f.letter + 1;
+    }
+    luaL_addlstring(&out, p, (size_t)(end - p));
+    luaL_pushresult(&out);
+    lua_replace(L, 1);
+    return luaparts_stock(L);
+}
+
+void luatext_open(lua_State *L)
+{
+    luaparts_wrap(L, "format", string_format);
+    luaparts_wrap(L, "rep", string_rep);
+}

@@ -1,0 +1,67 @@
+/*
+ * options_run.c - options on the board: how many each ship has, by its register, and that they go with it.
+ */
+#include "api/api.h"
+#include "events_run.h"
+#include "options_run.h"
+
+/* What player p's ship says of its options now; false: it has none. */
+static bool ship_of(const struct board *b, uint32_t p, struct option_ship *ship)
+{
+    const struct player *s = &b->player;
+    const struct option_plan *plan = s->in[p] ? b->option_plans[s->kind[p]] : NULL;
+
+    if (!plan)
+        return false;
+    const int64_t value = plan->by < 0 ? INT32_MAX : board_register(b, p, (uint32_t)plan->by);
+    *ship = (struct option_ship){ .plan = plan,
+                                  .level = options_level(plan, value),
+                                  .x = s->x[p],
+                                  .y = s->y[p],
+                                  .was_x = s->was_x[p],
+                                  .was_y = s->was_y[p],
+                                  .focus = s->flags[p] & PLAYER_FOCUS };
+    return ship->level != NULL;
+}
+
+static void add(struct board *b, lua_State *L, uint32_t p, uint16_t kind, uint32_t index)
+{
+    const int32_t i =
+        options_add(&b->options, &b->option_kinds, kind, p, index, b->player.x[p], b->player.y[p], b->core.clock);
+
+    if (i == NO_SLOT) {
+        board_full(b, &b->options.s);
+        return;
+    }
+    if (!events_push_function(L, kind, "option's run"))
+        return;
+    lua_pushinteger(L, board_handle(b, H_OPTION, i));
+    tasks_start(b, L, board_handle(b, H_OPTION, i), 1);
+}
+
+void options_count(struct board *b, lua_State *L)
+{
+    struct option_ship ship;
+
+    for (uint32_t p = 0; p < PADS; p++) {
+        const uint32_t n = ship_of(b, p, &ship) ? ship.level->n : 0;
+        uint32_t there = 0; /* a bit an option */
+        EACH_LIVE (i, &b->options.s)
+            if (b->options.player[i] == p)
+                there |= 1u << b->options.index[i];
+        if (there >> n)
+            options_drop_of(&b->options, p, n);
+        for (uint32_t k = 0; k < n; k++)
+            if (!(there >> k & 1))
+                add(b, L, p, ship.plan->kind, k);
+    }
+}
+
+void options_follow(struct board *b)
+{
+    struct option_ship ship;
+
+    for (uint32_t p = 0; p < PADS; p++)
+        if (ship_of(b, p, &ship))
+            options_move(&b->options, &b->option_ways, p, &ship);
+}

@@ -1,0 +1,39 @@
+/*
+ * players_run.c - what is a player's between the tasks' turns and the moves: bombs, and the frames after a hit in which
+ * one saves.
+ */
+#include "events_run.h"
+#include "api/api.h"
+
+enum { BUTTON_BOMB = 5 }; /* of PAD_NAMES */
+_Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
+
+/* What the bomb started ends with it. */
+static void count_bomb(struct board *b, uint32_t p)
+{
+    const int64_t scope = b->player.bomb[p];
+
+    if (!b->player.bombing[p] || --b->player.bombing[p])
+        return;
+    if (board_alive(b, scope))
+        tasks_stop(b, handle_slot(scope));
+    b->player.bomb[p] = 0;
+}
+
+static void count_hit(struct board *b, uint32_t p)
+{
+    if (b->player.hit[p] && --b->player.hit[p] == 0)
+        events_player_die(b, p);
+}
+
+void events_players(struct board *b, lua_State *L)
+{
+    for (uint32_t p = 0; p < PADS; p++) {
+        if (!b->player.in[p])
+            continue;
+        count_bomb(b, p);
+        if (b->player_kinds.bomb[b->player.kind[p]] && input_take(&b->input, p, BUTTON_BOMB, 0, PRESS_GAME))
+            api_bomb_start(L, b, p);
+        count_hit(b, p);
+    }
+}

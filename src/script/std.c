@@ -1,0 +1,130 @@
+/*
+ * std.c - see std.h.
+ */
+#include "std.h"
+
+#include <string.h>
+#include "script.h"
+
+enum { ALL = (1 << STD_MODULES) - 1 };
+
+/* The globals are those that the module's table is bound to: its name, or for the prelude each of its entries. A module
+ * with fields adds these to the table `to`, and is not bound itself. */
+static const struct {
+    const char *name, *globals, *fields, *to;
+} modules[STD_MODULES] = {
+    { "prelude", " wait_until wait_for by_difficulty ", NULL, NULL },
+    { "pattern", " pattern ", NULL, NULL },
+    { "figure", " pattern ", " whip scatter rose polygon star ellipse points picture ", "pattern" },
+    { "sweep", " bullet ", " sweep ", "bullet" },
+    { "trail", " spark ", " trail ", "spark" },
+    { "scoring", " score ", " rule count tally ", "score" },
+    { "unlock", " unlock ", NULL, NULL },
+    { "mission", " mission ", NULL, NULL },
+    { "path", " path ", NULL, NULL },
+    { "stage", " stage ", NULL, NULL },
+    { "game", " game ", NULL, NULL },
+    { "boss", " boss ", NULL, NULL },
+    { "bg", " bg ", " def show ", "bg" },
+    { "hud", " hud ", NULL, NULL },
+    { "menu", " menu ", NULL, NULL },
+    { "talk", " talk ", NULL, NULL },
+    { "say", " say ", NULL, NULL },
+    { "choose", " choose ", NULL, NULL },
+    { "boot", " boot ", NULL, NULL },
+};
+
+static const char computing[] = " _G _ENV load ";
+
+const char *std_module(int i)
+{
+    return modules[i].name;
+}
+
+/* Is the word one of the list, each with blanks around it? */
+static int in_list(const char *list, const char *word, size_t n)
+{
+    for (const char *p = list + 1; *p != '\0'; p++) {
+        size_t same = 0;
+        while (same < n && p[same] == word[same])
+            same++;
+        if (same == n && p[n] == ' ')
+            return 1;
+        for (p += same; *p != ' ';)
+            p++;
+    }
+    return 0;
+}
+
+int std_piece_of(const char *name)
+{
+    size_t n = 0;
+
+    while (name[n] != '/' && name[n] != '\0')
+        n++;
+    if (name[n] == '\0')
+        return -1;
+    if (n == strlen("screens") && memcmp(name, "screens", n) == 0)
+        return std_of("boot");
+    for (int i = 0; i < STD_MODULES; i++)
+        if (strlen(modules[i].name) == n && memcmp(modules[i].name, name, n) == 0)
+            return i;
+    return -1;
+}
+
+const char *std_adds_to(int i)
+{
+    return modules[i].to;
+}
+
+uint64_t std_needed(int i, const char *text, size_t n)
+{
+    uint64_t others = std_named(text, n);
+
+    for (int k = 0; k < STD_MODULES; k++)
+        if (modules[k].to && strcmp(modules[k].to, modules[i].name) == 0)
+            others &= ~((uint64_t)1 << k);
+    others &= ~((uint64_t)1 << std_of("game")); /* none needs it, and it is the name of many a local */
+    return others;
+}
+
+int std_of(const char *name)
+{
+    for (int i = 0; i < STD_MODULES; i++)
+        if (!modules[i].fields && in_list(modules[i].globals, name, strlen(name)))
+            return i;
+    return -1;
+}
+
+int std_of_field(const char *table, const char *field)
+{
+    for (int i = 0; i < STD_MODULES; i++)
+        if (modules[i].to && strcmp(modules[i].to, table) == 0 && in_list(modules[i].fields, field, strlen(field)))
+            return i;
+    return -1;
+}
+
+/* The modules that a read of this global needs, of which that field is read; field NULL: any may be. */
+static uint64_t needed(const char *name, size_t n, const char *field, size_t field_n)
+{
+    uint64_t m = 0;
+
+    for (int i = 0; i < STD_MODULES; i++)
+        if (in_list(modules[i].globals, name, n) &&
+            (!modules[i].fields || !field || in_list(modules[i].fields, field, field_n)))
+            m |= (uint64_t)1 << i;
+    return m;
+}
+
+uint64_t std_named(const char *text, size_t n)
+{
+    uint64_t named = 0;
+    size_t at = 0, size, field_size;
+    const char *name, *field;
+
+    while (script_next_read(text, n, &at, &name, &size)) {
+        field = script_field(text, n, at, &field_size);
+        named |= in_list(computing, name, size) ? ALL : needed(name, size, field, field_size);
+    }
+    return named;
+}

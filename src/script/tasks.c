@@ -1,0 +1,393 @@
+/*
+ * tasks.c - see tasks.h. The slots are linked by serial, so starting and ending a task cost the same however many there
+ * are.
+ */
+#include "tasks.h"
+#include <lauxlib.h>
+#include <string.h>
+#include "../machine/machine.h"
+#include "vm.h"
+
+static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> where it comes from */
+
+static void push_threads(lua_State *L)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &threads_key) == LUA_TTABLE)
+        return;
+    lua_pop(L, 1);
+    lua_newtable(L);
+    lua_pushvalue(L, -1);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &threads_key);
+}
+
+static const uint32_t NONE = UINT32_MAX;
+
+static void link_last(struct tasks *t, uint32_t i)
+{
+    t->next[i] = NONE;
+    t->prev[i] = t->last;
+    if (t->last == NONE)
+        t->first = i;
+    else
+        t->next[t->last] = i;
+    t->last = i;
+}
+
+static void unlink_task(struct tasks *t, uint32_t i)
+{
+    if (t->prev[i] == NONE)
+        t->first = t->next[i];
+    else
+        t->next[t->prev[i]] = t->next[i];
+    if (t->next[i] == NONE)
+        t->last = t->prev[i];
+    else
+        t->prev[t->next[i]] = t->prev[i];
+}
+
+void tasks_empty(struct tasks *t)
+{
+    t->first = t->last = NONE;
+    t->current = NO_SLOT;
+}
+
+/* Every turn asks all owners, so a chain of them is at most MAX_OWNER_DEPTH long. */
+static void check_depth(struct board *b, int64_t owner)
+{
+    int depth = 0;
+
+    for (int64_t h = owner; h && handle_kind(h) == H_TASK; h = b->tasks.owner[handle_slot(h)]) {
+        if (!slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
+            return;
+        if (++depth > MAX_OWNER_DEPTH)
+            vm_fault(b->vm.running, FAULT_SCRIPT, "tasks and scopes nested more than %d deep", MAX_OWNER_DEPTH);
+    }
+}
+
+/* The scene of a task with this owner. Bullets and shots have none: it is then that of the script that starts the task.
+ */
+static int64_t scene_in(const struct board *b, int64_t owner)
+{
+    uint32_t i = handle_slot(owner);
+
+    if (!owner || !board_there(b, owner))
+        return 0;
+    switch (handle_kind(owner)) {
+    case H_TASK:
+        return b->tasks.flags[i] & TASK_SCENE ? owner : b->tasks.scene[i];
+    case H_ENEMY:
+        return b->enemies.owner[i];
+    case H_SPRITE:
+        return b->sprites.owner[i];
+    case H_LINE:
+        return b->lines.owner[i];
+    case H_BULLET:
+    case H_SHOT:
+    case H_LASER:
+        return b->tasks.now_scene;
+    default:
+        return 0;
+    }
+}
+
+static int32_t take(struct board *b, int64_t owner, uint8_t flags)
+{
+    struct tasks *t = &b->tasks;
+
+    check_depth(b, owner);
+    int32_t i = slots_take(&t->s);
+
+    if (i == NO_SLOT) {
+        board_full(b, &t->s);
+        return i;
+    }
+    t->serial[i] = ++t->serials;
+    t->owner[i] = owner;
+    t->scene[i] = scene_in(b, owner);
+    t->wait[i] = 0;
+    t->flags[i] = flags;
+    t->born[i] = b->core.clock;
+    t->thread[i] = NULL;
+    t->from[i] = NULL;
+    link_last(t, (uint32_t)i);
+    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
+    return i;
+}
+
+static void drop(struct board *b, lua_State *L, uint32_t i)
+{
+    push_threads(L);
+    lua_pushnil(L);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    if (b->tasks.from[i]) {
+        lua_pushnil(L);
+        lua_rawseti(L, -2, -(lua_Integer)i - 1);
+    }
+    lua_pop(L, 1);
+    script_fold(b, (uint64_t)b->tasks.serial[i] << 8 | 0x52);
+    unlink_task(&b->tasks, i);
+    slots_drop(&b->tasks.s, i);
+}
+
+/* If the function at `at` is @std's, keeps the author's line that starts it as task i. The table of threads is on top.
+ */
+static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
+{
+    char place[VM_PLACE];
+    lua_Debug ar;
+
+    lua_pushvalue(L, at);
+    if (!lua_getinfo(L, ">S", &ar) || strncmp(ar.source, "@@std/", 6))
+        return;
+    vm_where(L, place, sizeof place);
+    if (!place[0] || !strncmp(place, "@std/", 5))
+        return;
+    b->tasks.from[i] = lua_pushstring(L, place);
+    lua_rawseti(L, -2, -(lua_Integer)i - 1);
+}
+
+const char *tasks_from(const struct board *b, lua_State *L)
+{
+    const struct tasks *t = &b->tasks;
+
+    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
+}
+
+int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
+{
+    vm_charge(L, WORK_TASK);
+    int32_t i = take(b, owner, TASK_RUNS);
+    if (i == NO_SLOT) {
+        lua_pop(L, n + 1);
+        return board_handle(b, H_TASK, NO_SLOT);
+    }
+    luaL_checkstack(L, 4, "too many arguments");
+    int f = lua_gettop(L) - n;
+    push_threads(L);
+    keep_place(b, L, f, (uint32_t)i);
+    lua_State *co = lua_newthread(L);
+    lua_rawseti(L, -2, (lua_Integer)i + 1);
+    lua_pop(L, 1);
+    if (!lua_checkstack(co, n + 1))
+        vm_fault(L, FAULT_SCRIPT, "too many arguments");
+    lua_xmove(L, co, n + 1);
+    b->tasks.thread[i] = co;
+    return board_handle(b, H_TASK, i);
+}
+
+/* A dead owner's scope is dead: its slot and generation may be the very ones that the new scope gets, and then it would
+ * own itself. */
+int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
+{
+    if (!tasks_owner_alive(b, owner))
+        return board_handle(b, H_TASK, NO_SLOT);
+    return board_handle(b, H_TASK, take(b, owner, scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
+}
+
+void tasks_stop(struct board *b, uint32_t slot)
+{
+    uint8_t was = b->tasks.flags[slot];
+
+    b->tasks.flags[slot] |= TASK_STOP;
+    if (!(was & TASK_SCENE) || was & TASK_STOP)
+        return;
+    vm_charge(b->vm.running, b->enemies.s.live + b->sprites.s.live);
+    int64_t h = board_handle(b, H_TASK, (int32_t)slot);
+    enemies_drop_of(&b->enemies, h);
+    sprites_drop_of(&b->sprites, h);
+    if (b->lines.s.live)
+        lines_drop_of(&b->lines, h);
+}
+
+int64_t tasks_owner(const struct board *b)
+{
+    return b->tasks.now_owner;
+}
+
+bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner)
+{
+    *owner = stay ? 0 : b->tasks.now_scene;
+    return tasks_owner_alive(b, *owner);
+}
+
+struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
+{
+    struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+
+    /* what an enemy without a scene makes must not end with the scene of what killed it */
+    tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
+    return was;
+}
+
+void tasks_act_for(struct board *b, struct tasks_now was)
+{
+    b->tasks.now_owner = was.owner;
+    b->tasks.now_scene = was.scene;
+}
+
+/* What the scripts of this task do is on behalf of its owner, its end included. */
+static void act_for_task(struct board *b, uint32_t i)
+{
+    tasks_act_for(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
+}
+
+static const struct tasks_now of_board = { 0, 0 };
+
+void tasks_act_for_turn(struct board *b)
+{
+    if (b->tasks.current == NO_SLOT)
+        tasks_act_for(b, of_board);
+    else
+        act_for_task(b, (uint32_t)b->tasks.current);
+}
+
+uint32_t tasks_serial(const struct board *b)
+{
+    return b->tasks.current == NO_SLOT ? 0 : b->tasks.serial[b->tasks.current];
+}
+
+static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
+{
+    for (int64_t h = board_handle(b, H_TASK, (int32_t)i); h; h = b->tasks.owner[handle_slot(h)]) {
+        if (h == scope)
+            return true;
+        if (handle_kind(h) != H_TASK || !slots_has(&b->tasks.s, handle_slot(h), handle_gen(h)))
+            return false;
+    }
+    return false;
+}
+
+bool tasks_frozen(const struct board *b, uint32_t slot)
+{
+    return b->core.frozen > 0 && !owned_by(b, slot, b->core.frozen);
+}
+
+/* Is it the task, or a task's task, of a thing that stood in the last move? A thing's moves and its tasks' turns go by
+ * turns, so each move that it stands in lets one turn pass, whoever froze it when. All owners are alive. */
+static bool owner_stood(const struct board *b, uint32_t slot)
+{
+    int64_t h = b->tasks.owner[slot];
+
+    if (!(b->bullets.standing | b->shots.standing | b->enemies.standing | b->laser_heads.standing))
+        return false;
+    while (h && handle_kind(h) == H_TASK)
+        h = b->tasks.owner[handle_slot(h)];
+    switch (h ? handle_kind(h) : H_TASK) {
+    case H_BULLET:
+        return b->bullets.stands[handle_slot(h)] & STOOD;
+    case H_SHOT:
+        return b->shots.stands[handle_slot(h)] & STOOD;
+    case H_ENEMY:
+        return b->enemies.stands[handle_slot(h)] & STOOD;
+    case H_LASER:
+        return b->laser_heads.stands[handle_slot(h)] & STOOD;
+    default:
+        return false;
+    }
+}
+
+/* A task's error becomes the board's fault; the run is over. */
+static void fail(struct board *b, lua_State *L, lua_State *co, int status)
+{
+    vm_report(b, co, status);
+    b->tasks.current = NO_SLOT;
+    if (status != LUA_ERRMEM)
+        vm_trace(b, L, co);
+    lua_pushliteral(L, "a task failed");
+    lua_error(L);
+}
+
+/* Closes a task's to-be-closed variables. */
+static void close_task(struct board *b, lua_State *L, uint32_t i)
+{
+    lua_State *co = b->tasks.thread[i];
+
+    if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
+        return;
+    act_for_task(b, i);
+    const uint32_t left = vm_enter(b, co);
+    int status = lua_resetthread(co);
+    vm_leave(b, L, left);
+    tasks_act_for(b, of_board);
+    if (status != LUA_OK)
+        fail(b, L, co, status);
+}
+
+/* Resumes a task; true when it has ended. */
+static bool resume(struct board *b, lua_State *L, uint32_t i)
+{
+    struct tasks *t = &b->tasks;
+    lua_State *co = t->thread[i];
+    int results, n = t->flags[i] & TASK_BEGUN ? 0 : lua_gettop(co) - 1;
+
+    t->flags[i] |= TASK_BEGUN;
+    t->current = (int32_t)i;
+    t->skipped = 0;
+    act_for_task(b, i);
+    const uint32_t left = vm_enter(b, co);
+    int status = lua_resume(co, L, n, &results);
+    vm_leave(b, L, left);
+    tasks_act_for(b, of_board);
+    if (status != LUA_OK && status != LUA_YIELD)
+        fail(b, L, co, status); /* reads tasks.current */
+    t->current = NO_SLOT;
+    if (status == LUA_OK)
+        return true;
+    lua_pop(co, results);
+    script_fold(b, (uint64_t)t->serial[i] << 8 | 0x53);
+    script_fold(b, (uint64_t)t->wait[i]);
+    return false;
+}
+
+/* One task's turn; true when it has ended. */
+static bool turn(struct board *b, lua_State *L, uint32_t i)
+{
+    struct tasks *t = &b->tasks;
+
+    if (!tasks_owner_alive(b, t->owner[i]))
+        tasks_stop(b, i);
+    if (t->flags[i] & TASK_STOP) {
+        close_task(b, L, i);
+        return true;
+    }
+    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i) || owner_stood(b, i))
+        return false;
+    if (t->wait[i] > 0 && --t->wait[i] > 0)
+        return false;
+    if (resume(b, L, i))
+        return true;
+    if (t->flags[i] & TASK_STOP) /* it stopped itself: it is closed now */
+        close_task(b, L, i);
+    return t->flags[i] & TASK_STOP;
+}
+
+int tasks_run(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    uint32_t next;
+
+    for (uint32_t i = b->tasks.first; i != NONE; i = next) {
+        bool ended = turn(b, L, i);
+        next = b->tasks.next[i]; /* after its turn: it may have started others */
+        if (ended)
+            drop(b, L, i);
+    }
+    slots_trim(&b->tasks.s);
+    return 0;
+}
+
+void tasks_turn(struct board *b, lua_State *L, uint32_t slot)
+{
+    struct tasks *t = &b->tasks;
+    const int32_t current = t->current;
+    const uint32_t skipped = t->skipped;
+    const struct tasks_now was = { t->now_owner, t->now_scene };
+    lua_State *running = b->vm.running;
+
+    if (turn(b, L, slot))
+        drop(b, L, slot);
+    t->current = current;
+    t->skipped = skipped;
+    tasks_act_for(b, was);
+    b->vm.running = running;
+}

@@ -1,0 +1,296 @@
+/*
+ * vm_count.c - the work of a tick, counted: see vm.h.
+ *
+ * Lua calls a hook every so many instructions, about a thousand on average: a look. An instruction is not always little
+ * work, and the hook cannot see which ones have run, so it weighs what they had to work on: the registers and upvalues
+ * of the function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying
+ * many arguments takes long only where such things are at hand; there each instruction counts as several. Memory that
+ * was allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no
+ * operation takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
+ *
+ * A look charges STEP instructions, and the number of instructions before it is drawn from 1 to 2 * STEP: no loop can
+ * keep its costly instructions between looks, and a thread whose turns are all shorter than a step is charged too. The
+ * stream of these numbers starts alike in every tick. So the sum depends on nothing but the run, and a run is stopped
+ * in the same frame on every machine.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include "../machine/machine.h"
+#include "vm.h"
+
+enum {
+    STEP = 1024,       /* instructions between two looks, on average */
+    DEEP_CHAIN = 2000, /* Lua follows no longer chain */
+    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that make it due */
+};
+
+/* A look itself counts one for so many ... */
+enum {
+    A_LOOK = 64 /* bytes of a text */
+};
+/* ... and so many for each ... */
+enum {
+    A_VALUE = 2,       /* register or upvalue */
+    A_LOOK_AT_LINK = 8 /* table of a chain */
+};
+
+/* Each instruction counts as one and one more for so many of ... */
+enum {
+    A_TEXT = 1024, /* bytes of a text */
+    A_ZERO = 2,    /* zero bytes in it: `<` compares what lies between them, one by one */
+    A_NUMERAL = 64,
+    A_LINK = 4, /* tables linked by __index or __newindex */
+    AN_ARGUMENT = 128,
+    AN_ALLOCATION = 4, /* bytes allocated: added once */
+    AN_EXTREME = 64,   /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
+    A_FRACTION = 16    /* what floating-point numbers add: `..` writes them out */
+};
+
+/* Bytes of a text that are looked at to read a number from it. */
+static size_t numeral_bytes(const char *s)
+{
+    size_t blanks = strspn(s, " \t\n\v\f\r"), sign = s[blanks] == '-' || s[blanks] == '+';
+    const char *first = s + blanks + sign;
+
+    return blanks + (*first && strchr(".0123456789", *first) ? strspn(first, ".0123456789abcdefABCDEFxXpP+-") : 0);
+}
+
+static size_t count_zeros(const char *s, size_t n)
+{
+    size_t zeros = 0;
+
+    for (const char *p = s; (p = memchr(p, 0, n - (size_t)(p - s))) != NULL; p++)
+        zeros++;
+    return zeros;
+}
+
+static struct vm_weight text_weight(lua_State *L, uint64_t *looking)
+{
+    size_t n;
+    const char *s = lua_tolstring(L, -1, &n);
+
+    size_t zeros = count_zeros(s, n), numeral = numeral_bytes(s);
+    *looking += n / A_LOOK;
+    if (numeral > A_NUMERAL)
+        return (struct vm_weight){ numeral / A_NUMERAL, WEIGHT_NUMERAL, numeral };
+    if (zeros > A_ZERO)
+        return (struct vm_weight){ zeros / A_ZERO, WEIGHT_ZEROS, zeros };
+    return (struct vm_weight){ n / A_TEXT, WEIGHT_TEXT, n };
+}
+
+static struct vm_weight number_weight(lua_State *L)
+{
+    double size = fabs(lua_tonumber(L, -1));
+    bool odd = (size > 0x1p256 && size <= DBL_MAX) || (size < 0x1p-256 && size > 0);
+
+    if (odd)
+        return (struct vm_weight){ AN_EXTREME, WEIGHT_NUMBER, 256 };
+    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : A_FRACTION, WEIGHT_FRACTION, 0 };
+}
+
+/* How many tables follow the one on top by this field of their metatables. */
+static size_t chain_length(lua_State *L, const char *field)
+{
+    size_t n = 0;
+
+    lua_pushvalue(L, -1);
+    while (n < DEEP_CHAIN && luaL_getmetafield(L, -1, field) == LUA_TTABLE) {
+        lua_replace(L, -2);
+        n++;
+    }
+    return n;
+}
+
+static struct vm_weight table_weight(lua_State *L, uint64_t *looking)
+{
+    int top = lua_gettop(L);
+    size_t read = chain_length(L, "__index");
+
+    lua_settop(L, top);
+    size_t written = chain_length(L, "__newindex"), n = read > written ? read : written;
+    lua_settop(L, top);
+    *looking += (read + written) * A_LOOK_AT_LINK;
+    return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
+}
+
+/* Keeps the heavier of w and what the value on top weighs, and pops it. Returns the work of weighing it. */
+static uint64_t weigh(lua_State *L, struct vm_weight *w)
+{
+    struct vm_weight one = { 0 };
+    uint64_t looking = A_VALUE;
+
+    switch (lua_type(L, -1)) {
+    case LUA_TSTRING:
+        one = text_weight(L, &looking);
+        break;
+    case LUA_TNUMBER:
+        one = number_weight(L);
+        break;
+    case LUA_TTABLE:
+        one = table_weight(L, &looking);
+        break;
+    default:
+        break;
+    }
+    if (one.more > w->more)
+        *w = one;
+    lua_pop(L, 1);
+    return looking;
+}
+
+static bool has_argument(lua_State *L, lua_Debug *ar, int n)
+{
+    bool there = lua_getlocal(L, ar, -n) != NULL;
+
+    if (there)
+        lua_pop(L, 1);
+    return there;
+}
+
+/* How many values `...` has. */
+static int count_arguments(lua_State *L, lua_Debug *ar)
+{
+    int least = 0, most = 1;
+
+    while (has_argument(L, ar, most))
+        least = most, most *= 2;
+    while (most - least > 1) {
+        int middle = least + (most - least) / 2;
+        if (has_argument(L, ar, middle))
+            least = middle;
+        else
+            most = middle;
+    }
+    return least;
+}
+
+/* By how much the heaviest instruction of the function that runs may be more than one; adds the work of finding that
+ * out to *looking. */
+static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *looking)
+{
+    int arguments = count_arguments(L, ar);
+    struct vm_weight w = { (unsigned)arguments / AN_ARGUMENT, WEIGHT_ARGUMENTS, (unsigned)arguments };
+
+    for (int i = 1; lua_getlocal(L, ar, i); i++)
+        *looking += weigh(L, &w);
+    lua_getinfo(L, "f", ar);
+    for (int i = 1; lua_getupvalue(L, -1, i); i++)
+        *looking += weigh(L, &w);
+    lua_pop(L, 1);
+    return w;
+}
+
+static void on_count(lua_State *L, lua_Debug *ar)
+{
+    vm_look(L, ar);
+}
+
+/* The next look at thread L is before its n-th instruction from here. A profile counts them by itself: its hook runs
+ * before each instruction. */
+static void look_after(struct vm *vm, lua_State *L, uint32_t n)
+{
+    vm->left = n;
+    if (!vm->profile)
+        lua_sethook(L, on_count, LUA_MASKCOUNT, (int)n);
+}
+
+static void look_later(struct vm *vm, lua_State *L)
+{
+    vm->stream = vm->stream * 1103515245 + 12345;
+    look_after(vm, L, 1 + (vm->stream >> 16) % (2 * STEP));
+}
+
+void vm_look(lua_State *L, lua_Debug *ar)
+{
+    struct vm *vm = &vm_board(L)->vm;
+    uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
+    struct vm_weight w = weigh_function(L, ar, &looking);
+
+    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION) /* nearly every loop has fractions at hand */
+        vm->heaviest = w;
+    vm->looked += allocated;
+    vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
+    look_later(vm, L);
+}
+
+/* ---- the limit ---- */
+
+/* " (each counts as 65 with a string of 65536 bytes in scope)", or "" if each counted as one. */
+static void say_weight(const struct vm_weight *w, char *text, size_t size)
+{
+    static const char *const scope[] = {
+        [WEIGHT_TEXT] = "a string of %zu bytes",      [WEIGHT_ZEROS] = "a string with %zu zero bytes",
+        [WEIGHT_NUMERAL] = "a numeral of %zu bytes",  [WEIGHT_NUMBER] = "a number beyond 2^%zu",
+        [WEIGHT_CHAIN] = "a chain of %zu metatables", [WEIGHT_ARGUMENTS] = "%zu arguments"
+    };
+    char what[48];
+
+    text[0] = 0;
+    if (!w->more)
+        return;
+    snprintf(what, sizeof what, scope[w->why], w->n);
+    snprintf(text, size, " (each counts as %zu with %s in scope)", w->more + 1, what);
+}
+
+static int over_limit(lua_State *L, struct vm *vm)
+{
+    char weight[112];
+
+    look_after(vm, L, 1); /* the __close handlers on the way out get no turn of their own */
+    say_weight(&vm->heaviest, weight, sizeof weight);
+    return vm_fault(L, FAULT_LOOP, "infinite loop: more than %d instructions in one %s%s", (int)vm->limit,
+                    vm->limit == WORK_LIMIT ? "frame" : "line", weight);
+}
+
+void vm_charge(lua_State *L, uint64_t work)
+{
+    struct vm *vm = &vm_board(L)->vm;
+
+    vm->work = work < UINT64_MAX - vm->work ? vm->work + work : UINT64_MAX;
+    if (vm->work > vm->limit)
+        over_limit(L, vm);
+}
+
+/* ---- when ---- */
+
+void vm_begin(struct board *b, uint64_t limit)
+{
+    struct vm *vm = &b->vm;
+
+    if (vm->profile)
+        vm_profile_begin(vm);
+    vm->work = 0;
+    vm->limit = limit;
+    vm->looked = heap_work(vm->heap);
+    vm->heaviest = (struct vm_weight){ 0 };
+    vm->stream = 1;
+    b->output->long_text = 0;
+}
+
+uint32_t vm_enter(struct board *b, lua_State *L)
+{
+    struct vm *vm = &b->vm;
+    const uint32_t left = vm->left;
+
+    vm->running = L;
+    if (vm->profile)
+        vm_profile_turn(vm, L);
+    look_later(vm, L);
+    return left;
+}
+
+void vm_leave(struct board *b, lua_State *L, uint32_t left)
+{
+    b->vm.running = L;
+    b->vm.left = left;
+}
+
+void vm_allocated(struct board *b)
+{
+    struct vm *vm = &b->vm;
+
+    if (vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
+        look_after(vm, vm->running, 1);
+}

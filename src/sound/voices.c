@@ -1,0 +1,437 @@
+/*
+ * voices.c - see voices.h. What stands here moves a frame at a time; the mix is SND_BLOCKS blocks of SND_BLOCK samples.
+ * Each block starts at its exact phase; its level goes straight from one end to the other, but where it has a corner it
+ * is asked of each sample.
+ */
+#include "voices.h"
+
+#include "../base/trig.h"
+#include "adpcm.h"
+#include "fm.h"
+
+static const struct column columns[] = {
+    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1),    COLUMN(voices, age),
+    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch),    COLUMN(voices, goal),
+    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),     COLUMN(voices, vol0),
+    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),     REGISTER(voices, gain0),
+    REGISTER(voices, gain1), REGISTER(voices, held), REGISTER(voices, ducked),
+};
+
+const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
+
+/* ---- pitch ---- */
+
+/* The step of a note at that pitch. A sample's is at most 4, so that a frame reads few of them. */
+static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
+{
+    const uint64_t most = (uint64_t)4 << 32;
+
+    if (i->kind == INST_NOISE)
+        return pitch_step(pitch) >> 12;
+    if (i->kind != INST_SAMPLE)
+        return pitch_step(pitch);
+    if (wave == 0)
+        return 0;
+    const uint64_t step = pitch_ratio(pitch - i->root) * sample_of(rom + wave).rate / SND_RATE;
+    return step < most ? step : most;
+}
+
+/* Which of its pitches an arpeggio has in a frame that begins at that age: they change at frames' borders. */
+static int32_t arpeggio(const struct inst *inst, int32_t age)
+{
+    const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
+
+    return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE;
+}
+
+/* A slow wave at an age, Q30; 0 until it begins. */
+static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
+{
+    const int32_t t = age - (int32_t)l->delay;
+
+    return t <= 0 ? trig_sin30(turn) : trig_sin30(turn + (uint32_t)t * l->step);
+}
+
+/* What vibrato and curve add to the pitch. */
+static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
+{
+    int32_t by = 0;
+
+    if (inst->vibrato.depth)
+        by = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
+    if (inst->pitch_curve)
+        by += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+    return by;
+}
+
+/* The step of slot i at an age, in the frame that begins at age `now`. */
+static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i, int32_t now,
+                        int32_t age)
+{
+    const uint8_t *bytes = rom + s->inst[i];
+    const int32_t jump = inst->arpeggio_n ? arpeggio(inst, now) : 0;
+
+    return step_of(rom, inst, s->wave[i], s->pitch[i] + jump + bend(inst, bytes, age));
+}
+
+/* ---- what begins and ends ---- */
+
+/* Slot `from` as it is, in slot `to`. */
+static void copy(struct voices *s, int to, int from)
+{
+    s->phase[to] = s->phase[from];
+    s->step0[to] = s->step0[from];
+    s->step1[to] = s->step1[from];
+    s->age[to] = s->age[from];
+    s->off[to] = s->off[from];
+    s->kill[to] = s->kill[from];
+    s->pitch[to] = s->pitch[from];
+    s->goal[to] = s->goal[from];
+    s->glide[to] = s->glide[from];
+    s->inst[to] = s->inst[from];
+    s->wave[to] = s->wave[from];
+    s->vol0[to] = s->vol0[from];
+    s->vol1[to] = s->vol1[from];
+    s->pan0[to] = s->pan0[from];
+    s->pan1[to] = s->pan1[from];
+}
+
+void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at)
+{
+    const struct inst i = inst_of(rom + n->inst);
+
+    if (voices_busy(s, voice)) {
+        copy(s, VOICES + voice, voice);
+        voices_cut(s, VOICES + voice, at);
+    }
+    s->age[voice] = -at;
+    s->off[voice] = s->kill[voice] = NOTE_HELD;
+    s->pitch[voice] = s->goal[voice] = n->pitch;
+    s->glide[voice] = 0;
+    s->inst[voice] = n->inst;
+    s->wave[voice] = n->wave;
+    s->vol0[voice] = s->vol1[voice] = n->vol;
+    s->pan0[voice] = s->pan1[voice] = n->pan;
+    s->step0[voice] = s->step1[voice] = step_at(s, rom, &i, voice, 0, 0);
+    s->phase[voice] = 0 - (uint64_t)at * s->step0[voice];
+}
+
+void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
+{
+    if (!voices_busy(s, voice))
+        return;
+    const struct inst i = inst_of(rom + s->inst[voice]);
+    s->pitch[voice] = s->goal[voice] = pitch;
+    s->glide[voice] = 0;
+    s->step1[voice] = step_at(s, rom, &i, voice, s->age[voice], s->age[voice] + SND_FRAME);
+}
+
+void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames)
+{
+    s->goal[voice] = pitch;
+    s->glide[voice] = (pitch - s->pitch[voice]) / (frames > 0 ? frames : 1);
+    if (s->glide[voice] == 0)
+        s->pitch[voice] = pitch;
+}
+
+void voices_off(struct voices *s, int voice, int at)
+{
+    const int32_t age = s->age[voice] + at;
+
+    if (voices_busy(s, voice) && s->off[voice] == NOTE_HELD)
+        s->off[voice] = age > 0 ? age : 0;
+}
+
+void voices_cut(struct voices *s, int voice, int at)
+{
+    const int32_t age = s->age[voice] + at;
+
+    if (voices_busy(s, voice) && age < s->kill[voice])
+        s->kill[voice] = age;
+}
+
+void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
+{
+    s->vol1[voice] = vol;
+    s->pan1[voice] = pan;
+}
+
+/* ---- music that is put aside ---- */
+
+static int kept(int place, int voice)
+{
+    return VOICE_SLOTS + place * VOICES_MUSIC + voice;
+}
+
+void voices_keep(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(place, i), i);
+}
+
+void voices_shift(struct voices *s, int to, int from)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++)
+        copy(s, kept(to, i), kept(from, i));
+}
+
+void voices_bring(struct voices *s, int place)
+{
+    for (int i = 0; i < VOICES_MUSIC; i++) {
+        if (!voices_busy(s, kept(place, i)))
+            continue;
+        if (voices_busy(s, i)) {
+            copy(s, VOICES + i, i);
+            voices_cut(s, VOICES + i, 0);
+        }
+        copy(s, i, kept(place, i));
+        s->vol0[i] = 0;
+        s->inst[kept(place, i)] = 0;
+    }
+}
+
+/* ---- a frame ---- */
+
+/* The pitch with its slide, a frame on. */
+static void slide(struct voices *s, int i)
+{
+    const int32_t by = s->glide[i], to = s->goal[i];
+
+    if (by == 0)
+        return;
+    s->pitch[i] += by;
+    if ((by > 0) == (s->pitch[i] >= to)) {
+        s->pitch[i] = to;
+        s->glide[i] = 0;
+    }
+}
+
+static bool ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
+{
+    if (s->kill[i] != NOTE_HELD && s->age[i] - s->kill[i] >= VOICE_FADE)
+        return true;
+    if (wave_over(&inst->env, s->age[i], s->off[i]))
+        return true;
+    if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
+        return false;
+    const struct sample sample = sample_of(rom + s->wave[i]);
+    return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
+}
+
+enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there; a place in a loop goes back by whole loops */ };
+
+/* How far a place goes back. Recordings are far shorter than OLDEST. */
+static uint64_t loops_back(const struct sample *s, uint64_t phase)
+{
+    const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
+
+    return s->loop == SAMPLE_ENDS || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+}
+
+static void step_slot(struct voices *s, const uint8_t *rom, int i)
+{
+    const struct inst inst = inst_of(rom + s->inst[i]);
+    const uint64_t step = s->step0[i];
+    const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
+
+    s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    if (inst.kind == INST_SAMPLE && s->wave[i]) {
+        const struct sample sample = sample_of(rom + s->wave[i]);
+        s->phase[i] -= loops_back(&sample, s->phase[i]);
+    }
+    s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
+    s->vol0[i] = s->vol1[i];
+    s->pan0[i] = s->pan1[i];
+    s->step0[i] = inst.arpeggio_n ? step_at(s, rom, &inst, i, s->age[i], s->age[i]) : s->step1[i];
+    if (s->glide[i] || inst.arpeggio_n || inst.vibrato.depth || inst.pitch_curve) {
+        slide(s, i);
+        s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
+    }
+    if (ended(s, rom, &inst, i))
+        s->inst[i] = 0;
+}
+
+void voices_step(struct voices *s, const uint8_t *rom)
+{
+    for (int i = 0; i < VOICE_SLOTS; i++)
+        if (voices_busy(s, i) && !(s->held && i % VOICES < VOICES_MUSIC))
+            step_slot(s, rom, i);
+    s->gain0 = s->gain1;
+}
+
+/* ---- the mix ---- */
+
+/* Samples of a recording that a frame passes at most, fours of them, with what the filters need on both sides. */
+enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
+
+/* A note, and what of it is made once a frame. */
+struct note {
+    const struct voices *s;
+    const struct snd_tables *t;
+    int i;
+    const uint8_t *bytes; /* of the instrument */
+    struct inst inst;
+    struct fm_note fm;
+    int32_t age, off, kill;
+    int64_t bend; /* of the step, a sample */
+    int mip0, mip1;
+    int64_t first; /* of `passed` */
+    int16_t passed[PASSED], read[READ];
+};
+
+/* The phase at sample n of the frame. */
+static uint64_t phase_at(const struct note *n, int at)
+{
+    return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
+}
+
+/* Reads what the frame's samples pass of a recording, without what would fold back. */
+static void read_recording(struct note *n, const uint8_t *rom)
+{
+    const struct voices *s = n->s;
+    const struct sample sample = sample_of(rom + s->wave[n->i]);
+    const int64_t last = ((int64_t)phase_at(n, SND_FRAME) >> 32) + SINC_TAPS;
+
+    n->first = ((int64_t)s->phase[n->i] >> 32) - SINC_TAPS;
+    const int64_t all = last - n->first + 1;
+    const int many = (int)(all < PASSED ? all : PASSED);
+    if (snd_low(s->step0[n->i]) < 0 && snd_low(s->step1[n->i]) < 0) {
+        sample_read(&sample, n->first, many, n->passed);
+        return;
+    }
+    sample_read(&sample, n->first - LOW_TAPS / 2, ((many + 3) & ~3) + LOW_TAPS, n->read);
+    wave_low(n->t, n->read + LOW_TAPS / 2, many, s->step0[n->i], s->step1[n->i], n->passed);
+}
+
+static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
+{
+    const uint64_t from = phase_at(n, b * SND_BLOCK), to = phase_at(n, (b + 1) * SND_BLOCK);
+    const uint64_t step = (uint64_t)((int64_t)(to - from) / SND_BLOCK);
+    const struct wave_at at = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
+
+    if (n->inst.kind == INST_SAMPLE)
+        wave_sample(n->t, n->passed + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
+    else if (inst_ops(n->inst.kind))
+        fm_play(&n->fm, n->t, n->age + b * SND_BLOCK, n->off, from, step, out);
+    else
+        wave_block(n->t, &n->inst, &at, out);
+}
+
+/* ---- levels ---- */
+
+/* The note's level at an age: its envelope, tremolo, curve and fade. */
+static int32_t level_at(const struct note *n, int32_t age)
+{
+    const struct lfo *tremolo = &n->inst.tremolo;
+    int32_t level = wave_level(&n->inst.env, age, n->off);
+
+    if (tremolo->depth) {
+        const int32_t softer = ((1 << 30) - slow_wave(tremolo, age, (uint32_t)1 << 30)) >> 16; /* cosine: 0 to 2, Q14 */
+        level -= (level * tremolo->depth >> 15) * softer >> 15;
+    }
+    if (n->inst.volume_curve)
+        level = level * inst_curve(n->bytes + n->inst.volume_curve, age) / 32767;
+    if (n->kill == NOTE_HELD || age <= n->kill)
+        return level;
+    return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
+}
+
+static bool has_corner(const struct note *n, int32_t from, int32_t to)
+{
+    return wave_corner(&n->inst.env, from, to, n->off) ||
+           (n->kill != NOTE_HELD &&
+            ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE))) ||
+           (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
+}
+
+/* The levels of a block's samples; false: all are 0. */
+static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
+{
+    const int32_t from = n->age + b * SND_BLOCK, to = from + SND_BLOCK;
+
+    if (has_corner(n, from, to)) {
+        for (int k = 0; k < SND_BLOCK; k++)
+            out[k] = (int16_t)level_at(n, from + k);
+        return true;
+    }
+    const int32_t l0 = level_at(n, from), l1 = level_at(n, to);
+    for (int k = 0, level = l0 * SND_BLOCK; k < SND_BLOCK; k++, level += l1 - l0)
+        out[k] = (int16_t)(level >> 5);
+    return l0 | l1;
+}
+
+/* Volume, place and the gain of music at the beginning of block b, and how loud the listener wants it. */
+static struct wave_sides sides_at(const struct note *n, int b)
+{
+    const struct voices *s = n->s;
+    const int i = n->i;
+    int32_t pan = 2 * (s->pan0[i] + (s->pan1[i] - s->pan0[i]) * b / SND_BLOCKS);
+    int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
+
+    if (n->inst.pan_curve) {
+        pan += 2 * inst_curve(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
+        pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
+    }
+    if (i % VOICES < VOICES_MUSIC)
+        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN * n->t->music / 100;
+    else
+        vol = vol * n->t->sounds / 100;
+    return (struct wave_sides){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
+}
+
+/* Are the sides the same all the frame long? */
+static bool sides_stay(const struct note *n)
+{
+    const struct voices *s = n->s;
+    const int i = n->i;
+
+    return s->pan0[i] == s->pan1[i] && s->vol0[i] == s->vol1[i] && s->gain0 == s->gain1 && !n->inst.pan_curve;
+}
+
+static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME], int32_t right[SND_FRAME])
+{
+    const struct voices *s = n->s;
+    const int i = n->i;
+    int16_t wave[SND_BLOCK], level[SND_BLOCK];
+
+    n->bytes = rom + s->inst[i];
+    n->inst = inst_of(n->bytes);
+    n->age = s->age[i];
+    n->off = s->off[i];
+    n->kill = s->kill[i];
+    n->bend = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
+    n->mip0 = snd_mip(n->t, (uint32_t)(s->step0[i] >> 24));
+    n->mip1 = snd_mip(n->t, (uint32_t)(s->step1[i] >> 24));
+    if (n->inst.kind == INST_SAMPLE && s->wave[i] == 0)
+        return;
+    if (n->inst.kind == INST_SAMPLE)
+        read_recording(n, rom);
+    if (inst_ops(n->inst.kind))
+        fm_begin(&n->fm, &n->inst, n->bytes);
+    const bool stay = sides_stay(n);
+    struct wave_sides from, to = sides_at(n, 0);
+    for (int b = 0; b < SND_BLOCKS; b++) {
+        from = to;
+        if (!stay)
+            to = sides_at(n, b + 1);
+        if (!make_levels(n, b, level))
+            continue;
+        make_block(n, b, wave);
+        wave_add(wave, level, &from, &to, left + b * SND_BLOCK, right + b * SND_BLOCK);
+    }
+}
+
+void voices_mix(const struct voices *s, const uint8_t *rom, const struct snd_tables *t, int16_t out[2 * SND_FRAME])
+{
+    int32_t left[SND_FRAME] = { 0 }, right[SND_FRAME] = { 0 };
+    struct note n = { .s = s, .t = t };
+    const bool music = s->gain0 != 0 || s->gain1 != 0;
+
+    for (n.i = 0; n.i < VOICE_SLOTS; n.i++)
+        if (voices_busy(s, n.i) && (music || n.i % VOICES >= VOICES_MUSIC))
+            add_note(&n, rom, left, right);
+    for (int k = 0; k < SND_FRAME; k++) {
+        out[2 * k] = wave_limit(left[k]);
+        out[2 * k + 1] = wave_limit(right[k]);
+    }
+}

@@ -1,0 +1,162 @@
+"""Checks the #include lines of the files named: a file includes headers of its own layer and of those below, and the
+directories of src/cab include each other in no cycle. Prints each directory with how many files it has and which
+directories it includes.
+
+LAYERS is the order, lowest first; a layer is a directory with those in it. Besides:
+  - an entity includes of the entities only its own header and motion.h (how things move);
+  - Lua's headers are seen in src/script and src/board, and where rom.lua and test scripts are read; stb in
+    src/cab/pack/png.c alone;
+  - platform.h is included by src/common, src/demo, src/lib and src/cab; a port includes that header and nothing else of
+    ours, or curtain.h if it is a host of the library; the files of a host share host.h, and win.h, where Windows' own
+    headers are seen;
+  - a header that need not be installed is not included, and not asked for: what a build can do depends on none;
+  - below src/common only the headers of C that reach no host; src/base/host.h alone sees what the host has set.
+Tests and tools may include anything."""
+import os
+import re
+import sys
+
+LAYERS = ["src/base", "fb", "src/sound", "src/entities", "src/rom", "src/machine", "src/script", "src/board",
+          "src/common", "src/demo", "src/lib", "src/cab", "platform"]
+BIGGEST = 46  # files in a directory of src
+SHARED = {"src/entities/motion.h"}
+LUA = {"lua.h", "lauxlib.h", "lualib.h", "luaconf.h"}
+SEES_LUA = re.compile(r"src/(script|board|cab/trial)/|src/cab/pack/manifest_text\.c$")
+ASKS_HOST = {"src/common", "src/demo", "src/lib", "src/cab"}
+# stdio.h: snprintf into the caller's buffer; stdlib.h: strtod, qsort, abort. What is called is checked by calls.sh.
+PURE = {"assert.h", "float.h", "inttypes.h", "limits.h", "math.h", "setjmp.h", "stdarg.h", "stdbool.h", "stddef.h",
+        "stdint.h", "stdio.h", "stdlib.h", "string.h"}
+# The other headers of the C library and POSIX; the compiler's packages bring them.
+SYSTEM = PURE | {"ctype.h", "dirent.h", "dlfcn.h", "elf.h", "errno.h", "fcntl.h", "mach-o/dyld.h", "poll.h",
+                 "pthread.h", "signal.h", "spawn.h", "sys/auxv.h", "sys/stat.h", "sys/time.h", "sys/utsname.h",
+                 "sys/wait.h", "time.h", "unistd.h"}
+# Hosts of libcurtain and of the whole program in other ports: they may include what they need.
+HOSTS = re.compile(r"platform/(example|libretro|web)/")
+# The defaults of platform.h, and each host's half of them: they share headers that a port does not see.
+HOST_HEADERS = {"platform/host.h", "platform/win.h"}
+WINDOWS = {"windows.h", "io.h", "shlobj.h"}
+HOST_FILE = re.compile(r"platform/(stdio|posix|win|iso|no)(_process|_register)?\.[ch]$|platform/host\.h$")
+LINKED = {"src/cab/pack/png.c", "platform/sdl2.c"}  # these include headers of libraries that every build needs
+HOST, HOST_FILES = {"fenv.h", "locale.h", "xlocale.h"}, {"src/base/host.h"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]|.*__has_include\(<([^>]+)>\)')
+
+
+def layer(folder):
+    """The layer that a directory belongs to, or None."""
+    return next((one for one in LAYERS if folder == one or folder.startswith(one + "/")), None)
+
+
+def target_of(path, name):
+    return os.path.normpath(os.path.join(os.path.dirname(path), name))
+
+
+def own(path, name):
+    """What is wrong with including our file `name` in `path`."""
+    here, target = layer(os.path.dirname(path)), target_of(path, name)
+    there = layer(os.path.dirname(target))
+    if not os.path.exists(target):
+        return "there is no " + target
+    if there is None:
+        return target + " is in no layer"
+    if target == "platform/platform.h" and here != "platform":
+        return None if here in ASKS_HOST else "platform.h is not for this layer"
+    if here == "platform":
+        free = target == "platform/platform.h" or os.path.dirname(target) == os.path.dirname(path) != "platform"
+        if free or (target in HOST_HEADERS and HOST_FILE.match(path)) or HOSTS.match(path):
+            return None
+        return "a port includes platform.h and nothing else of ours"
+    if there == "platform":
+        return "only platform.h is for others"
+    if LAYERS.index(there) > LAYERS.index(here):
+        return "%s is in a higher layer" % target
+    if here == there == "src/entities" and target not in SHARED and target[:-2] != path[:-2]:
+        return "an entity includes no other but motion.h"
+    return None
+
+
+def system(path, name):
+    """What is wrong with including the system's file `name` in `path`."""
+    here = layer(os.path.dirname(path))
+    if name in LUA:
+        return None if SEES_LUA.match(path) else "Lua is not for this file"
+    if name.startswith("stb"):
+        return None if path == "src/cab/pack/png.c" or HOSTS.match(path) else "stb is for src/cab/pack/png.c alone"
+    if name in HOST:
+        return None if path in HOST_FILES else "the host's settings are for src/base/host.h alone"
+    if LAYERS.index(here) < LAYERS.index("src/common") and name not in PURE:
+        return "below src/common there is no <%s>" % name
+    if name in WINDOWS:
+        return None if path.startswith("platform/win") else "<%s> is for the files of Windows alone" % name
+    if name not in SYSTEM and path not in LINKED and not HOSTS.match(path):
+        return "<%s> need not be installed; declare what is used (src/cab/host/library.h)" % name
+    return None
+
+
+def check(path):
+    found = []
+    with open(path, encoding="utf-8") as f:
+        for number, line in enumerate(f, 1):
+            m = INCLUDE.match(line)
+            if m:
+                wrong = (own if m[1] == '"' else system)(path, m[2] or m[3])
+                if wrong:
+                    found.append("%s:%d: %s" % (path, number, wrong))
+    return found
+
+
+def arrows(paths):
+    """The directories each directory includes, as {directory: {other: a line that does}}."""
+    found = {}
+    for path in paths:
+        here = found.setdefault(os.path.dirname(path), {})
+        with open(path, encoding="utf-8") as f:
+            for number, line in enumerate(f, 1):
+                m = INCLUDE.match(line)
+                other = os.path.dirname(target_of(path, m[2])) if m and m[1] == '"' else None
+                if other and other != os.path.dirname(path):
+                    here.setdefault(other, "%s:%d" % (path, number))
+    return found
+
+
+def cycle(graph):
+    """A cycle of arrows, as a list of directories, or None."""
+    done, path = set(), []
+
+    def walk(node):
+        if node in path:
+            return path[path.index(node):] + [node]
+        if node in done:
+            return None
+        path.append(node)
+        found = next(filter(None, (walk(other) for other in sorted(graph.get(node, {})))), None)
+        path.pop()
+        done.add(node)
+        return found
+
+    return next(filter(None, (walk(node) for node in sorted(graph))), None)
+
+
+def check_directories(paths):
+    """What is wrong with the directories; prints them."""
+    graph, found = arrows(paths), []
+    for here in sorted(graph, key=lambda d: (LAYERS.index(layer(d)), d)):
+        files = sum(os.path.dirname(p) == here for p in paths)
+        print("%-22s %2d files -> %s" % (here, files, " ".join(sorted(graph[here])) or "none"))
+        if here.startswith("src/") and files > BIGGEST:
+            found.append("%s: %d files; a directory has %d at most" % (here, files, BIGGEST))
+    around = cycle({a: b for a, b in graph.items() if a.startswith("src/cab")})
+    if around:
+        found.append("directories in a cycle: " + ", ".join(
+            "%s -> %s (%s)" % (a, b, graph[a][b]) for a, b in zip(around, around[1:])))
+    return found
+
+
+def main(paths):
+    ours = [p for p in paths if layer(os.path.dirname(p))]
+    strange = [p + ": is in no layer" for p in paths if p.split("/")[0] in ("src", "fb", "platform") and p not in ours]
+    found = strange + [line for p in ours for line in check(p)] + check_directories(ours)
+    print("\n".join(found) if found else "%d files" % len(ours))
+    return 1 if found or not ours else 0
+
+
+sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# layers.sh - every #include obeys the layers, and a planted one that does not is found.
+. "$(dirname "$0")/../tap.sh"
+
+layers() { tree '*.c' '*.h' | xargs python3 tests/house/layers.py; }
+check "every include is of its own layer or below, and no directory is large" layers
+layers | sed 's/^/# /'
+
+# planted FILE INCLUDE: the same checks in a copy of the tree with one line more
+cp -r --parents src fb platform "$scratch"
+planted() {
+    cp "$1" "$scratch/kept"
+    echo "#include $2" >>"$scratch/$1"
+    (cd "$scratch" && find src fb platform -name '*.[ch]' | xargs python3 "$OLDPWD/tests/house/layers.py")
+    local rc=$?
+    cp "$scratch/kept" "$scratch/$1"
+    return $rc
+}
+check "the copy is clean" planted src/machine/collision/hit.c '"../../base/geom.h"'
+refuse "planted: base includes fb" "higher layer" planted src/base/geom.c '"../../fb/fb.h"'
+refuse "planted: an entity includes the machine" "higher layer" planted src/entities/sparks.c '"../machine/machine.h"'
+refuse "planted: the machine includes scripts" "higher layer" planted src/machine/work.c '"../script/vm.h"'
+refuse "planted: scripts include the board" "higher layer" planted src/script/tasks.c '"../board/board.h"'
+refuse "planted: an entity includes another" "no other but motion.h" planted src/entities/enemies.c '"bullets.h"'
+refuse "planted: an entity sees Lua" "Lua is not for this file" planted src/entities/fix.c '<lua.h>'
+refuse "planted: the packer sees Lua" "Lua is not for this file" planted src/cab/pack/pack.c '<lauxlib.h>'
+refuse "planted: the board includes the platform" "not for this layer" planted src/machine/video/video.c \
+    '"../../../platform/platform.h"'
+refuse "planted: a port looks inside" "a port includes" planted platform/null.c '"../src/cab/host/keys.h"'
+refuse "planted: a port sees the host's half" "a port includes" planted platform/sdl2.c '"host.h"'
+refuse "planted: Windows' header in the cabinet" "for the files of Windows alone" planted src/cab/verify.c '<windows.h>'
+refuse "planted: stb in the machine" "stb is for" planted src/machine/video/video.c '<stb/stb_image.h>'
+refuse "planted: the host's rounding" "for src/base/host.h alone" planted src/base/fx.h '<fenv.h>'
+refuse "planted: the host's locale" "for src/base/host.h alone" planted src/cab/verify.c '<locale.h>'
+refuse "planted: directories in a cycle" "directories in a cycle: src/cab/host -> src/cab/pack (src/cab/host/" \
+    planted src/cab/host/folder.h '"../pack/pack.h"'
+refuse "planted: a library's header" "<sndfile.h> need not be installed" planted src/cab/sound/sndfile.c '<sndfile.h>'
+has_include() { planted src/cab/sound/module.c $'"module.h"\n#if __has_include(<libopenmpt/libopenmpt.h>)\n#endif'; }
+refuse "planted: a question for one" "<libopenmpt/libopenmpt.h> need not be installed" has_include
+for i in $(seq 47); do echo >"$scratch/src/rom/more$i.c"; done
+files=$(find "$scratch/src/rom" -name '*.[ch]' | wc -l)
+refuse "planted: a directory too large" "src/rom: $files files; a directory has 46 at most" \
+    planted src/rom/cart.c '"../base/bytes.h"'
+rm "$scratch"/src/rom/more*.c
+refuse "planted: a clock in base" "there is no <time.h>" planted src/base/rng.h '<time.h>'
+finish
