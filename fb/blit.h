@@ -1,6 +1,5 @@
 /*
  * blit.h - sprites: masked, flipped and recoloured by bank.
- * floor: fb
  */
 #ifndef FB_BLIT_H
 #define FB_BLIT_H

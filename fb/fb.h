@@ -1,6 +1,5 @@
 /*
  * fb.h - the surface: an 8-bit indexed picture with a guard band, its clip, rectangles and lines.
- * floor: fb
  *
  * Round the picture lies a band of FB_GUARD pixels that is not shown: a sprite wholly inside picture plus band is drawn
  * without a clip test a pixel. What the band holds is never read as picture and means nothing.

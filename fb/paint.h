@@ -2,7 +2,6 @@
  * paint.h - pictures of which nothing is cut off, sixteen pixels at a time: what blit.c, stamp.c and tiles.c share. The
  * mask is made of the pixels as they go, which takes less time than to fetch it: a store to each row is what the time
  * goes to.
- * floor: fb
  *
  * Sixteen pixels are a vector of the compiler's (gcc, clang), for no loop over them stays one at every level of
  * optimisation: tests/house/levels.sh. No step moves bits from one byte to another. The rule, and mostly the height, is

@@ -1,6 +1,5 @@
 /*
  * resize.h - pictures at another size, for the packer.
- * floor: fb
  */
 #ifndef FB_RESIZE_H
 #define FB_RESIZE_H

@@ -1,6 +1,5 @@
 /*
  * row.h - rows of pixels onto rows of the surface: what backgrounds are drawn with.
- * floor: fb
  *
  * n pixels of s; add is added to every pixel but 0, modulo 256.
  */

@@ -1,7 +1,6 @@
 /*
  * stamp.h - one picture drawn at very many destinations, in any of the 16 banks: back to front, over what is there; or
  * front to back on a layer, only where nothing is drawn yet, so that hidden pictures cost next to nothing.
- * floor: fb
  */
 #ifndef FB_STAMP_H
 #define FB_STAMP_H

@@ -1,6 +1,5 @@
 /*
  * strip.h - a picture laid along a line of many corners, of any width and direction, with round ends.
- * floor: fb
  *
  * Places are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
  * first guess is a double's: the caller puts the host's settings aside (host.h). No pixel is drawn twice where two

@@ -1,6 +1,5 @@
 /*
  * text.h - bitmap fonts: 8 x 8 characters of shades, recoloured by bank like sprites.
- * floor: fb
  */
 #ifndef FB_TEXT_H
 #define FB_TEXT_H

@@ -1,6 +1,5 @@
 /*
  * tiles.h - square tiles side by side onto the surface: what the layers of a background are drawn with.
- * floor: fb
  */
 #ifndef FB_TILES_H
 #define FB_TILES_H

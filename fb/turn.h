@@ -1,6 +1,5 @@
 /*
  * turn.h - turned copies of pictures, for the packer.
- * floor: fb
  */
 #ifndef FB_TURN_H
 #define FB_TURN_H

@@ -1,6 +1,5 @@
 /*
  * utf8.h - the code points of a text.
- * floor: fb
  */
 #ifndef FB_UTF8_H
 #define FB_UTF8_H

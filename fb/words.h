@@ -1,7 +1,6 @@
 /*
  * words.h - eight pixels at a time: what a 64-bit word of them can do without a step from one byte to the next, so that
  * the byte order of the host does not matter (but to words_moved).
- * floor: fb
  */
 #ifndef FB_WORDS_H
 #define FB_WORDS_H

@@ -1,6 +1,5 @@
 /*
  * host.h - the half of the platform's defaults that differs between hosts. stdio.c is the other half.
- * floor: platform
  *
  * Two files of a host define all of this, and the functions of platform.h under "the host": posix.c and
  * posix_process.c; win.c and win_process.c; iso.c for hosts with nothing but ISO C, and no_process.c for those without

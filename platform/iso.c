@@ -1,6 +1,5 @@
 /*
  * iso.c - host.h with nothing but ISO C: names and files.
- * floor: platform
  *
  * ISO C knows no folders, links or devices. A path is what the user typed.
  */

@@ -1,6 +1,5 @@
 /*
  * no_process.c - host.h for a host where a program cannot start another, handle signals or find its own file.
- * floor: platform
  */
 #include "host.h"
 

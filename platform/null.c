@@ -1,6 +1,5 @@
 /*
  * null.c - the port with no window: for servers, tests, and hosts where only headless commands are wanted.
- * floor: platform
  *
  * It cannot be played in: plat_open says so, and `curtain play` ends with exit code 3.
  */

@@ -1,6 +1,6 @@
 /*
  * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
- * functions. floor: platform
+ * functions.
  *
  * To port: copy template.c, write its six functions. The others have defaults in stdio.c and in the host's two files
  * (posix.c, win.c, iso.c: see host.h). These are weak symbols (gcc and clang, ELF and Mach-O): to define one of them is

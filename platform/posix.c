@@ -1,6 +1,5 @@
 /*
  * posix.c - host.h on POSIX: names and files.
- * floor: platform
  *
  * WASI has this part of POSIX, but no file modes.
  */

@@ -1,6 +1,5 @@
 /*
  * posix_process.c - host.h on POSIX: the process, its signals, other programs, shared libraries.
- * floor: platform
  */
 #include "host.h"
 

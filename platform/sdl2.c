@@ -1,6 +1,5 @@
 /*
  * sdl2.c - the desktop port, on SDL 2.0.10 or later.
- * floor: platform
  *
  * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest: a picture by a
  * whole number, what the cabinet has composed over all of the window. SDL's scancodes are USB HID usages, so keys need

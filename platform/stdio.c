@@ -1,6 +1,5 @@
 /*
  * stdio.c - defaults for the platform API that are the same on every host, built on the functions of host.h.
- * floor: platform
  *
  * Every function is a weak symbol: a port that defines the same name wins. A build without weak symbols leaves out the
  * functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _CONTROLLER,

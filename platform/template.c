@@ -1,6 +1,5 @@
 /*
  * template.c - the port to copy: it compiles, links and does nothing.
- * floor: platform
  *
  * Write these six for your machine; the contract of each stands in platform.h. The game is there after the first two
  * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_fit,

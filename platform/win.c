@@ -1,6 +1,5 @@
 /*
  * win.c - host.h on Windows: names and files.
- * floor: platform
  *
  * Uses only wide calls. Elsewhere in the program paths are UTF-8 with /; here each becomes a full path in UTF-16, with
  * the \\?\ prefix if it is too long for the old limit of 260. Open files can be read, renamed and deleted by others, so

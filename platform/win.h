@@ -1,6 +1,5 @@
 /*
  * win.h - what win.c and win_process.c share.
- * floor: platform
  */
 #ifndef PLATFORM_WIN_H
 #define PLATFORM_WIN_H

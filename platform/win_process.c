@@ -1,6 +1,5 @@
 /*
  * win_process.c - host.h on Windows: the process, its console, other programs, shared libraries; and its entry.
- * floor: platform
  *
  * The program is built for the console, so that a shell waits for it and sees what it prints and its exit code. After
  * a double click it gets a new console, which it frees immediately (from Windows 11 24H2 on, the manifest asks for

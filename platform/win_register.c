@@ -1,6 +1,5 @@
 /*
  * win_register.c - host.h on Windows: file types, in the current user's part of the registry.
- * floor: platform
  *
  * HKCU\Software\Classes\NAME (a ProgID) has the type's title, icon and command. HKCU\Software\Classes\.ENDING lists
  * NAME under OpenWithProgids, which offers it to the user, and names it as the default if no other program is.

@@ -1,6 +1,5 @@
 /*
  * repair.h - makes the checksums of spoilt files good, so that what reads them gets past these.
- * floor: tests
  */
 #ifndef TESTS_REPAIR_H
 #define TESTS_REPAIR_H

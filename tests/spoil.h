@@ -1,6 +1,5 @@
 /*
  * spoil.h - a small valid game to be spoilt, the checksums made good again, and what must come of it.
- * floor: tests
  *
  * A spoilt ROM is refused in one sentence, or runs SPOIL_FRAMES frames, or ends in a fault that says something. No
  * assertion, no crash, no rubbish in a message.

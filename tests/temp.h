@@ -1,7 +1,6 @@
 /*
  * temp.h - a folder for a test's files, in $TMPDIR or /tmp. A program that includes this has _POSIX_C_SOURCE 200809L,
  * or more, defined before all includes.
- * floor: tests
  */
 #ifndef TESTS_TEMP_H
 #define TESTS_TEMP_H

@@ -1,6 +1,5 @@
 /*
  * voiced.h - a tune's instruments are played: what a check of its bytes lets through, voices can sound.
- * floor: tests
  */
 #ifndef TESTS_VOICED_H
 #define TESTS_VOICED_H

@@ -2,7 +2,6 @@
  * lively.c - where a demo is liveliest: `lively ROM DEMO`. A line for each moment of a mark, a boss or a phase, and
  * what it begins: KIND NAME FRAME BULLETS, the frame before the next of them in which most bullets and lasers are
  * about. A boss's name stands before that of its phase: crab/pincers.
- * floor: tools
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /*
  * numbers.h - what the measuring and proving programs share: random numbers, and doubles in order.
- * floor: tools
  */
 #ifndef TOOLS_NUMBERS_H
 #define TOOLS_NUMBERS_H

@@ -1,6 +1,5 @@
 /*
  * tally.h - counts what happens in a run by looking at the board between frames: for the bot's report and for tests.
- * floor: tools
  */
 #ifndef TOOLS_TALLY_H
 #define TOOLS_TALLY_H

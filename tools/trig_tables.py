@@ -190,7 +190,6 @@ def main():
     print("headings: off by at most %.4f / 2^44 of one" % (ray_error(step) * 2**44), file=sys.stderr)
     print("""/*
  * trig_tables.h - first guesses of sines, headings and arc tangents; made by tools/trig_tables.py.
- * floor: base
  */
 #ifndef BASE_TRIG_TABLES_H
 #define BASE_TRIG_TABLES_H

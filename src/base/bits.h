@@ -1,6 +1,5 @@
 /*
  * bits.h - the lowest and the highest set bit of a word, and how many are set.
- * floor: base
  */
 #ifndef BASE_BITS_H
 #define BASE_BITS_H

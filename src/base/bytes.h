@@ -1,6 +1,5 @@
 /*
  * bytes.h - little-endian access to byte streams, the same on every host.
- * floor: base
  */
 #ifndef BASE_BYTES_H
 #define BASE_BYTES_H

@@ -1,7 +1,6 @@
 /*
  * cursor.h - a place in a Lua text, and what its scanners have in common: the kinds of characters, line ends, long
  * brackets. The rules are those of the reference manual of Lua 5.4, section 3.1, in the C locale.
- * floor: board
  */
 #ifndef BOARD_CURSOR_H
 #define BOARD_CURSOR_H

@@ -1,6 +1,5 @@
 /*
  * edit.h - the edit distance of two words: how alike they are.
- * floor: base
  */
 #ifndef BASE_EDIT_H
 #define BASE_EDIT_H

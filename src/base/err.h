@@ -1,6 +1,5 @@
 /*
  * err.h - the sentence with which a loader or parser says no.
- * floor: base
  */
 #ifndef BASE_ERR_H
 #define BASE_ERR_H

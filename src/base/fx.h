@@ -1,6 +1,5 @@
 /*
  * fx.h - Q15.16 fixed point: 65536 is one.
- * floor: base
  *
  * The rounding law: a result is the exact value rounded once to the nearest representable one, ties to the even one,
  * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and

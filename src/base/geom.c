@@ -1,6 +1,5 @@
 /*
  * geom.c - exact contact tests.
- * floor: base
  *
  * Boxes around the shapes are compared first, as most pairs are far apart; what is left is small enough for squares in
  * 64 bits, or, for a moving point that passes a circle, two products in 128. Nothing is divided and no root is taken.

@@ -1,6 +1,5 @@
 /*
  * geom.h - do two shapes touch? Exactly, with integers only; one common point is touching.
- * floor: base
  *
  * All lengths are in one unit, whichever. A negative radius or half extent touches nothing.
  */

@@ -1,6 +1,5 @@
 /*
  * hash.h - the 64-bit state hash and the CRC32 of files.
- * floor: base
  *
  * The state hash folds 64-bit values, never memory, so it is the same on every host whatever its byte order.
  * It tells states apart; it does not resist an adversary.

@@ -1,6 +1,5 @@
 /*
  * heap.h - a deterministic allocator inside one fixed block.
- * floor: base
  *
  * All state lives in the block, so copying the block copies the heap. Where an allocation lands depends only on the
  * sequence of calls, never on an address, the time or what the memory held before. The interface is Lua's lua_Alloc:

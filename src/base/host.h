@@ -1,6 +1,5 @@
 /*
  * host.h - the thread's settings that arithmetic and texts depend on: set for the board, and restored after.
- * floor: base
  *
  * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
  * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between

@@ -1,7 +1,6 @@
 /*
  * ieee.h - does this build compute as IEEE 754 says? Some flags of compilers change results and leave no macro by which
  * fx.h could refuse them.
- * floor: base
  */
 #ifndef BASE_IEEE_H
 #define BASE_IEEE_H

@@ -1,6 +1,5 @@
 /*
  * int.h - the smaller, the larger and the absolute value of whole numbers, and values clamped to a range.
- * floor: base
  */
 #ifndef BASE_INT_H
 #define BASE_INT_H

@@ -1,6 +1,5 @@
 /*
  * pads.h - the button bits of one player's pad, the same in RAM, demos and ports.
- * floor: base
  */
 #ifndef BASE_PADS_H
 #define BASE_PADS_H

@@ -1,6 +1,5 @@
 /*
  * rng.h - random streams. A stream is a struct that its owner keeps; there is no global one.
- * floor: base
  *
  * xoshiro256** 1.0 (Blackman and Vigna, 2018) seeded by splitmix64, integers only: the same numbers on every host.
  */

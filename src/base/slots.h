@@ -1,7 +1,6 @@
 /*
  * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code
  * that works on it; a slot is a numbered row of the columns.
- * floor: chips
  *
  * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers stand in the struct
  * itself. The column table lays the chip out, hashes it, saves and restores it; tests and docs walk the same table.

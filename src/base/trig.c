@@ -1,6 +1,5 @@
 /*
  * trig.c - a first guess by polynomials, and when it is in doubt an exact decision.
- * floor: base
  *
  * Sines in Q15.16 come from quadratics by table (trig_tables.h). What these leave in doubt, and sines in Q30, come from
  * a series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below

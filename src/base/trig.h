@@ -1,6 +1,5 @@
 /*
  * trig.h - angles, their sines, and directions of vectors.
- * floor: base
  *
  * An ang is a whole number of 2^-32 turns, so it wraps by itself: 0 points along +x, and as y grows downwards
  * 0x40000000 points down. Sine and cosine belong to that frame: the direction a is (cos a, sin a) on the screen.

@@ -1,7 +1,6 @@
 /*
  * trig_guess.h - the first guess of trig_polar: cosine and sine of a direction in doubles. In a file of its own so that
  * the proof can try it in all directions.
- * floor: base
  */
 #ifndef BASE_TRIG_GUESS_H
 #define BASE_TRIG_GUESS_H

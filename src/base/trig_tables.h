@@ -1,6 +1,5 @@
 /*
  * trig_tables.h - first guesses of sines, headings and arc tangents; made by tools/trig_tables.py.
- * floor: base
  */
 #ifndef BASE_TRIG_TABLES_H
 #define BASE_TRIG_TABLES_H

@@ -1,6 +1,5 @@
 /*
  * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM x view -> picture, and RAM x ROM -> sound.
- * floor: board
  *
  * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
  * and runs the game's entry script. From then on a frame is one board_tick; the picture is board_draw, which takes

@@ -1,6 +1,5 @@
 /*
  * inspect.h - a board's state for the overlay and the console: hit shapes, gauges, tasks, and the thing under a point.
- * floor: board
  *
  * Only between frames. Nothing here changes a byte of RAM: no Lua function that pushes anything is called. Texts that
  * are handed out as pointers are good until the next tick or restore. Places on the screen are Q15.16 px, the field's

@@ -1,6 +1,5 @@
 /*
  * capture.h - a run as a film: `curtain capture`.
- * floor: cab
  *
  * A film has time of its own: its picture k is shown k / R seconds after its beginning, R being 50 for GIF and 60 for
  * all others, and is the last frame that began by then. So the frames of a GIF lie at most a sixtieth from their time,

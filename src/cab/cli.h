@@ -1,6 +1,5 @@
 /*
  * cli.h - the command line: every command of `curtain help`.
- * floor: cab
  */
 #ifndef CAB_CLI_H
 #define CAB_CLI_H

@@ -1,6 +1,5 @@
 /*
  * command.h - the commands that no room has: play, those of ROMs, and what the program says of itself.
- * floor: cab
  *
  * What is not done has been told on plat_log.
  */

@@ -1,6 +1,5 @@
 /*
  * headless.h - running a board with no window: render and hash.
- * floor: cab
  *
  * Nothing of the host but files gets near these runs: no clock, no nvram, seed 0 unless told. A request for attract or
  * to quit is passed over. What scripts print goes to plat_log. What is not done has been told on plat_log.

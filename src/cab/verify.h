@@ -1,7 +1,6 @@
 /*
  * verify.h - the command `verify`: replays demos and says whether they hold; stamps or records them anew; compares
  * two tracks.
- * floor: cab
  *
  * A demo is a line on standard output, as soon as it is known:
  *

@@ -1,6 +1,6 @@
 /*
  * verify_json.h - `verify --json`: what is known of a demo as one JSON object on a line. docs/reference/demo-format.md
- * lists its keys. floor: cab
+ * lists its keys.
  *
  * Score, ship, difficulty and moments are those of the replay that was just run, not what the file says of itself: a
  * file can be written by anybody. So they are left out where the demo does not hold.

@@ -1,7 +1,6 @@
 /*
  * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit to be shown.
  * What may be shown at all utf8.h says.
- * floor: cab
  */
 #ifndef CAB_CLEAN_H
 #define CAB_CLEAN_H

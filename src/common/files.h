@@ -1,6 +1,5 @@
 /*
  * files.h - reading and writing files, with a sentence when it fails.
- * floor: cab
  */
 #ifndef CAB_FILES_H
 #define CAB_FILES_H

@@ -1,6 +1,5 @@
 /*
  * result.h - what a command of the program, or a part of one, came to.
- * floor: cab
  *
  * In order: of several results the greatest is the worst.
  */

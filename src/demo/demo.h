@@ -1,6 +1,5 @@
 /*
  * demo.h - a recorded game: all that reached a board (its start and the pads), and hashes to check a replay by.
- * floor: cab
  *
  * The file is described byte by byte in docs/reference/demo-format.md. In short: a header, then a record a second with
  * pads and hashes, a record a marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark

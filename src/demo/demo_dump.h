@@ -1,6 +1,5 @@
 /*
  * demo_dump.h - a recording that is not over, handed out as a demo file's bytes, also from a handler of a crash.
- * floor: cab
  */
 #ifndef CAB_DEMO_DUMP_H
 #define CAB_DEMO_DUMP_H

@@ -1,6 +1,6 @@
 /*
  * demo_parts.h - what reading and writing a demo's file share: docs/reference/demo-format.md as constants, and room
- * that grows. floor: cab
+ * that grows.
  */
 #ifndef CAB_DEMO_PARTS_H
 #define CAB_DEMO_PARTS_H

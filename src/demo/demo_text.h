@@ -1,6 +1,5 @@
 /*
  * demo_text.h - a demo as lines of text, in a file that says something else as well: a report that is mailed.
- * floor: cab
  *
  * The lines between DEMO_TEXT_BEGIN and DEMO_TEXT_END are the demo's bytes in base64, 72 characters a line. Lines
  * before and behind are anybody's.

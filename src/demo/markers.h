@@ -1,6 +1,5 @@
 /*
  * markers.h - the markers of two recordings of one run, compared.
- * floor: cab
  */
 #ifndef CAB_MARKERS_H
 #define CAB_MARKERS_H

@@ -1,6 +1,5 @@
 /*
  * trace.h - all that a part of the board holds, as lines to compare: `hash --trace`.
- * floor: cab
  *
  * A line is a part's registers, or one live slot:
  *

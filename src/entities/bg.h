@@ -1,7 +1,6 @@
 /*
  * bg.h - backgrounds: layers of tiles that scroll, and a plane seen at an angle. Their registers alone: what is drawn
  * of them is the board's (video_bg.c), and no tile is read by a tick.
- * floor: chips
  *
  * Positions are 64-bit Q16 and go on growing; the picture repeats. So nothing drifts and nothing ends: at the greatest
  * speed they would overflow after nine years.

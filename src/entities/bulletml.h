@@ -1,6 +1,5 @@
 /*
  * bulletml.h - what runs BulletML documents: those that run, and what of them has something left to do.
- * floor: chips
  *
  * Four chips. A document that runs is a root. A runner goes through actions: of the root itself, one for each action
  * that begins by itself (a top), or of a bullet that it fired. A frame is an open repeat, or where an actionRef leads

@@ -1,6 +1,5 @@
 /*
  * bullets.h - bullets and player shots: pools kept as columns. Both are the same chip; a board has one of each.
- * floor: chips
  *
  * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
  * program also runs it (motion.h), which costs nothing while it only waits. Dead slots below top are parked: standing

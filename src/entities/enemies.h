@@ -1,6 +1,5 @@
 /*
  * enemies.h - enemies and bosses: one pool, with the one move each may be making.
- * floor: chips
  */
 #ifndef CHIPS_ENEMIES_H
 #define CHIPS_ENEMIES_H

@@ -1,6 +1,5 @@
 /*
  * fix.h - the fixed text layer: a grid of 8x8 characters over the whole screen.
- * floor: chips
  */
 #ifndef CHIPS_FIX_H
 #define CHIPS_FIX_H

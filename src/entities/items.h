@@ -1,6 +1,5 @@
 /*
  * items.h - items: they fall, come to a player who attracts them, and are taken by touch.
- * floor: chips
  */
 #ifndef CHIPS_ITEMS_H
 #define CHIPS_ITEMS_H

@@ -1,6 +1,5 @@
 /*
  * lasers.h - lasers: beams that stand, bolts that fly, and curves, whose body follows the way of a head.
- * floor: chips
  *
  * A laser has a head: a bullet of speed, program and place, in the same slot of a pool of its own. A beam's head is
  * where it begins, a bolt's and a curve's is in front. A curve remembers where its head was after each of the last

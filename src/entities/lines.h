@@ -1,6 +1,5 @@
 /*
  * lines.h - lines of text at any pixel, in fonts whose characters have widths of their own.
- * floor: chips
  *
  * A line holds what it says, not where its letters stand: that is found when it is drawn, so no script can depend on a
  * font's widths.

@@ -1,7 +1,6 @@
 /*
  * motion.h - the world things move in, and motion programs: small steps as data, shared by every bullet that names the
  * program, run in C.
- * floor: chips
  *
  * A program is a run of steps in the `steps` list. What stands in one step happens together, in the order of struct
  * motion_step's bits, and lasts `over` frames (0: at once). After the last step the bullet flies straight on.

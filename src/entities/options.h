@@ -1,6 +1,5 @@
 /*
  * options.h - options: what flies with a ship, each at its place beside it.
- * floor: chips
  */
 #ifndef CHIPS_OPTIONS_H
 #define CHIPS_OPTIONS_H

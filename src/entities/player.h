@@ -1,6 +1,5 @@
 /*
  * player.h - the two players: ship, lives, score.
- * floor: chips
  */
 #ifndef CHIPS_PLAYER_H
 #define CHIPS_PLAYER_H

@@ -1,6 +1,5 @@
 /*
  * registers.h - what ships, and a run, count under a name: power, bombs, a gauge, a chain, rank.
- * floor: chips
  *
  * A list of rows, which only grows while scripts load. The registers of a kind of ship are rows one after the other,
  * and so are those of the run. A row has its rule and what it is for each player; of the run's, that of player 0

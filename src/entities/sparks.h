@@ -1,6 +1,5 @@
 /*
  * sparks.h - particles: unhashed, no script can read them. They have their own random stream and their own hash.
- * floor: chips
  */
 #ifndef CHIPS_SPARKS_H
 #define CHIPS_SPARKS_H

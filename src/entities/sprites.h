@@ -1,6 +1,5 @@
 /*
  * sprites.h - free sprites: pictures a script places by hand.
- * floor: chips
  */
 #ifndef CHIPS_SPRITES_H
 #define CHIPS_SPRITES_H

@@ -1,6 +1,5 @@
 /*
  * lib.h - the insides of libcurtain: a board, its memory, and its past.
- * floor: lib
  */
 #ifndef LIB_LIB_H
 #define LIB_LIB_H

@@ -1,6 +1,5 @@
 /*
  * pads_log.h - the pads of a run so far: in runs, in memory of a fixed size.
- * floor: lib
  *
  * A run of frames with the same pads is a varint, how many (7 bits a byte, lowest first), and a u16 of each pad,
  * little-endian. digest folds how the run began and each frame's pads, so that two logs with the same digest at a frame

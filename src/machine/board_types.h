@@ -1,6 +1,5 @@
 /*
  * board_types.h - what a host gives a board, and what a board hands out.
- * floor: board
  */
 #ifndef BOARD_TYPES_H
 #define BOARD_TYPES_H

@@ -1,6 +1,5 @@
 /*
  * emit.h - what motion programs fire (the step `emit`).
- * floor: board
  *
  * A program that comes to an emit queues it, with the place and direction of its bullet at that moment. When all have
  * moved and hits were found, the queue is fired in its order: shots' emits, then bullets', each in slot order, so the

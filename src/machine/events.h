@@ -1,7 +1,6 @@
 /*
  * events.h - what happened this frame, in the order it was found. Empty between frames. Kept as columns, for there is
  * room for several a bullet, and a struct would be 7 bytes of padding larger.
- * floor: chips
  */
 #ifndef CHIPS_EVENTS_H
 #define CHIPS_EVENTS_H

@@ -1,6 +1,5 @@
 /*
  * input.h - the pads as a game sees them: held, pressed, released, repeated; and presses that wait to be taken.
- * floor: chips
  *
  * A press is a frame in which a button went down. It can be taken once (input_take) while it is at most PRESS_KEPT
  * frames old. The game and the pause screen have presses of their own: a press during a pause is not the game's, and

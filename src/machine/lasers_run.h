@@ -1,6 +1,5 @@
 /*
  * lasers_run.h - lasers on the board: their moves, which follow things and run programs, and how they end.
- * floor: board
  */
 #ifndef BOARD_LASERS_RUN_H
 #define BOARD_LASERS_RUN_H

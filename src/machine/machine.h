@@ -1,6 +1,5 @@
 /*
  * machine.h - the board's insides: every part, in the order of RAM and of the hash track.
- * floor: board
  *
  * Three words:
  *   chip  a struct of columns with the code that works on them, most in src/entities. struct chip describes its

@@ -1,6 +1,5 @@
 /*
  * names.h - the names that scripts declare, by number.
- * floor: board
  */
 #ifndef BOARD_NAMES_H
 #define BOARD_NAMES_H

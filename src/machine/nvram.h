@@ -1,6 +1,5 @@
 /*
  * nvram.h - memory that outlives the power: score tables and saves. Bytes, little-endian, the same on every host.
- * floor: chips
  *
  * Image: magic "NV02", then records one behind the other, without gaps, in the order in which they were first kept:
  *

@@ -1,6 +1,5 @@
 /*
  * sound.h - sounds and music of a board: how a tick moves them, and what scripts and events ask for.
- * floor: board
  *
  * All of it is for a game that declares sounds or music; of another the parts have no room, and nothing may be called
  * but sound_cue, which does nothing then.

@@ -1,6 +1,5 @@
 /*
  * task_table.h - the columns of tasks (script/tasks.h says what they are).
- * floor: board
  */
 #ifndef BOARD_TASK_TABLE_H
 #define BOARD_TASK_TABLE_H

@@ -1,6 +1,5 @@
 /*
  * vm_state.h - what the board keeps of the Lua machine (script/vm.h), and what the board's parts ask of it.
- * floor: board
  */
 #ifndef BOARD_VM_STATE_H
 #define BOARD_VM_STATE_H

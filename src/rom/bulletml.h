@@ -1,7 +1,6 @@
 /*
  * bulletml.h - a BulletML document as it stands in a ROM, lump bulletml/NAME: a program for bullets, and its
  * arithmetic.
- * floor: board
  *
  * Little endian:
  *

@@ -1,6 +1,5 @@
 /*
  * cart.h - a ROM the board can run: the manifest and art of a struct rom, checked once and then trusted.
- * floor: board
  *
  * Lumps:  manifest        manifest.h
  *         script/X.lua    scripts of the game; script/@std/X.lua modules of the standard library, not always all

@@ -1,6 +1,5 @@
 /*
  * compressed.h - a ROM's file made small. In it is the ROM, byte by byte: lumps and hashes are of the plain one.
- * floor: board
  *
  * Little-endian:
  *

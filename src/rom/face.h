@@ -1,7 +1,6 @@
 /*
  * face.h - a font of a game whose characters have widths of their own: what the packer makes of one of `fonts` in
  * rom.lua.
- * floor: board
  *
  * The lump "fonts/NAME": u16 height of a line in px, u16 zero, u32 how many glyphs; for each, ascending by code, u32
  * code, u32 where its pixels begin in the lump, u8 w h, i8 x y of its top left corner from the pen and the line's top,

@@ -1,6 +1,5 @@
 /*
  * lzma.h - bytes made small as LZMA does it: matches, and a range coder over bits that are expected.
- * floor: board
  *
  * A stream is what liblzma calls raw LZMA1 with lc = 0, lp = 0 and pb = 0, whose dictionary is all that came before.
  * Other programs can write and read it; tests/cli/compressed.sh has Python's do both.

@@ -1,6 +1,5 @@
 /*
  * manifest.h - what a game says about itself: name, screen, capacities, DIP switches.
- * floor: board
  *
  * An author writes it as rom.lua, which the packer reads with manifest_read. In a ROM it is the lump "manifest", binary
  * and of fixed size, which manifest_unpack reads. Both ways end in manifest_check, so a struct manifest is always in

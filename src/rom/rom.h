@@ -1,6 +1,5 @@
 /*
  * rom.h - the archive a game travels in: named lumps in one flat read-only block.
- * floor: base
  *
  * Little-endian, no pointers, so that it can be mapped or linked into a program:
  *

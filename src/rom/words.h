@@ -1,6 +1,5 @@
 /*
  * words.h - a language of a game: texts and what stands for each, as the packer makes it of lang/NAME.txt.
- * floor: board
  *
  * The lump "lang/NAME": u32 how many; for each, ascending by text, u32 where its text and u32 where its words begin in
  * the lump; then all these, each ended by a NUL.

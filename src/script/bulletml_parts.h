@@ -1,7 +1,6 @@
 /*
  * bulletml_parts.h - what the two halves of BulletML's run share: bulletml_run.c, which keeps the books of roots,
  * runners and bullets, and bulletml_do.c, which does the commands.
- * floor: board
  */
 #ifndef RUN_BULLETML_PARTS_H
 #define RUN_BULLETML_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * bulletml_run.h - BulletML documents on the board.
- * floor: board
  */
 #ifndef BOARD_BULLETML_RUN_H
 #define BOARD_BULLETML_RUN_H

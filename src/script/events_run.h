@@ -1,7 +1,6 @@
 /*
  * events_run.h - after the hits of a tick: the effects of this frame's events and the scripts' handlers, in the order
  * of the events.
- * floor: board
  */
 #ifndef BOARD_EVENTS_RUN_H
 #define BOARD_EVENTS_RUN_H

@@ -1,6 +1,5 @@
 /*
  * force.h - makes happen what only play brings about, so that a check reaches the scripts that wait for it.
- * floor: board
  */
 #ifndef BOARD_FORCE_H
 #define BOARD_FORCE_H

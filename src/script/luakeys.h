@@ -1,6 +1,5 @@
 /*
  * luakeys.h - a table's keys in an order that is the same on every run.
- * floor: board
  *
  * lua_next visits keys in an order that differs between runs. These walk over all of them and choose: numbers come
  * first, then false, true, other types, and then text by its bytes.

@@ -1,6 +1,5 @@
 /*
  * options_run.h - options on the board.
- * floor: board
  */
 #ifndef BOARD_OPTIONS_RUN_H
 #define BOARD_OPTIONS_RUN_H

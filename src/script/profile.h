@@ -1,7 +1,6 @@
 /*
  * profile.h - what each line of a game's scripts costs, counted: instructions of Lua, and what functions of the API
  * count as. The same run gives the same numbers on every machine.
- * floor: board
  *
  * The counts stand in the host's memory, so that a run is the same with them and without: nothing in RAM that is hashed
  * knows of them. While they are taken a tick takes many times as long; while they are not, nothing asks.

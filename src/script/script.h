@@ -1,6 +1,5 @@
 /*
  * script.h - what a script must not contain, and the names in it, found in its text before it runs.
- * floor: board
  */
 #ifndef BOARD_SCRIPT_H
 #define BOARD_SCRIPT_H

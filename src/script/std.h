@@ -1,6 +1,5 @@
 /*
  * std.h - the modules of the standard library (@std): their order, and which of them a script names.
- * floor: board
  *
  * A ROM has the modules that its scripts name, and those that these name; what is not in the ROM is not loaded. Below
  * cab nobody has their texts: they are lumps "script/@std/NAME.lua".

@@ -1,6 +1,5 @@
 /*
  * tasks.h - coroutines with owners: what scripts do over time.
- * floor: board
  *
  * Tasks get their turns in the order they were started. The Lua registry keeps a task's thread alive; all else is
  * columns here. A scope is a task without a body: it only owns others.

@@ -1,6 +1,5 @@
 /*
  * values.h - values of one Lua machine as bytes, for another one to have: nothing of a board's heap leaves it.
- * floor: board
  */
 #ifndef BOARD_VALUES_H
 #define BOARD_VALUES_H

@@ -1,6 +1,5 @@
 /*
  * vm.h - the Lua machine in RAM: its memory, sandbox, faults and guards.
- * floor: board
  *
  * Every byte of Lua lives in the heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board:
  * it becomes a fault, the run is over, and nothing of the board's state is trusted any more.

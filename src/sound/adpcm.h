@@ -1,6 +1,5 @@
 /*
  * adpcm.h - recordings: 16 bits a sample, or IMA ADPCM in blocks that can be entered anywhere.
- * floor: snd
  *
  * A sample in a ROM is a header of SAMPLE_HEADER bytes (u32 frames a second, u32 samples, u32 the first sample of its
  * loop, or SAMPLE_ENDS; u8 its coding, three zero bytes) and what it is made of. SAMPLE_EXACT: i16 each. SAMPLE_PACKED:

@@ -1,6 +1,5 @@
 /*
  * fm.h - notes of FM: sines, operators, that bend each other's phase, each with an envelope of its own.
- * floor: snd
  *
  * A block is a function of phases and gains. So is feedback: y = sin(p + b y) is a row of a table, p its place, b the
  * row; chips take y from the last two samples, which at higher notes is as if b were less (fm_strength).

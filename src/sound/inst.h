@@ -1,6 +1,5 @@
 /*
  * inst.h - instruments: what makes a note's wave, and what bends its level, pitch and place in time.
- * floor: snd
  *
  * In a tune an instrument is INST_BYTES bytes, little-endian, INST_OP bytes for each operator at their end. Its curves
  * and its wave are elsewhere in the tune, so many bytes behind its own first one; 0: it has none.

@@ -1,6 +1,5 @@
 /*
  * pitch.h - pitches to steps, and levels that halve.
- * floor: snd
  *
  * A pitch is in 65536ths of a semitone; 69 semitones are the a of 440 Hz. All of it is integers.
  */

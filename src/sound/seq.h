@@ -1,6 +1,5 @@
 /*
  * seq.h - the sequencers: of the piece of music that plays, and of the sounds that do.
- * floor: chips
  *
  * Music is game state: scripts read its beat, its bar and its markers. It has frames of its own, which a pause holds.
  * Where its tracks are follows from what is hashed: which piece, how far it is. Pieces may be put aside while another

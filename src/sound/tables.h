@@ -1,6 +1,5 @@
 /*
  * tables.h - waves and filters that the sound is made of: computed once by the host, equal on every machine.
- * floor: snd
  *
  * They are no part of a board's RAM, for no tick reads them. A wave is there in WAVE_MIPS versions, each with fewer
  * harmonics than the one before, so that at every pitch one has all that can be heard and nothing that folds back.

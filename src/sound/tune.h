@@ -1,6 +1,5 @@
 /*
  * tune.h - a compiled piece of music, or a sound: its instruments and its tracks, and the reading of them in time.
- * floor: snd
  *
  * A tune is TUNE_HEADER bytes, little-endian:
  *

@@ -1,6 +1,5 @@
 /*
  * voices.h - the voices that sound: what each plays, at the beginning and at the end of a frame.
- * floor: chips
  *
  * A tick moves every voice by a frame, in closed form and whether anybody listens or not; voices_mix makes the frame's
  * samples of what stands here and changes nothing. No script can read a voice, so voices are outside the combined hash.

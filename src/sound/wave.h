@@ -1,6 +1,5 @@
 /*
  * wave.h - a stretch of a wave, its level in time, and the mix of all.
- * floor: snd
  */
 #ifndef SND_WAVE_H
 #define SND_WAVE_H

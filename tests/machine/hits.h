@@ -1,6 +1,5 @@
 /*
  * hits.h - every collision of a frame by a plain reference in 128 bits: which events, and in which order.
- * floor: tests
  */
 #ifndef TESTS_HITS_H
 #define TESTS_HITS_H

@@ -1,6 +1,5 @@
 /*
  * pages.h - the head of a test of screens: a game on a rig, what its cells say, and who presses what.
- * floor: tests
  */
 #ifndef TESTS_PAGES_H
 #define TESTS_PAGES_H

@@ -9,7 +9,6 @@
  * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
  * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
  * that rate.
- * floor: tests
  */
 #include <inttypes.h>
 #include <stdbool.h>

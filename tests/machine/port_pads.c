@@ -1,6 +1,6 @@
 /*
  * port_pads.c - controllers of the SDL port, plugged in and pulled out: SDL's virtual joysticks, so no hardware is
- * needed. floor: tests
+ * needed.
  */
 #include <SDL.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /*
  * port_probe.c - a port on its own: a test picture in its window, and every switch it reports, for tests/window.sh.
- * floor: tests
  *
  *     port_probe show W H SCALE [full]   until Escape: shows the picture, prints "key 4", "label A", "text a", "mouse
  * x y" as they come; F is held by nobody: it switches fullscreen port_probe expect W H WIN_W WIN_H  the window's bytes

@@ -1,6 +1,6 @@
 /*
  * port_sound.c - the speaker of the SDL port, taken away and brought back by SDL's own events, so no hardware is
- * needed: SDL_AUDIODRIVER is dummy, and what SDL says of a card that is pulled out is said here. floor: tests
+ * needed: SDL_AUDIODRIVER is dummy, and what SDL says of a card that is pulled out is said here.
  */
 #include <SDL.h>
 #include <stdio.h>

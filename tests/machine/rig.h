@@ -1,7 +1,6 @@
 /*
  * rig.h - what the tests of whole boards share: games packed from a folder or from script texts, boards with RAM of
  * their own, pads, pictures.
- * floor: tests
  *
  * A program that includes this runs in the repository's root.
  */

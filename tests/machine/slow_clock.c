@@ -2,7 +2,6 @@
  * slow_clock.c - preloaded into a program with SDL's disk driver: time passes SLOWER times as slowly for it, so that a
  * busy machine is quick enough; and the driver, which sleeps whole milliseconds after each 256 frames, keeps time as a
  * card does, whose clock differs by CARD_PPM millionths from the program's.
- * floor: tests
  */
 #define _GNU_SOURCE
 #include <stdint.h>

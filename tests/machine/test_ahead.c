@@ -1,7 +1,6 @@
 /*
  * test_ahead.c - a look at the next frame leaves nothing behind: hashes, what the last tick handed out, sound and the
  * past are those of a run that never looked; and what was seen is the frame that comes, if the pads stay.
- * floor: tests
  */
 #include "rig.h"
 #include "../../src/cab/run/ahead.h"

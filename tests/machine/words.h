@@ -1,6 +1,5 @@
 /*
  * words.h - reads what the cabinet wrote over a picture, pixel by pixel.
- * floor: tests
  */
 #ifndef TESTS_WORDS_H
 #define TESTS_WORDS_H

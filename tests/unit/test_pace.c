@@ -1,7 +1,6 @@
 /*
  * test_pace.c - 60 ticks a second on any screen: no drift, no more refreshes with two ticks or none than the rates ask
  * for, and a late host that loses what it says.
- * floor: tests
  */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,7 +1,6 @@
 /*
  * test_picture.c - quarter turns, places, sizes, the look of a tube, borders, and the window made of them: every pixel
  * of what each must be, and nothing outside of the memory it has, at odd sizes.
- * floor: tests
  */
 #include <setjmp.h>
 #include <stdarg.h>

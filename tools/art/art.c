@@ -2,7 +2,6 @@
  * art.c - writes the pictures of the games in roms/: `art OUTDIR` Glass Tide's, `art OUTDIR card` the test card's, `art
  * OUTDIR bench` the bench's, `art OUTDIR cookbook` the cookbook's; `art OUTDIR glow` what the sandbox has of its own;
  * `art OUTDIR night` those of examples/shooter; and `art OUTDIR icon` the program's icons.
- * floor: tools
  *
  * The same bytes on every host. `art OUTDIR sheet` writes one picture with everything on it, three times as large, to
  * look at.

@@ -1,6 +1,5 @@
 /*
  * art.h - draws the pictures of the built-in game: a small modeller that turns lit shapes into pixel art.
- * floor: tools
  *
  * Everything is made of + - * / and sqrt on doubles, so that every host writes the same bytes. Angles are turns (1 is a
  * whole turn), clockwise with y down; lengths are pixels. Light comes from the top left.

@@ -1,7 +1,6 @@
 /*
  * art_abyss.c - the ground of the deep, which is seen at an angle: plates of stone with light in their cracks,
  * 128 x 128 px that join on all sides, in the ramp of bank 13. And what sinks from broken creatures, on bank 0.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_bench.c - the bench's bullets: four discs of 8, 12, 16 and 24 px, in the ramp of bank 0.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_bullets.c - bullets, shots and sparks. All on bank 0, so that adding a bank recolours them.
- * floor: tools
  *
  * A bullet is a shape given by its signed distance: a dark rim that holds it apart from anything behind it, a saturated
  * band, a bright band, and a white core where the danger is. What is turned by the packer is drawn pointing right and

@@ -1,6 +1,5 @@
 /*
  * art_enemies.c - the glass creatures of the tide, the guard and the queen. Four frames each.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,7 +1,6 @@
 /*
  * art_faces.c - who talks: the pilots of the three craft and the queen, each with two faces side by side. They look
  * right; a talk turns those round that stand on the right side.
- * floor: tools
  */
 #include "art.h"
 

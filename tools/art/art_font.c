@@ -1,6 +1,5 @@
 /*
  * art_font.c - the 8x8 font: characters 32..126, bar cells, icons and arrows from 128, Latin-1 from 160. Bank 0.
- * floor: tools
  *
  * Letters have stems two pixels wide and bars one pixel high, paler at the top, and a shadow at the lower right, so
  * that they read over anything.

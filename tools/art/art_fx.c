@@ -2,7 +2,6 @@
  * art_fx.c - what a creature of glass leaves: fire in three sizes, light, rings, sherds and bubbles. Fire and rings are
  * added to what lies under them, so they fade out through their darkest shades, dithered; a field of noise is what
  * burns.
- * floor: tools
  */
 #include "art.h"
 

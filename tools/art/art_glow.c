@@ -3,7 +3,6 @@
  * lasers: a ray one pixel wide, a glow, a scaled skin. Half-tones
  * between two shades, and the fading out at the rim, are dithered: added to what lies under it, each shade is a step of
  * brightness, and a step along a circle would show.
- * floor: tools
  */
 #include "art.h"
 

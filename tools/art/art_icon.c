@@ -1,6 +1,5 @@
 /*
  * art_icon.c - the program's icon: the heron below half rings of bullets.
- * floor: tools
  *
  * A pixel is a colour of the whole palette, bank included, so the sheet's own bank is 0.
  */

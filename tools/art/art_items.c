@@ -1,7 +1,6 @@
 /*
  * art_items.c - items to collect, as they fall: tokens with a bevelled rim and a sign, and a splinter. All on bank 0,
  * so that adding a bank recolours them.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_kana.c - katakana in cells of 8x8: U+30A1 to U+30F6, the dot and the long mark, and four signs. Bank 0.
- * floor: tools
  *
  * They stand beside the letters of art_font.c: as high, with the same colours and shadow, stems two pixels wide where
  * seven have room for that. A voiced one is another drawing with the marks of voice above its right end, for the full

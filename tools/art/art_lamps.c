@@ -1,6 +1,6 @@
 /*
  * art_lamps.c - the craft in other colours, for those who earned them: the same pictures in banks that no stage
- * changes, gilt in the title's, ember in the fire's. floor: tools
+ * changes, gilt in the title's, ember in the fire's.
  */
 #include "art.h"
 

@@ -1,7 +1,7 @@
 /*
  * art_last.c - the Drowned Moon: a disc of silver with an eye in it, in a tarnished frame that weed hangs from. Six
  * pictures of two frames, as it wanes, is new, is full, and goes dark; in the ramps of bank 12 of the moon's palette.
- * And who comes up with it in the caravan's water. floor: tools
+ * And who comes up with it in the caravan's water.
  */
 #include "art.h"
 

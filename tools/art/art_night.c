@@ -2,7 +2,6 @@
  * art_night.c - the pictures of the game that `curtain new` writes: a paper kite, lanterns and moths that glow, the
  * keeper of them all, and the river at night. Banks 0 to 7 are those of art_palette.c, so bullets, sparks and the font
  * are the same pictures in all games. Four frames each.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,7 +1,6 @@
 /*
  * art_one.c - who lives in the shallows of Glass Tide beside the creatures of art_enemies.c: a squid, a seahorse, the
  * hatches of the wreck, the Lantern Nautilus, and the Chandelier Crab in its parts, with its face.
- * floor: tools
  */
 #include "art.h"
 

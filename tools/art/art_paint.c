@@ -1,6 +1,5 @@
 /*
  * art_paint.c - the modeller: shapes with normals, sampled SS x SS a pixel, lit, and voted down to clean pixels.
- * floor: tools
  *
  * Each sample remembers the last shape (part) that covered it and how bright it was there. A pixel belongs to the part
  * with the most samples and is drawn when half of it is covered: so silhouettes are smooth and there are no in-between

@@ -1,6 +1,6 @@
 /*
  * art_palette.c - the 256 colours. A row is a bank of 16; column 0 is never drawn (it is the colour of the empty
- * screen). floor: tools
+ * screen).
  *
  * In every bank 1 is the darkest and 15 the lightest, so text can be drawn in any of them. Banks 0..7 are eight times
  * the same ramp (rim, body, bright, core) for whatever is recoloured by adding a bank: bullets, sparks, text.

@@ -1,6 +1,5 @@
 /*
  * art_scene.c - what is not alive: explosions, the sea floor, the reef at its sides, the title.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_ships.c - the three craft and their options. Four frames: the flame breathes.
- * floor: tools
  */
 #include "art.h"
 

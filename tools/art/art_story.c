@@ -1,6 +1,6 @@
 /*
  * art_story.c - the pictures of the opening and the endings, 240 x 160 px each, in fifteen colours of their own: 1..7
- * what is far, 8..11 what is near, 12..15 what shines. floor: tools
+ * what is far, 8..11 what is near, 12..15 what shines.
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_three.c - who lives in the abyss: creatures of violet glass with lights of their own. Four frames each.
- * floor: tools
  */
 #include "art.h"
 

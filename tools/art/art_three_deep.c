@@ -1,7 +1,6 @@
 /*
  * art_three_deep.c - the two great ones of the abyss: the Anglerlamp with its lamp and stalk, and the Queen in all her
  * size. Bank 12: 2..8 glass, 9..11 silver, 12..13 heart, 14 and 15 light.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,7 +1,6 @@
 /*
  * art_three_scene.c - what the abyss looks like, all of it in the ramp of bank 13: the ground with its vents and bones,
  * chains of glass that hang into the picture, walls of rock, and what sinks. Maps repeat without a seam.
- * floor: tools
  */
 #include "art.h"
 

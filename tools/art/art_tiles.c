@@ -1,7 +1,6 @@
 /*
  * art_tiles.c - tiles of 16 px for backgrounds, eight a row, in the ramp of bank 13: the sea in four tiles that join on
  * all sides, four slabs; a cloud of three tiles and a puff, a tower's cap, wall and window, a bush.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,5 @@
 /*
  * art_two.c - who works in the drowned glassworks: creatures of copper, brass and steel. Four frames each.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,7 +1,6 @@
 /*
  * art_two_bosses.c - who runs the drowned glassworks: the Bellows, a ray that breathes; Cinder and Quench, eels of the
  * furnace; and the faces of these two, calm and angry. Bank 12, and Quench in the steel of bank 11.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,7 +1,6 @@
 /*
  * art_two_scene.c - the drowned glassworks themselves: a wall of arches, pipes before it, stacks at the sides; the
  * street of the works, which is seen at an angle, with the chimneys at its end; and the bullets that are made there.
- * floor: tools
  */
 #include "art.h"
 

@@ -1,6 +1,6 @@
 /*
  * art_water.c - black water at night, and the moon's light on it: two pictures of 240 x 320 px that join above and
- * below, in the ramp of bank 13 of the moon's palette. floor: tools
+ * below, in the ramp of bank 13 of the moon's palette.
  */
 #include "art.h"
 

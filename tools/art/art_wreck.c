@@ -1,7 +1,6 @@
 /*
  * art_wreck.c - what lies and grows in the shallows: the wreck of a lamp ship, seen from above, kelp that is so near
  * that it is nearly black, and shafts of light. Bank 13.
- * floor: tools
  */
 #include "art.h"
 

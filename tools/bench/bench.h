@@ -1,7 +1,6 @@
 /*
  * bench.h - what `make bench` is made of: sections that measure and report, their clock, and the targets they are held
  * to.
- * floor: tools
  */
 #ifndef BENCH_BENCH_H
 #define BENCH_BENCH_H

@@ -1,6 +1,5 @@
 /*
  * crowd.h - the crowd of roms/bench on a board, as the references want to be told of it, and what must be equal.
- * floor: tools
  */
 #ifndef BENCH_CROWD_H
 #define BENCH_CROWD_H

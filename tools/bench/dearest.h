@@ -1,7 +1,6 @@
 /*
  * dearest.h - a game for each feature whose work has no other bound than the guard: the dearest frame that a manifest
  * allows, or one that the guard ends.
- * floor: tools
  */
 #ifndef BENCH_DEAREST_H
 #define BENCH_DEAREST_H

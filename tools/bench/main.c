@@ -1,6 +1,5 @@
 /*
  * main.c - the bench's command line: bench [--out FOLDER] [SECTION...]
- * floor: tools
  *
  * Prints the measurements of the named sections. Without sections it runs all of them and also writes the page,
  * FOLDER/speed.md and FOLDER/speed/NAME.svg; FOLDER is docs/measured by default. Run it from the repository's folder.

@@ -1,7 +1,6 @@
 /*
  * reference.h - the crowd of roms/bench in plain C, three times, with nothing of the engine: what it is measured and
  * checked against.
- * floor: tools
  *
  *     array      an array of structs of doubles; every bullet is looked at, every pixel asked whether it is opaque
  *     columns    columns of int32; blocks of 64 go through one loop without branches; rows of 8 pixels are masked words

@@ -1,7 +1,6 @@
 /*
  * scene.h - a scene of roms/bench on a board of its own: the ROM's own scripts, with capacities and pictures made for
  * the measurement.
- * floor: tools
  */
 #ifndef BENCH_SCENE_H
 #define BENCH_SCENE_H

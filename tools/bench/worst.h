@@ -1,6 +1,5 @@
 /*
  * worst.h - the operations of Lua that take longest for what the guard counts, each in an endless loop.
- * floor: tools
  */
 #ifndef BENCH_WORST_H
 #define BENCH_WORST_H

@@ -5,7 +5,6 @@
  * ours within one round, and its median counts. Two ways of running: free, where calls can overlap, and chained, where
  * each argument waits for the last result (which is masked to nothing, so that the arguments stay the same). Times are
  * of this thread's processor time.
- * floor: tools
  */
 #define _POSIX_C_SOURCE 200809L
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /*
  * bench_fx.h - what tools/bench_fx/bench_fx.c measures: the functions both libraries have, as tables of pointers.
- * floor: tools
  *
  * Each side's table stands in an object of its own, so every call goes through a pointer: nothing is inlined, nothing
  * is hoisted out of a loop, and what is inline in a header is an ordinary function here.

@@ -1,6 +1,5 @@
 /*
  * bench_fx_inputs.c - arguments for tools/bench_fx/bench_fx.c: random ones, and those a demo's bullets give.
- * floor: tools
  */
 #include <math.h>
 #include <stdio.h>

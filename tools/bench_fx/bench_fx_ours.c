@@ -1,6 +1,5 @@
 /*
  * bench_fx_ours.c - Curtain's side of tools/bench_fx/bench_fx.c.
- * floor: tools
  */
 #include "../../src/base/fx.h"
 #include "../../src/base/trig.h"

@@ -2,7 +2,6 @@
  * bench_fx_theirs.c - libfixmath's side of tools/bench_fx/bench_fx.c. Compiled once for each build of the library, with
  * SIDE naming the table; the script links each with its library and hides everything but the table. With ABSENT the
  * table is empty.
- * floor: tools
  */
 #include <libfixmath/fix16.h>
 #include "bench_fx.h"

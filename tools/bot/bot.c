@@ -19,7 +19,6 @@
  *
  * What to press in menus is searched for (menus.c); in the game it looks ahead (pilot.c). So it sees what will happen,
  * but knows nothing of any particular game.
- * floor: tools
  */
 #include "bot.h"
 

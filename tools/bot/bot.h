@@ -1,6 +1,5 @@
 /*
  * bot.h - a program that plays a game: the run it makes, the way through the menus, and the pilot.
- * floor: tools
  */
 #ifndef TOOLS_BOT_H
 #define TOOLS_BOT_H

@@ -1,6 +1,5 @@
 /*
  * all.h - every document of a list compared at every rank, some documents at a time.
- * floor: tools
  */
 #ifndef BULLETML_ALL_H
 #define BULLETML_ALL_H

@@ -1,6 +1,5 @@
 /*
  * board.h - a game made of a document, and its board.
- * floor: tools
  */
 #ifndef BULLETML_BOARD_H
 #define BULLETML_BOARD_H

@@ -1,6 +1,5 @@
 /*
  * compare.h - two sides of one document, frame by frame and bullet by bullet.
- * floor: tools
  *
  * Bullets are matched by their numbers, which are those of creation: one too many or too few, at any time, and nothing
  * after it fits. That a bullet goes too far is no matter of a document: what is beyond COMPARE_X, COMPARE_Y on the

@@ -1,6 +1,5 @@
 /*
  * list.h - lists of documents: a path a line; what begins with # is said to the reader.
- * floor: tools
  */
 #ifndef BULLETML_LIST_H
 #define BULLETML_LIST_H

@@ -1,6 +1,5 @@
 /*
  * reference.h - a BulletML document run by libbulletml, as Debian has it: what Curtain's own is compared with.
- * floor: tools
  *
  * A world has its origin in the middle, x to the right and y down; directions are in degrees, 0 is up, clockwise; a
  * speed of 1 is 1 px a frame. It begins with the root, number 0, at (0, REFERENCE_ROOT_Y), direction 180, speed 0.

@@ -1,6 +1,5 @@
 /*
  * side.h - one of two runs of a document that are compared frame by frame: libbulletml's or the board's.
- * floor: tools
  */
 #ifndef BULLETML_SIDE_H
 #define BULLETML_SIDE_H

@@ -1,6 +1,5 @@
 /*
  * tool.h - what `make bulletml` is made of.
- * floor: tools
  */
 #ifndef BULLETML_TOOL_H
 #define BULLETML_TOOL_H

@@ -1,7 +1,6 @@
 /*
  * rows.c - the scenes of the bench on this checkout's engine, one slice of frames at a time, for who runs two of these
  * in turns: rows BENCH GAME [START]
- * floor: tools
  *
  * BENCH is the folder roms/bench of either checkout, GAME a game's, START a practice start of it. Reads commands from
  * stdin and answers each with a line: "list", all rows, then an empty line; "open ROW", "fine" or why not; "slice N",

@@ -1,6 +1,5 @@
 /*
  * weigh.c - what one game costs on this checkout's engine: weigh ROM LOADS FRAMES [START]
- * floor: tools
  *
  * Powers the ROM's board LOADS times, then plays FRAMES frames from START, a practice start, in which a player flies
  * about, fires and cannot be hit. Prints a line a figure, "NAME VALUE". compare.sh builds it with another commit's

@@ -10,7 +10,6 @@
  * DIR/PAGE.png. Exit code 1: a fault or a full pool, which standard error reports.
  *
  * The plain ship stands still. Other ships sway, hold fire, and press bomb now and then and after a hit.
- * floor: tools
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /*
  * acceleration.c - section 5: a bullet whose speed changes. Against the continuous motion x0 + v0 t + a t^2 / 2.
- * floor: tools
  *
  * All fly along +x, so that only speeds and places are rounded. Rows of the engine run motion programs on its chip; the
  * others are in doubles, which leaves the error of the method.

@@ -1,6 +1,5 @@
 /*
  * angles.c - section 4: what a direction is kept in. Headings that turn by the same step for ever, and rings.
- * floor: tools
  */
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,6 @@
 /*
  * border.c - the lab's section on the border to scripts: what a position or an angle is after it went to Lua and came
  * back. A Lua number is a double; scripts see pixels and degrees.
- * floor: tools
  */
 #include <lua.h>
 #include <math.h>

@@ -1,7 +1,6 @@
 /*
  * broad.c - section 6: which pairs are worth an exact test? One player against many bullets, many shots against many
  * enemies.
- * floor: tools
  *
  * The engine's rows are hit_run on a board. The rivals are a uniform grid and a tree of boxes (bullets sorted along a
  * Morton curve, blocks of 8 as leaves, boxes of boxes above). Bullets move every frame, so both are built every frame.

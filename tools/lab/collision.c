@@ -1,6 +1,5 @@
 /*
  * collision.c - section 2: does a bullet touch the player? Shapes, and what lies between two frames.
- * floor: tools
  *
  * Two circles touch when their centres are at most r apart, r being the sum of their radii; so a player is a point
  * here, and r is the bullet's radius with the player's in it. Rivals are asked about two things: where a bullet stands

@@ -1,7 +1,6 @@
 /*
  * engine.h - the engine's own code, as the lab's rows of the engine run it: a board whose chips are laid out as on any
  * board, without ROM and scripts.
- * floor: tools
  */
 #ifndef LAB_ENGINE_H
 #define LAB_ENGINE_H

@@ -1,7 +1,6 @@
 /*
  * functions.c - the lab's first section: each function of the engine's arithmetic against what could stand in its
  * place. Errors over random arguments of a scene, and separately at the edges of what an argument can be.
- * floor: tools
  */
 #include <math.h>
 #include <stdio.h>

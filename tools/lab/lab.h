@@ -1,6 +1,6 @@
 /*
  * lab.h - the accuracy lab: sections measure, and report what they found: text, tables and plots of
- * docs/measured/accuracy.md. floor: tools
+ * docs/measured/accuracy.md.
  *
  * A figure that depends on the machine begins with the character "≈" and ends before the next blank or bar. With
  * `lab --exact` no time is taken and each of them is "≈" alone, so two pages can be compared. All other figures must be

@@ -1,6 +1,5 @@
 /*
  * leaving.h - what a bullet touches in the frame in which it leaves the field: a part of section 2.
- * floor: tools
  */
 #ifndef LAB_LEAVING_H
 #define LAB_LEAVING_H

@@ -1,6 +1,5 @@
 /*
  * main.c - the accuracy lab's command line: lab [--exact] [--out FOLDER] [SECTION...]
- * floor: tools
  *
  * Writes FOLDER/accuracy.md and FOLDER/accuracy/NAME.svg; FOLDER is docs unless named. --exact takes no times (lab.h).
  * Sections are named as in the list below; without names it is all of them. Exit 1: the figures do not bear out what

@@ -1,7 +1,6 @@
 /*
  * models.c - section 8: what a scene may choose, and what each choice costs, by the engine's own code: hits of a crowd
  * that stands close to a player, and frames of a crowd that flies.
- * floor: tools
  */
 #include <math.h>
 #include <string.h>

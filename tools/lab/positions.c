@@ -1,7 +1,6 @@
 /*
  * positions.c - section 3: what a position is kept in. Straight flight for up to a million frames, and a pattern moved
  * by whole pixels.
- * floor: tools
  *
  * Each format has LANES bullets: every speed with every heading. The world wraps, so that fast bullets can be followed
  * as long as slow ones: a fixed-point position by its own overflow, a floating one by a step across the world that is

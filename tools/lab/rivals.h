@@ -1,6 +1,5 @@
 /*
  * rivals.h - the engine's functions and what could stand in their places, for the lab's first section.
- * floor: tools
  */
 #ifndef LAB_RIVALS_H
 #define LAB_RIVALS_H

@@ -1,6 +1,5 @@
 /*
  * touches.c - see touches.h. Products of 128 bits are formed here.
- * floor: tools
  */
 #include "touches.h"
 

@@ -1,6 +1,5 @@
 /*
  * touches.h - does a point touch a circle on its way? Exact, and shares nothing with the engine.
- * floor: tools
  */
 #ifndef LAB_TOUCHES_H
 #define LAB_TOUCHES_H

@@ -1,6 +1,5 @@
 /*
  * truth.h - true results of the engine's functions, to about 100 bits, from doubles with + - * / and sqrt alone.
- * floor: tools
  */
 #ifndef LAB_TRUTH_H
 #define LAB_TRUTH_H

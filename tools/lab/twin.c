@@ -1,6 +1,5 @@
 /*
  * twin.c - the engine's integer twins (fx.h), compiled beside the code that takes steps in doubles.
- * floor: tools
  */
 #define FX_INTEGER
 #define trig_sin30             twin_sin30

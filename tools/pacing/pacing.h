@@ -1,7 +1,6 @@
 /*
  * pacing.h - the sections of docs/measured/pacing.md: what pace.h makes of screens, how long a switch takes to the
  * picture, and what composing a window and looking ahead cost.
- * floor: tools
  */
 #ifndef PACING_PACING_H
 #define PACING_PACING_H

@@ -1,6 +1,5 @@
 /*
  * simulate.h - a screen and a host that are not there: what pace.h makes of them, counted.
- * floor: tools
  */
 #ifndef PACING_SIMULATE_H
 #define PACING_SIMULATE_H

@@ -1,7 +1,6 @@
 /*
  * digest.c - what every function of fx.h and trig.h gives for a fixed stream of arguments, as one hexadecimal line:
  * equal in every build. `digest --each` has a line for each function.
- * floor: tools
  *
  * Portable: no wide integers, no library but the C one. Besides random arguments, those of hard.inc for every function:
  * near ties is where builds could differ.

@@ -1,6 +1,5 @@
 /*
  * directions.c - proves trig_atan2 and trig_normalise.
- * floor: tools
  *
  * trig_atan2 is right by its error bound unless the vector is next to a ray halfway between two angs, and then it asks
  * on which side, with 120 bits; what has to be shown is that these suffice for the nearest vector there is. An eighth

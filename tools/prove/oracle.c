@@ -1,6 +1,5 @@
 /*
  * oracle.c - the oracle's tables and slow decisions, by MPFR.
- * floor: tools
  *
  * Each table is made of two small ones, whose entries are products in 256 bits: sin and cos of some hundred angles by
  * mpfr_sin_cos, the rest by sin(a+b) and cos(a+b).

@@ -1,7 +1,6 @@
 /*
  * oracle.h - sines and cosines to 124 bits and more, made by MPFR; MPFR itself where that does not decide. Nothing of
  * the engine is included here.
- * floor: tools
  *
  * Angles are in half angs, 2^-33 of a turn, so that what is halfway between two angs is a whole number too. Fractions
  * of 128 bits are in units of 2^-128; one is 2^128 - 1.

@@ -1,6 +1,5 @@
 /*
  * polar.c - proves trig_polar, and looks at trig_stride: both parts correctly rounded for every speed and direction.
- * floor: tools
  *
  * A part is +-m c, where m <= 2^31 is the speed's magnitude and c the cosine of u angs, u in a quarter turn: 2^30 + 1
  * values c. trig_polar is right by its error bounds unless m c is near halfway between two whole numbers, and then it

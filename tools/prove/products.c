@@ -1,6 +1,5 @@
 /*
  * products.c - proves fx_mul, fx_div, fx_lerp, fx_add, fx_sub, conversions from and to double, and degrees.
- * floor: tools
  *
  * The exact results are fractions of whole numbers below 2^127, so the oracle is exact: r is right for a/b when
  * |a - rb| < b/2, or = b/2 and r is even, or when r is the end of the range and a/b lies beyond it.

@@ -1,6 +1,5 @@
 /*
  * prove.c - the harness of the proof programs.
- * floor: tools
  *
  * Threads take chunks by number from a counter. Each has tallies of its own, added up when all are done, and each chunk
  * its own stream of random numbers, so that what is tried does not depend on who tries it.

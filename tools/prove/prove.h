@@ -1,6 +1,5 @@
 /*
  * prove.h - what the proof programs share: inputs in chunks, two threads, counts, and a line for each function.
- * floor: tools
  *
  *     PROGRAM [--sample] [--seed N] [--threads N] [--only NAME] [--hard FILE]
  *

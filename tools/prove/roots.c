@@ -1,6 +1,5 @@
 /*
  * roots.c - proves fx_sqrt, fx_rsqrt and fx_hypot.
- * floor: tools
  *
  * Oracle: a root is checked by squares of whole numbers, which is exact: r is the nearest to sqrt(n) when (2r - 1)^2 <
  * 4n < (2r + 1)^2, and to 2^24/sqrt(x) when (2r - 1)^2 x < 2^50 < (2r + 1)^2 x. None of these can be equal, so there

@@ -1,6 +1,5 @@
 /*
  * sines.c - proves trig_sin, trig_cos, trig_sin30 and trig_cos30, for all 2^32 angles.
- * floor: tools
  *
  * Oracle: sine and cosine of the angle's part within a quarter turn, off by less than 2^-124; the other three quarters
  * have the same two up to sign and order. That decides unless a value is within 2^-88 of halfway; then MPFR does.

@@ -1,6 +1,5 @@
 /*
  * plot.c - plots: points or lines with their names beside them, as SVG.
- * floor: tools
  *
  * A plot is collected, then scaled to what it holds, so nothing has to be said about axes but their names. It brings
  * its own light background, to be read on dark pages too. Names are put where they cover the least; the widths of

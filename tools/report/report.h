@@ -1,6 +1,5 @@
 /*
  * report.h - pages that a program writes with what it measured: text, tables and plots, as Markdown and SVG.
- * floor: tools
  *
  * A page is collected and written at the end, because its conclusions stand before what they follow from.
  */

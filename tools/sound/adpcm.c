@@ -1,6 +1,5 @@
 /*
  * adpcm.c - the ear's section on recordings in a ROM: what their packing loses, and their loops.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

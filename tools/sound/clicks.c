@@ -1,6 +1,5 @@
 /*
  * clicks.c - the ear's section on clicks: second differences where one thing ends and the next begins.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,6 @@
 /*
  * ear.h - the ear: what the page of sound measures, and with which means. Each section measures one thing, reports it,
  * and says which figure of the prototype it reaches.
- * floor: tools
  *
  * What is measured is the engine's own code; what it is measured against is computed with doubles. No figure depends on
  * the machine: they are integers, and decibels of one decimal.

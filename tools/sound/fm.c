@@ -1,6 +1,5 @@
 /*
  * fm.c - the ear's section on FM: operators against doubles, feedback against the recursion that chips compute.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

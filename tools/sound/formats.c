@@ -1,6 +1,5 @@
 /*
  * formats.c - the page's last section: how sound lies in a ROM.
- * floor: tools
  */
 #include "../../src/sound/adpcm.h"
 #include "ear.h"

@@ -1,6 +1,5 @@
 /*
  * levels.c - the ear's section on envelopes: levels as they are heard against the exact curves.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /*
  * main.c - the ear's command line: ear [--out FOLDER] [SECTION...]
- * floor: tools
  *
  * Writes FOLDER/sound.md and FOLDER/sound/NAME.svg; FOLDER is docs unless named. Exit 1: a figure is not reached.
  */

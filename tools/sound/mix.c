@@ -1,6 +1,5 @@
 /*
  * mix.c - the ear's section on the mix: the limiter, and noise.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

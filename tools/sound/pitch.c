@@ -1,6 +1,5 @@
 /*
  * pitch.c - the ear's section on pitch and time.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /*
  * recordings.c - the ear's section on recordings at other pitches: what is between their samples, and what must go.
- * floor: tools
  */
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /*
  * waves.c - the ear's section on waves: what of them folds back from above half the sampling rate.
- * floor: tools
  *
  * A note of an odd number of turns in a power of two of samples: its harmonics stand at multiples of that number, and
  * what folds back stands elsewhere.

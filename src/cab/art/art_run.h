@@ -1,6 +1,5 @@
 /*
  * art_run.h - `curtain art` and `curtain palette`.
- * floor: cab
  */
 #ifndef CAB_ART_RUN_H
 #define CAB_ART_RUN_H

@@ -1,6 +1,5 @@
 /*
  * atlas.h - all sprites of a game on one picture: large enough to be looked at, with name, origin and what hits.
- * floor: cab
  */
 #ifndef CAB_ATLAS_H
 #define CAB_ATLAS_H

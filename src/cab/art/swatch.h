@@ -1,6 +1,5 @@
 /*
  * swatch.h - lists of colours as palette sites and editors hand them on: .hex and .gpl.
- * floor: cab
  *
  * .hex: a colour a line, six hexadecimal digits, with or without a # before them. .gpl, GIMP's: a first line `GIMP
  * Palette`, lines `Name:` and `Columns:`, remarks behind #, and a colour a line: red, green, blue from 0 to 255, and a

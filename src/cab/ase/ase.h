@@ -1,6 +1,5 @@
 /*
  * ase.h - files of Aseprite and LibreSprite (.ase, .aseprite), read for their pictures, tags and slices.
- * floor: cab
  *
  * Read from the published format: indexed, grey and RGBA sprites; cels raw, compressed or linked; layers in groups,
  * with opacity and blend modes; both kinds of palette chunk. What no game needs is passed over: user data, colour

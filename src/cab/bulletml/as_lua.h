@@ -1,6 +1,5 @@
 /*
  * as_lua.h - a BulletML document as a script of Lua that does the same, for authors who move over.
- * floor: cab
  */
 #ifndef CAB_BULLETML_AS_LUA_H
 #define CAB_BULLETML_AS_LUA_H

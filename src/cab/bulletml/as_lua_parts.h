@@ -1,7 +1,7 @@
 /*
  * as_lua_parts.h - what the files of `curtain bulletml --lua` share: as_lua.c (elements), as_lua_value.c (numbers),
  * as_lua_motion.c (motion programs), as_lua_head.c (the first lines), as_lua_helpers.c (functions that the script
- * brings along). floor: cab
+ * brings along).
  */
 #ifndef CAB_BULLETML_AS_LUA_PARTS_H
 #define CAB_BULLETML_AS_LUA_PARTS_H

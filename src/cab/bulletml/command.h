@@ -1,6 +1,5 @@
 /*
  * command.h - `curtain bulletml`.
- * floor: cab
  */
 #ifndef CAB_BULLETML_COMMAND_H
 #define CAB_BULLETML_COMMAND_H

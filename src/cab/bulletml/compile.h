@@ -1,6 +1,5 @@
 /*
  * compile.h - a BulletML document to the program that a board runs (src/rom/bulletml.h).
- * floor: cab
  */
 #ifndef CAB_BULLETML_COMPILE_H
 #define CAB_BULLETML_COMPILE_H

@@ -1,6 +1,5 @@
 /*
  * document.h - a BulletML document: XML to a tree, with what is wrong in it said by line and column.
- * floor: cab
  *
  * Reads the language of BulletML 0.21 as libbulletml does. What it gives is well formed: each element has the children
  * it must have, in their order, no others, and a number where one is needed; each ref's label is there. Nothing here

@@ -1,7 +1,6 @@
 /*
  * document_parts.h - what the files of the reader of documents share: document.c (the tree), document_xml.c (expat),
  * document_attributes.c (labels, types), document_check.c (what must be where), document_warn.c (what is hardly meant).
- * floor: cab
  */
 #ifndef CAB_BULLETML_DOCUMENT_PARTS_H
 #define CAB_BULLETML_DOCUMENT_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * expression.h - the numbers of a BulletML document: text to operations for a stack.
- * floor: cab
  *
  *     sum     := product (("+" | "-") product)*
  *     product := factor (("*" | "/") factor)*

@@ -1,6 +1,5 @@
 /*
  * builtins.h - the names a game's scripts may use: Lua's that the sandbox keeps, the API's, and the standard library's.
- * floor: cab
  */
 #ifndef CAB_BUILTINS_H
 #define CAB_BUILTINS_H

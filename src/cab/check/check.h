@@ -1,6 +1,5 @@
 /*
  * check.h - `curtain check DIR`: the author's lint.
- * floor: cab
  *
  * All that can be found wrong with a game's folder in one run, a line a diagnostic, on standard output: what the packer
  * and the sandbox refuse, names that are not declared, values used as what they are not, missing and unused files and

@@ -1,6 +1,5 @@
 /*
  * check_parts.h - what the files of `curtain check` share.
- * floor: cab
  */
 #ifndef CAB_CHECK_PARTS_H
 #define CAB_CHECK_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * diagnostics.h - a list of what is wrong with a game, or may be: file, line, sentence.
- * floor: cab
  */
 #ifndef CAB_DIAGNOSTICS_H
 #define CAB_DIAGNOSTICS_H

@@ -1,6 +1,5 @@
 /*
  * lex.h - Lua 5.4's tokens.
- * floor: cab
  *
  * The text is taken to be what the Lua compiler accepts. Anything else ends in T_BAD sooner or later, and is never read
  * beyond its end.

@@ -1,7 +1,6 @@
 /*
  * symbols.h - the symbol table of a Lua script, made without running it: the globals and fields it names, its strings,
  * calls and tables, and what is wrong on its face.
- * floor: cab
  *
  * One pass over Lua 5.4's grammar that resolves every name to a local, an upvalue or a global. Lines are those of the
  * Lua compiler. All texts are in the arena, or "" for one that holds a zero byte.

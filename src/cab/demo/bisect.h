@@ -1,6 +1,5 @@
 /*
  * bisect.h - `verify --bisect A B`: the first frame in which two runs differ, out of what `hash` printed of each.
- * floor: cab
  *
  * A and B are tracks (hash, or hash --parts) or traces (hash --trace, see trace.h), of two builds, machines or ROMs;
  * either may be "-", standard input. They are read line by line, so their size does not matter.

@@ -1,6 +1,5 @@
 /*
  * replay.h - a demo played again and compared, frame by frame, with what it was recorded with.
- * floor: cab
  */
 #ifndef CAB_REPLAY_H
 #define CAB_REPLAY_H

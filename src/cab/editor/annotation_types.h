@@ -1,6 +1,5 @@
 /*
  * annotation_types.h - what the API table's types are called in LuaLS's annotations.
- * floor: cab
  */
 #ifndef CAB_ANNOTATION_TYPES_H
 #define CAB_ANNOTATION_TYPES_H

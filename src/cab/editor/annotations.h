@@ -1,7 +1,6 @@
 /*
  * annotations.h - `curtain help lua --annotations`: the API table as definitions for LuaLS, the Lua language server, so
  * that an editor completes names, shows their help, and finds wrong arguments.
- * floor: cab
  */
 #ifndef CAB_ANNOTATIONS_H
 #define CAB_ANNOTATIONS_H

@@ -1,7 +1,6 @@
 /*
  * lua_example.h - the example and the guide's page that `curtain help lua NAME` prints below an entry. They are in
  * share/help/TABLE.md, which the tests run.
- * floor: cab
  */
 #ifndef CAB_LUA_EXAMPLE_H
 #define CAB_LUA_EXAMPLE_H

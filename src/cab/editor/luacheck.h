@@ -1,7 +1,6 @@
 /*
  * luacheck.h - `curtain help lua --luacheck`: the names of the API table as settings of luacheck, the linter, so that
  * it knows what a game has: no os, no math.random, bullet.fire but not bullet.fyre.
- * floor: cab
  */
 #ifndef CAB_LUACHECK_H
 #define CAB_LUACHECK_H

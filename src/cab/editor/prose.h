@@ -1,6 +1,5 @@
 /*
  * prose.h - text that grows in memory, for whoever writes what goes to a file or to the terminal.
- * floor: cab
  */
 #ifndef CAB_PROSE_H
 #define CAB_PROSE_H

@@ -1,6 +1,5 @@
 /*
  * apng.h - an animated PNG, made in memory picture by picture.
- * floor: cab
  *
  * Time is counted in sixtieths of a second, which an APNG can say exactly. Every pixel has its exact colour: as an
  * index while all pictures together have 256 colours at most, else in full. Only the rectangle that changed is written,

@@ -1,6 +1,5 @@
 /*
  * change.h - what of a picture is another colour than in the one before.
- * floor: cab
  */
 #ifndef CAB_CHANGE_H
 #define CAB_CHANGE_H

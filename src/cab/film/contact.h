@@ -1,6 +1,5 @@
 /*
  * contact.h - frames of a run on one picture, in reading order, each with its number above it.
- * floor: cab
  */
 #ifndef CAB_CONTACT_H
 #define CAB_CONTACT_H

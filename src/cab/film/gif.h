@@ -1,6 +1,5 @@
 /*
  * gif.h - an animated GIF, made in memory picture by picture.
- * floor: cab
  *
  * Every pixel has its exact colour: a picture has 256 at most, and so has a GIF's. The first picture's palette is the
  * whole file's; a picture that needs other colours brings its own. Only the rectangle that changed is written, and in

@@ -1,6 +1,5 @@
 /*
  * last.h - the last seconds of a run as a GIF.
- * floor: cab
  */
 #ifndef CAB_LAST_H
 #define CAB_LAST_H

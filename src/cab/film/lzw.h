@@ -1,6 +1,5 @@
 /*
  * lzw.h - the compression of GIF: bytes to codes of 9 to 12 bits, in blocks of at most 255 bytes.
- * floor: cab
  */
 #ifndef CAB_LZW_H
 #define CAB_LZW_H

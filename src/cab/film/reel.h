@@ -1,6 +1,5 @@
 /*
  * reel.h - bytes of a file in the making: a buffer that grows.
- * floor: cab
  */
 #ifndef CAB_REEL_H
 #define CAB_REEL_H

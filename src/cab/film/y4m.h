@@ -1,6 +1,5 @@
 /*
  * y4m.h - raw video as yuv4mpeg: 60 pictures a second, every pixel with brightness and both colours of its own (4:4:4).
- * floor: cab
  *
  * Colours are those of BT.601 in 16 to 235 (brightness) and 16 to 240, as readers take it that are told nothing else:
  *

@@ -1,6 +1,5 @@
 /*
  * config.h - the user's settings, a text file.
- * floor: cab
  *
  *     # window pixels a picture pixel; 0: auto
  *     scale = 3

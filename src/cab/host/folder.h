@@ -1,6 +1,5 @@
 /*
  * folder.h - tells when a file of a game's folder has changed.
- * floor: cab
  */
 #ifndef CAB_FOLDER_H
 #define CAB_FOLDER_H

@@ -1,6 +1,5 @@
 /*
  * keys.h - from raw switches to pads: the key map, and the cabinet's own keys.
- * floor: cab
  *
  * An action is a button of a player (p1.fire) or a key of the cabinet (pause). It has up to KEYS_EACH switches, written
  * by name, with blanks between them:

@@ -2,7 +2,6 @@
  * library.h - shared libraries that are opened when they are needed: they read some kinds of files, and a program that
  * reads none of them runs without. Their few declarations are ours, in the file that calls them, so that what a build
  * can do depends on no header that happens to be installed.
- * floor: cab
  */
 #ifndef CAB_LIBRARY_H
 #define CAB_LIBRARY_H

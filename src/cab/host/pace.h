@@ -1,6 +1,5 @@
 /*
  * pace.h - when a frame of the cabinet is due, and how many ticks it has: 60 a second, whatever the screen does.
- * floor: cab
  *
  * It has no clock: the caller says what time it is, in microseconds, so all of it can be simulated.
  *

@@ -1,7 +1,6 @@
 /*
  * progress.h - on a terminal: how far something is that takes longer than a second, and how long it will take yet, in
  * one line that is written over again and again.
- * floor: cab
  *
  * A program has one standard error, so there is one of these: a command begins it, and whoever does the work, however
  * deep, tells. Where none was begun, and where standard error is no terminal, nothing happens.

@@ -1,7 +1,6 @@
 /*
  * report.h - what went wrong, and what a script printed, on plat_log: lines of which clean_line has blanked what is no
  * text.
- * floor: cab
  */
 #ifndef CAB_REPORT_H
 #define CAB_REPORT_H

@@ -1,6 +1,5 @@
 /*
  * version.h - which release of Curtain this is. CHANGELOG.md says what is in it, and begins with the same number.
- * floor: cab
  *
  * What a release computes is told by CORE_VERSION (board.h), which changes by other rules.
  */

@@ -1,6 +1,5 @@
 /*
  * views.h - the words by which a view is chosen, in the settings and on the command line.
- * floor: cab
  */
 #ifndef CAB_VIEWS_H
 #define CAB_VIEWS_H

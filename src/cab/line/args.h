@@ -1,6 +1,5 @@
 /*
  * args.h - the command line as data: commands, options, what goes with what, and their help.
- * floor: cab
  *
  * One table each for commands and options (args_table.c) gives parsing, help and error messages. Nothing here touches a
  * file.

@@ -1,6 +1,6 @@
 /*
  * args_parts.h - what the files args*.c share: the tables of commands and options, and their rows.
- * floor: cab    used by: args*.c
+ * Used by: args*.c
  */
 #ifndef CAB_ARGS_PARTS_H
 #define CAB_ARGS_PARTS_H

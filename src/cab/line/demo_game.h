@@ -1,6 +1,5 @@
 /*
  * demo_game.h - `play FILE` of a demo, which names no game: finds the game that it was recorded with.
- * floor: cab
  */
 #ifndef CAB_DEMO_GAME_H
 #define CAB_DEMO_GAME_H

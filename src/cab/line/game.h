@@ -1,6 +1,5 @@
 /*
  * game.h - a ROM taken from the command line: loaded, checked, and how its board is to start.
- * floor: cab
  */
 #ifndef CAB_GAME_H
 #define CAB_GAME_H

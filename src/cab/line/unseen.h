@@ -1,7 +1,6 @@
 /*
  * unseen.h - a run without a window: power, then ticks with the demo's pads, or those of --press. What scripts print
  * goes to plat_log; what is not done has been told there.
- * floor: cab
  */
 #ifndef CAB_UNSEEN_H
 #define CAB_UNSEEN_H

@@ -1,6 +1,5 @@
 /*
  * hear.h - one sound or piece of music, heard: a window with the mixer, until it is over or is closed.
- * floor: cab
  */
 #ifndef CAB_HEAR_H
 #define CAB_HEAR_H

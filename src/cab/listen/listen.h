@@ -1,6 +1,5 @@
 /*
  * listen.h - `curtain sound`: the sounds and the music of a game, listed, measured, written.
- * floor: cab
  */
 #ifndef CAB_LISTEN_H
 #define CAB_LISTEN_H

@@ -1,6 +1,5 @@
 /*
  * loudness.h - how loud sound is to an ear: ITU-R BS.1770-4, in LUFS, of two channels at 48 kHz.
- * floor: cab
  *
  * What is shorter than a block of 0.4 s counts as one.
  */

@@ -1,6 +1,5 @@
 /*
  * notes.h - `curtain sound GAME NAME --notes`: the events of a tune as text, as the board reads them.
- * floor: cab
  */
 #ifndef CAB_NOTES_H
 #define CAB_NOTES_H

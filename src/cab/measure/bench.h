@@ -1,6 +1,5 @@
 /*
  * bench.h - `curtain bench`: what a game's frames cost, by section and by line of Lua, and what of its room it uses.
- * floor: cab
  */
 #ifndef CAB_BENCH_H
 #define CAB_BENCH_H

@@ -1,6 +1,5 @@
 /*
  * bench_json.h - `curtain bench --json`.
- * floor: cab
  */
 #ifndef CAB_BENCH_JSON_H
 #define CAB_BENCH_JSON_H

@@ -1,6 +1,5 @@
 /*
  * bench_print.h - what `curtain bench` measured, as text to be read.
- * floor: cab
  */
 #ifndef CAB_BENCH_PRINT_H
 #define CAB_BENCH_PRINT_H

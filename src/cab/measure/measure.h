@@ -1,7 +1,6 @@
 /*
  * measure.h - what the frames of a game cost: runs of it are played several times, and each frame's tick, picture and
  * sound timed; then once more, with every instruction of Lua counted.
- * floor: cab
  *
  * What is counted is the same on every machine. What is timed is this machine's, of the board alone: neither the
  * window's picture nor the speaker is in it. Of a frame's times in the rounds the least is taken, so that what

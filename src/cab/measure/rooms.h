@@ -1,6 +1,5 @@
 /*
  * rooms.h - what of the capacities in rom.lua runs of a game used, and what would do.
- * floor: cab
  */
 #ifndef CAB_ROOMS_H
 #define CAB_ROOMS_H

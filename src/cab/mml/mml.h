@@ -1,6 +1,6 @@
 /*
  * mml.h - music and sounds as their author writes them, compiled to a tune (tune.h). docs/measured/sound.md has the
- * language. floor: cab
+ * language.
  */
 #ifndef CAB_MML_H
 #define CAB_MML_H

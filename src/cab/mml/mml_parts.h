@@ -1,7 +1,6 @@
 /*
  * mml_parts.h - what the files of the MML compiler share: mml.c (lines, macros), mml_inst.c (instruments), mml_curve.c
  * (their curves and waves), mml_track.c (a track's commands), mml_tune.c (the bytes).
- * floor: cab
  */
 #ifndef CAB_MML_PARTS_H
 #define CAB_MML_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * console.h - a line of Lua, typed over a picture that stands still.
- * floor: cab
  *
  * RAM is saved before a line runs and restored after it, so a look at the game cannot change it. A line that begins
  * with "keep " is not undone if it works. The run is then touched: its past and its recording must be marked

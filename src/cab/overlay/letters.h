@@ -1,6 +1,5 @@
 /*
  * letters.h - the pictures of the canvas's larger face: capitals 7 px high, widths of their own.
- * floor: cab
  *
  * It has printable ASCII, the letters of Latin-1 and nearly all of Latin Extended-A, marks of punctuation, arrows,
  * shapes that stand on controllers, and boxes with and without a tick. Digits are equally wide.

@@ -1,6 +1,5 @@
 /*
  * message.h - sentences over a picture, broken into lines.
- * floor: cab
  */
 #ifndef CAB_MESSAGE_H
 #define CAB_MESSAGE_H

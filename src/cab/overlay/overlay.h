@@ -1,7 +1,6 @@
 /*
  * overlay.h - the diagnostics over the picture: hit shapes, panels of gauges, frame times and tasks, and the object
  * under the mouse. The cabinet draws all of it, and none of it is in RAM.
- * floor: cab
  */
 #ifndef CAB_OVERLAY_H
 #define CAB_OVERLAY_H

@@ -1,7 +1,6 @@
 /*
  * page.h - a message that is to be read, in the larger face: a title, what happened, what more there is, what to do. It
  * covers as much of the picture as it needs, from the top, and can be scrolled where that is not enough.
- * floor: cab
  */
 #ifndef CAB_PAGE_H
 #define CAB_PAGE_H

@@ -1,6 +1,5 @@
 /*
  * prompt.h - the prompt for a frame number: digits, Backspace, Enter and Escape, read from the keyboard itself.
- * floor: cab
  */
 #ifndef CAB_PROMPT_H
 #define CAB_PROMPT_H

@@ -1,6 +1,5 @@
 /*
  * art.h - pictures to palette indices: what the packer does with a game's PNG files once they are read.
- * floor: cab
  *
  * A pixel of less than half opacity is transparent (0); any other must have one of the bank's 15 colours, or takes the
  * nearest one when asked to. A picture that is matched by index has no colours that count: index n is shade n % 16, and

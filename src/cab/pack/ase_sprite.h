@@ -1,6 +1,5 @@
 /*
  * ase_sprite.h - what a game's sprite is in a file of Aseprite's: a tag its frames, slices its hit shape and origin.
- * floor: cab
  *
  * Slices are looked at as they are in the sprite's first frame. The first word of a slice's name says what it is:
  *

@@ -1,6 +1,5 @@
 /*
  * bdf.h - fonts in Adobe's Glyph Bitmap Distribution Format, 2.1 and 2.2, and with greys, of 2, 4 or 8 bits a pixel.
- * floor: cab
  */
 #ifndef CAB_BDF_H
 #define CAB_BDF_H

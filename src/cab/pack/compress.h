@@ -1,6 +1,5 @@
 /*
  * compress.h - a ROM to its compressed file (board/rom/compressed.h).
- * floor: cab
  */
 #ifndef CAB_COMPRESS_H
 #define CAB_COMPRESS_H

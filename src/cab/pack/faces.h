@@ -1,6 +1,5 @@
 /*
  * faces.h - fonts on their way into a ROM: the characters a game shows, and a font's pictures of them.
- * floor: cab
  */
 #ifndef CAB_FACES_H
 #define CAB_FACES_H

@@ -1,6 +1,5 @@
 /*
  * icon.h - the picture of a game: of its window, of an entry in a menu.
- * floor: cab
  *
  * In a ROM it is the lump "icon": a PNG file as it is, or the name of a sprite, whose first picture it is. It is no
  * part of the game's hash.

@@ -1,6 +1,5 @@
 /*
  * lang.h - language files, lang/NAME.txt, as their author writes them.
- * floor: cab
  *
  *     # a comment
  *     PRESS START = Bitte START drücken

@@ -1,6 +1,5 @@
 /*
  * map.h - maps of tiles: read from CSV or Tiled's .tmx, and made into lumps with the tiles of a sheet.
- * floor: cab
  *
  * Readers take any bytes. A sentence of theirs names file and line.
  */

@@ -1,6 +1,5 @@
 /*
  * pack.h - a game's folder to a ROM, and a ROM to files again.
- * floor: cab
  *
  * Into the ROM go rom.lua, every .lua, every .txt as text for rom.text, demos/NAME.demo, the art rom.lua names,
  * bulletml/NAME.xml as programs where rom.lua has room for their runners, and the modules of the standard library that

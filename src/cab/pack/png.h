@@ -1,6 +1,5 @@
 /*
  * png.h - PNG files in and out: the only place that knows stb.
- * floor: cab
  */
 #ifndef CAB_PNG_H
 #define CAB_PNG_H

@@ -1,6 +1,5 @@
 /*
  * sheet.h - a sheet of rom.lua, whatever its file is: a PNG, or a file of Aseprite's.
- * floor: cab
  */
 #ifndef CAB_SHEET_H
 #define CAB_SHEET_H

@@ -1,6 +1,5 @@
 /*
  * tree.h - a game's folder: the paths of all files in it.
- * floor: cab
  */
 #ifndef CAB_TREE_H
 #define CAB_TREE_H

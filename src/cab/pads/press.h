@@ -1,6 +1,5 @@
 /*
  * press.h - how a player presses: from the buttons that are held to those that a tick gets.
- * floor: cab
  *
  * What comes out is what is recorded, so a demo needs none of this. All is counted in ticks. A mode acts only on what
  * is the ship's at that tick: everywhere else a button is a button, so that no menu and no talk is answered by itself.

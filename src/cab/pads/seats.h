@@ -1,6 +1,5 @@
 /*
  * seats.h - which controller plays for which player.
- * floor: cab
  *
  * Player 1 has no controller until one is used: any press on one gives it the place. Another takes a free place by
  * START; in a game for one, START hands the place over. One that is unplugged leaves its place, which waits: the same

@@ -1,7 +1,6 @@
 /*
  * switch.h - a key, or a controller's switch, as 16 bits, and its names: as the settings spell it, and as it is
  * printed on a controller. keys.h lists the spellings.
- * floor: cab
  */
 #ifndef CAB_SWITCH_H
 #define CAB_SWITCH_H

@@ -1,6 +1,5 @@
 /*
  * border.h - the art round a picture that a ROM may bring: any size, its own colours, and a hole.
- * floor: cab
  *
  * The hole is the box round all pixels that are wholly transparent. It is put where the picture is, and the rest is as
  * much larger or smaller as the hole; where that does not reach the window's edge, the margin is stretched. What is

@@ -1,7 +1,6 @@
 /*
  * compose.h - the whole window, pixel by pixel: the picture turned, made larger and with the look of a tube if that is
  * asked for, what stands beside it, and the border round it.
- * floor: cab
  *
  * It is done here and not by ports, so it looks the same everywhere and can be tested. A window of more than
  * COMPOSE_MOST pixels is composed at half its size, or less; the port stretches it.

@@ -1,6 +1,5 @@
 /*
  * crt.h - the look of a tube: its lines, brighter ones wider, and a slight mask of red, green and blue.
- * floor: cab
  *
  * It works on rows of a picture that has been made larger, in integers. Lines are seen from twice the size on, the mask
  * too; below that only the colours are brighter, as they are made in advance for what lines and mask take away.

@@ -1,6 +1,5 @@
 /*
  * place.h - where in a window the picture stands, and what is to stand beside it.
- * floor: cab
  */
 #ifndef CAB_PLACE_H
 #define CAB_PLACE_H

@@ -1,6 +1,5 @@
 /*
  * quarter.h - pictures, points and areas turned by quarters, for monitors that stand upright.
- * floor: cab
  *
  * A turn is what happens to the picture: left for a monitor that was turned to the right. A point is a pixel.
  */

@@ -1,7 +1,6 @@
 /*
  * scale.h - pictures of colours made larger, by any factor: squares stay squares, and where an edge between two falls
  * within a pixel, that one is mixed of both as far as it belongs to each.
- * floor: cab
  *
  * This is what a very large whole number and then the mean of all that a pixel covers would give. Where the size is a
  * whole multiple nothing is mixed at all. Integers only: the same on every host.

@@ -1,6 +1,5 @@
 /*
  * cab.h - the cabinet of a game that is played: window, switches, clock, speaker, demos, saves.
- * floor: cab
  *
  * The clock is cut into sixtieths of a second. Each one polls the switches, maps them to pads, ticks (not when paused,
  * several times when late or in turbo), draws once and shows the picture. Invariant: of all this, only pads reach the

@@ -3,7 +3,6 @@
  * time, reload), cab_practice.c (the practice menu), cab_show.c (the picture and what is over it), cab_window.c (the
  * window), cab_screens.c and screen_*.c (the cabinet's screens), cab_keys.c (switches), cab_pads.c (controllers, and
  * how players press).
- * floor: cab
  */
 #ifndef CAB_CAB_PARTS_H
 #define CAB_CAB_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * practice.h - the practice menu: every section of the game, its settings, its attempts and captures.
- * floor: cab
  *
  * It is one of the cabinet's screens (screens/screen.h).
  *

@@ -1,7 +1,6 @@
 /*
  * session.h - a run that is played: its board, its recording, its past, and moving in time. It has no window and no
  * keys.
- * floor: cab
  *
  * All input to the board is recorded, in memory at least, so any frame of the run can be restored and the whole run can
  * be repeated on a changed ROM. A run is live, or it is the playback of a demo until the player takes over. Going back

@@ -1,6 +1,5 @@
 /*
  * timebar.h - the run as a bar at the bottom of the picture: the present frame, and the run's markers.
- * floor: cab
  *
  * Stages are white, points of a stage cyan, waves grey, bosses red, their phases yellow, deaths magenta. Over the bar
  * the frame, its time and the last markers before it are written: "1234/14016 0:20 one queen/bloom". The part that was

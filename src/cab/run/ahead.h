@@ -1,7 +1,6 @@
 /*
  * ahead.h - a look at the frame after the present one: the board ticks once more with the same pads, is drawn, and goes
  * back to where it was, as if nothing had been.
- * floor: cab
  *
  * What is shown is a frame younger then, so a switch is seen a frame earlier. Where the player presses something else
  * in the next frame, that frame differs from the one that was shown. Nothing but the picture is of it: sound,

@@ -1,6 +1,5 @@
 /*
  * clock.h - how long something took, by the port's clock.
- * floor: cab
  */
 #ifndef CAB_CLOCK_H
 #define CAB_CLOCK_H

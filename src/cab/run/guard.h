@@ -1,6 +1,5 @@
 /*
  * guard.h - a board, its RAM, and its past if that is wanted.
- * floor: cab
  */
 #ifndef CAB_GUARD_H
 #define CAB_GUARD_H

@@ -1,7 +1,6 @@
 /*
  * lookback.h - the frames that were, one after another, as they are looked at again: the board goes back into its past,
  * comes to the present by the same pads, and is then as if nothing had been.
- * floor: cab
  */
 #ifndef CAB_LOOKBACK_H
 #define CAB_LOOKBACK_H

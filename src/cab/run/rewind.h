@@ -1,7 +1,6 @@
 /*
  * rewind.h - the past of a run: key frames and the pads between them, in a fixed budget of memory, so that frames that
  * were can be brought back.
- * floor: cab
  *
  * A key frame is a snapshot. To go back to a frame, the key frame at or before it is restored and the pads since are
  * ticked again; the board is deterministic, so what comes is that frame. Key frames lie close together near the present

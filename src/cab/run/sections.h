@@ -1,6 +1,5 @@
 /*
  * sections.h - the sections of a game that can be practised: its stages with their marks, its bosses with their phases.
- * floor: cab
  *
  * A second board is asked (PRACTICE_LIST, board.h), so a game built on @std has its list with no work.
  */

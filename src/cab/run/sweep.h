@@ -1,7 +1,6 @@
 /*
  * sweep.h - a ship that plays a section by itself, for who wants to see what happens there and not how well it is
  * played: it fires and flies from side to side.
- * floor: cab
  */
 #ifndef CAB_SWEEP_H
 #define CAB_SWEEP_H

@@ -1,6 +1,5 @@
 /*
  * log.h - what was printed and what went wrong, the last lines of it, on a screen that scrolls.
- * floor: cab
  */
 #ifndef CAB_LOG_H
 #define CAB_LOG_H

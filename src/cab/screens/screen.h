@@ -1,7 +1,6 @@
 /*
  * screen.h - the cabinet's own screens: lists of rows over the picture, one screen above another. The board stands
  * still meanwhile, and nothing of them reaches it.
- * floor: cab
  *
  * A screen is a table of functions over something of its own (`of`); it is asked for its rows whenever they are drawn,
  * so it holds no text. Screens are worked by any player's pad, and beside it by switches that no setting can take away:

@@ -1,6 +1,5 @@
 /*
  * screen_state.h - what the screens of src/cab/play keep while they are open: each its own, all in struct cab.
- * floor: cab
  */
 #ifndef CAB_SCREEN_STATE_H
 #define CAB_SCREEN_STATE_H

@@ -1,6 +1,5 @@
 /*
  * desktop.h - an entry for the menu of a desktop, which starts a program where it is now: PROGRAM.desktop, PROGRAM.png.
- * floor: cab
  */
 #ifndef CAB_DESKTOP_H
 #define CAB_DESKTOP_H

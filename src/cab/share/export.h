@@ -1,6 +1,5 @@
 /*
  * export.h - the command `export`: a game as a file that needs no Curtain, for a system; or a zip file for each.
- * floor: cab
  *
  * A program or a core is a copy of a player, without what debuggers read, then, at a multiple of ROM_ALIGN, the ROM.
  * The copy's mark (mark.h) has its place and size, so bytes may follow: a signature. A page is player.html (ports/web)

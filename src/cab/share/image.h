@@ -1,6 +1,5 @@
 /*
  * image.h - the bytes of a program's file that are loaded when it runs: without symbols and what debuggers read.
- * floor: cab
  */
 #ifndef CAB_IMAGE_H
 #define CAB_IMAGE_H

@@ -1,7 +1,6 @@
 /*
  * licences.h - the command `licences`: whose work is linked into this program, which version, and under which licence;
  * with --full the texts that must be given along with it.
- * floor: cab
  */
 #ifndef CAB_LICENCES_H
 #define CAB_LICENCES_H

@@ -1,6 +1,5 @@
 /*
  * mark.h - a place in the program itself that says which game stands behind it in its file.
- * floor: cab
  *
  * 64 bytes of constants that `export` writes over in the copy it makes; a libretro core has them too. What is loaded
  * and runs says so itself that a game belongs to it, so a file that was cut short, or may be run and not read, is told

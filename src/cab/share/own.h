@@ -1,6 +1,5 @@
 /*
  * own.h - the game that an exported program carries behind itself, and what such a program does and does not.
- * floor: cab
  */
 #ifndef CAB_OWN_H
 #define CAB_OWN_H

@@ -1,6 +1,5 @@
 /*
  * pe.h - the resources of a Windows program: a game's icon and version in place of the program's own.
- * floor: cab
  */
 #ifndef CAB_PE_H
 #define CAB_PE_H

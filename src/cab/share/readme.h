@@ -1,6 +1,5 @@
 /*
  * readme.h - the README that a download of a game has for players.
- * floor: cab
  */
 #ifndef CAB_README_H
 #define CAB_README_H

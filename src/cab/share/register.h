@@ -1,6 +1,5 @@
 /*
  * register.h - `curtain register`: a double click on a .rom or .demo file opens it with this program, for this user.
- * floor: cab
  */
 #ifndef CAB_REGISTER_H
 #define CAB_REGISTER_H

@@ -1,6 +1,5 @@
 /*
  * retro.h - what front ends of libretro read of a core before they load it: its file .info.
- * floor: cab
  */
 #ifndef CAB_RETRO_H
 #define CAB_RETRO_H

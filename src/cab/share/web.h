@@ -1,7 +1,6 @@
 /*
  * web.h - a game as a page: the player for browsers (ports/web) with the game's title and ROM in the places of its
  * marks.
- * floor: cab
  */
 #ifndef CAB_WEB_H
 #define CAB_WEB_H

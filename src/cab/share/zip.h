@@ -1,6 +1,5 @@
 /*
  * zip.h - writes zip archives whose bytes depend on nothing but the files: APPNOTE.TXT 6.3, without ZIP64.
- * floor: cab
  */
 #ifndef CAB_ZIP_H
 #define CAB_ZIP_H

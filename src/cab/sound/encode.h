@@ -1,6 +1,5 @@
 /*
  * encode.h - samples to the bytes that adpcm.h reads.
- * floor: cab
  */
 #ifndef CAB_ENCODE_H
 #define CAB_ENCODE_H

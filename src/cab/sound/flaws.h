@@ -1,6 +1,5 @@
 /*
  * flaws.h - what is measured of a recording to find mistakes in it.
- * floor: cab
  */
 #ifndef CAB_FLAWS_H
 #define CAB_FLAWS_H

@@ -1,6 +1,5 @@
 /*
  * module.h - tracker modules (.xm .it .s3m .mod), rendered by libopenmpt: the only place that knows it.
- * floor: cab
  *
  * A pass is everything from where the module repeats to its end. With a loop, the first pass is followed by the one
  * that repeats exactly, where that is another one; without it, the first pass is all.

@@ -1,6 +1,5 @@
 /*
  * pcm.h - a recording as it was read from a file, before it is packed.
- * floor: cab
  */
 #ifndef CAB_PCM_H
 #define CAB_PCM_H

@@ -1,6 +1,5 @@
 /*
  * recording.h - recordings to what the board plays: a sound, or a piece of music.
- * floor: cab
  */
 #ifndef CAB_RECORDING_H
 #define CAB_RECORDING_H

@@ -1,6 +1,5 @@
 /*
  * sndfile.h - recordings in OGG (Vorbis, Opus) and FLAC files, which libsndfile reads: the only place that knows it.
- * floor: cab
  *
  * The loop of the tags LOOPSTART and LOOPLENGTH (or LOOPEND, the frame behind it) is kept; those of Opus count at
  * 48 kHz.

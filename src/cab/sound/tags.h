@@ -1,6 +1,5 @@
 /*
  * tags.h - what of OGG and FLAC files is read by ourselves: that the file is whole, and its loop.
- * floor: cab
  */
 #ifndef CAB_TAGS_H
 #define CAB_TAGS_H

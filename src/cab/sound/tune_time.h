@@ -1,6 +1,5 @@
 /*
  * tune_time.h - how long a tune is, read from it without playing it.
- * floor: cab
  */
 #ifndef CAB_TUNE_TIME_H
 #define CAB_TUNE_TIME_H

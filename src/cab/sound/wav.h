@@ -1,6 +1,5 @@
 /*
  * wav.h - recordings in WAV files.
- * floor: cab
  *
  * PCM of 8, 16, 24 or 32 bits or floats, one or two channels, SAMPLE_RATE to PCM_RATE frames a second. The first loop
  * of the chunk "smpl" is kept.

@@ -1,6 +1,5 @@
 /*
  * drift.h - holds what waits at the speaker at a target, by a rate that is hardly another.
- * floor: cab
  *
  * Two clocks of one machine differ by some hundredths of a percent, and now and then by three tenths. What waits shows
  * the difference, added up. The rate answers to how far that is off (what is wrong is halved in three quarters of a

@@ -1,7 +1,6 @@
 /*
  * resample.h - sound at a rate that is almost its own, or much slower: for a card whose clock is not ours, and for slow
  * motion.
- * floor: cab
  *
  * A sample between two is a sum of RESAMPLE_TAPS round it, by a table of a windowed sinc. At a step of exactly
  * RESAMPLE_ONE from the beginning the sound passes as it is, to the bit, RESAMPLE_AFTER frames late.

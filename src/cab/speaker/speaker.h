@@ -1,7 +1,6 @@
 /*
  * speaker.h - boards' sound on the host's speaker: volume, joints that do not click, and held in step with a clock that
  * is not quite ours.
- * floor: cab
  *
  * Each frame of the cabinet hands in the sound of the frames it ticked, none to some, and says how many sixtieths have
  * passed; what is missing is silence. Wherever a block does not go on from the one before, after a rewind, a reload, a

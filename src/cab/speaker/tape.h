@@ -1,6 +1,5 @@
 /*
  * tape.h - sound that is written down: a WAV file in memory.
- * floor: cab
  */
 #ifndef CAB_TAPE_H
 #define CAB_TAPE_H

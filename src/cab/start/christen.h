@@ -1,6 +1,5 @@
 /*
  * christen.h - what a new game is called, by the name of its folder.
- * floor: cab
  */
 #ifndef CAB_CHRISTEN_H
 #define CAB_CHRISTEN_H

@@ -1,6 +1,5 @@
 /*
  * start.h - `curtain new`: a folder with a whole game in it, to be changed.
- * floor: cab
  *
  * The games are those of examples/ and travel in the program, so nothing has to be installed beside it. What is written
  * besides: the API for editors (.curtain.lua, .luarc.json). Id and title in rom.lua are made from the folder's name.

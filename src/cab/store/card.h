@@ -1,6 +1,5 @@
 /*
  * card.h - what a list of replays shows of one, without reading its demo: a small file beside it, NAME.card.
- * floor: cab
  *
  * Little-endian: "CCRD", u32 format 1, u32 n, n bytes (card.c has their order), u32 CRC-32 of all so far; then u8 w and
  * u8 h of the picture, w x h pixels of thumb.h's palette, u32 CRC-32 of these. The list reads the first CARD_HEAD bytes

@@ -1,6 +1,5 @@
 /*
  * json.h - one JSON object on one line, RFC 8259: keys and values in the order of the calls.
- * floor: cab
  *
  * All text is ASCII: what is none is written as \u escapes, a byte that belongs to no UTF-8 character as U+FFFD. A
  * number of 64 bits that others would read as a double and round is written as a text of digits.

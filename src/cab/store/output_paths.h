@@ -1,6 +1,5 @@
 /*
  * output_paths.h - the files a command writes: never one that it reads, nor one that nobody asked it to write.
- * floor: cab
  *
  * A file that was named on the command line replaces what is there, unless that is an input, a file of the game, or
  * another output. A file whose name follows from another's, or from a default, replaces one that the same command

@@ -1,7 +1,6 @@
 /*
  * records.h - how often each section of a game was attempted in practice, and how often it was captured: the file
  * user:<game id>.practice.
- * floor: cab
  *
  * The file is plain text, ASCII. Its first line is "practice 1". A line that begins with a digit is a record:
  *

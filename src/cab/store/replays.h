@@ -1,6 +1,5 @@
 /*
  * replays.h - the runs of a game that are kept: user:replays/ID/DATE.demo, and beside each DATE.card (card.h).
- * floor: cab
  *
  * A replay is there when its demo is. Each file is written whole; the demo comes first and goes last, so whenever the
  * program dies, a list made afterwards is right: a card that is missing, damaged or of another demo is made anew from

@@ -1,6 +1,5 @@
 /*
  * replays_print.h - `curtain list ROM --replays`: the kept runs of a game, a line each, newest first.
- * floor: cab
  */
 #ifndef CAB_REPLAYS_PRINT_H
 #define CAB_REPLAYS_PRINT_H

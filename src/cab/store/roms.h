@@ -1,6 +1,5 @@
 /*
  * roms.h - older ROMs of a game, kept by their hash for as long as a recording needs them: user:roms/ID-HASH.rom.
- * floor: cab
  */
 #ifndef CAB_ROMS_H
 #define CAB_ROMS_H

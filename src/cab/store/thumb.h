@@ -1,7 +1,6 @@
 /*
  * thumb.h - the small picture of a replay: the board's picture reduced, in a palette that all of them share, so that
  * any number stand side by side.
- * floor: cab
  */
 #ifndef CAB_THUMB_H
 #define CAB_THUMB_H

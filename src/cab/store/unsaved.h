@@ -1,6 +1,5 @@
 /*
  * unsaved.h - files that could not be written: their bytes wait here until they can be.
- * floor: cab
  */
 #ifndef CAB_UNSAVED_H
 #define CAB_UNSAVED_H

@@ -1,6 +1,5 @@
 /*
  * bots.h - simple players: how many of them live says how hard a section is. They fire, and press no bomb.
- * floor: cab
  *
  *     stand   four of them fly to a place in the lower part of the field, and stay there
  *     wander  six of them go somewhere else every so often, and look at nothing

@@ -1,6 +1,5 @@
 /*
  * map.h - pictures of where a ship could be.
- * floor: cab
  */
 #ifndef CAB_MAP_H
 #define CAB_MAP_H

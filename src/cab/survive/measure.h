@@ -1,6 +1,5 @@
 /*
  * measure.h - how hard a section is, by what its bullets did in the run that was found.
- * floor: cab
  */
 #ifndef CAB_MEASURE_H
 #define CAB_MEASURE_H

@@ -1,6 +1,5 @@
 /*
  * plan.h - a way for the ship through a forecast, by exact places and exact hits.
- * floor: cab
  */
 #ifndef CAB_PLAN_H
 #define CAB_PLAN_H

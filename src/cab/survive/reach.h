@@ -1,7 +1,6 @@
 /*
  * reach.h - where a ship could be: for each frame of a forecast a set of cells that holds every place to which any
  * buttons could have brought it without a hit, and more.
- * floor: cab
  *
  * The sets are never too small. A cell is left out only where every place in it is hit for certain: what hits is taken
  * smaller than it is (MARGIN, and inner shapes where the exact one is awkward), and a ship that ends anywhere in a cell

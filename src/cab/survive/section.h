@@ -1,6 +1,5 @@
 /*
  * section.h - one section of a game at one difficulty: is there a way, and how hard is it?
- * floor: cab
  */
 #ifndef CAB_SECTION_H
 #define CAB_SECTION_H

@@ -1,6 +1,5 @@
 /*
  * seek.h - looks for a run without a hit, and for a proof that there is none.
- * floor: cab
  */
 #ifndef CAB_SEEK_H
 #define CAB_SEEK_H

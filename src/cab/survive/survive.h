@@ -1,6 +1,5 @@
 /*
  * survive.h - can a game be survived? `curtain survive`.
- * floor: cab
  */
 #ifndef CAB_SURVIVE_H
 #define CAB_SURVIVE_H

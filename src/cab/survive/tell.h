@@ -1,6 +1,5 @@
 /*
  * tell.h - what was found, in words and as JSON.
- * floor: cab
  */
 #ifndef CAB_SURVIVE_TELL_H
 #define CAB_SURVIVE_TELL_H

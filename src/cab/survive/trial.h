@@ -1,7 +1,6 @@
 /*
  * trial.h - a board to try things on: it ticks, is saved and restored, and says what became of the ship; and what the
  * bullets did on the way can be written down, frame by frame.
- * floor: cab
  */
 #ifndef CAB_TRIAL_H
 #define CAB_TRIAL_H

@@ -1,6 +1,5 @@
 /*
  * blend.h - the tables of blended drawing: which palette entry stands for two colours over each other.
- * floor: cab
  */
 #ifndef CAB_BLEND_H
 #define CAB_BLEND_H

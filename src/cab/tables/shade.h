@@ -1,6 +1,5 @@
 /*
  * shade.h - the tables by which a view dims backgrounds: which palette entry stands for a darker one.
- * floor: cab
  */
 #ifndef CAB_SHADE_H
 #define CAB_SHADE_H

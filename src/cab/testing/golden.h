@@ -1,6 +1,5 @@
 /*
  * golden.h - pictures and hashes that a game's tests keep in tests/golden, and what is seen now beside them.
- * floor: cab
  */
 #ifndef CAB_GOLDEN_H
 #define CAB_GOLDEN_H

@@ -1,6 +1,5 @@
 /*
  * one.h - one test of a game.
- * floor: cab
  */
 #ifndef CAB_ONE_H
 #define CAB_ONE_H

@@ -1,6 +1,5 @@
 /*
  * outcome.h - a test, and what came of it.
- * floor: cab
  */
 #ifndef CAB_OUTCOME_H
 #define CAB_OUTCOME_H

@@ -1,6 +1,5 @@
 /*
  * page.h - what failed, as one HTML file with its pictures in it.
- * floor: cab
  */
 #ifndef CAB_PAGE_H
 #define CAB_PAGE_H

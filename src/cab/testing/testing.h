@@ -1,6 +1,5 @@
 /*
  * testing.h - curtain test: every demo and every test script of a game's folder, told as lines, TAP, JUnit and a page.
- * floor: cab
  *
  * Each test runs in a process of its own, several at a time. What it finds it writes as lines of words (outcome.h), of
  * which all reports are made.

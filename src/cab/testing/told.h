@@ -1,6 +1,5 @@
 /*
  * told.h - what came of tests, as lines for people, as TAP and as a JUnit file.
- * floor: cab
  */
 #ifndef CAB_TOLD_H
 #define CAB_TOLD_H

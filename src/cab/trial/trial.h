@@ -1,6 +1,5 @@
 /*
  * trial.h - a test script of a game: Lua that runs games, looks into them and says what it expects.
- * floor: board
  *
  * A test script has a Lua machine of its own, with the games' sandbox and the table `test`; nothing of any board is in
  * it. Memory, work and frames are bounded. What it does with games goes through struct trial_host: the cabinet powers

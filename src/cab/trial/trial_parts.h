@@ -1,6 +1,5 @@
 /*
  * trial_parts.h - what the files of this room share.
- * floor: board
  */
 #ifndef BOARD_TRIAL_PARTS_H
 #define BOARD_TRIAL_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * xml.h - reads XML element by element, for files that must be readable on a host without libexpat.
- * floor: cab
  *
  * UTF-8 alone. Comments, processing instructions and a document type without declarations are skipped; CDATA sections
  * and declared entities are refused. Every refusal is one sentence with file and line.

@@ -1,7 +1,6 @@
 /*
  * danger.h - what could hit a player in the present frame, for who looks for a way through: each thing with its move of
  * the frame, as hit_run sees it, and what a ship needs to know of itself.
- * floor: board
  *
  * To be called at the end of PHASE_MOTION (board_on_phase): everything has moved, and nothing has been hit yet. Nothing
  * here changes a byte of RAM, but for danger_spare.

@@ -1,7 +1,6 @@
 /*
  * hit.h - every collision of a frame, in one fixed order. Reads everything; writes events and counts,
  * and takes the shots and items away that left and hit nothing.
- * floor: board
  *
  * Order: for each player, bullets by slot (a hit, else a graze), then lasers by slot (the same), then enemies by slot;
  * then the shots by slot, each with the enemy it touches, or the bullet that shots can hit: of several, the one that

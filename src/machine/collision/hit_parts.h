@@ -1,6 +1,5 @@
 /*
  * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
- * floor: board
  */
 #ifndef BOARD_HIT_PARTS_H
 #define BOARD_HIT_PARTS_H

@@ -1,6 +1,5 @@
 /*
  * contrast.h - do bullets stand out from what lies behind them?
- * floor: board
  */
 #ifndef BOARD_CONTRAST_H
 #define BOARD_CONTRAST_H

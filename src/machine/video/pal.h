@@ -1,6 +1,5 @@
 /*
  * pal.h - palette RAM: 256 colours in 16 banks of 16, fades and cycling.
- * floor: chips
  */
 #ifndef CHIPS_PAL_H
 #define CHIPS_PAL_H

@@ -1,7 +1,6 @@
 /*
  * screen.h - what moves or colours the picture as a whole: a shake of the field, a flash, bars, a dimmed picture.
  * Nothing here reaches a place or a hit.
- * floor: chips
  *
  * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down. A dim
  * goes by the frames since power-on, which go on while a pause menu stands over it.

@@ -1,6 +1,5 @@
 /*
  * video.h - what the makers of the picture share.
- * floor: board
  */
 #ifndef BOARD_VIDEO_H
 #define BOARD_VIDEO_H

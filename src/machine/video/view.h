@@ -1,6 +1,5 @@
 /*
  * view.h - what a player wants to see.
- * floor: board
  */
 #ifndef BOARD_VIEW_H
 #define BOARD_VIEW_H

@@ -1,7 +1,6 @@
 /*
  * api.h - what the functions of the Lua API share: the check of arguments against the table (api_table.h), errors, the
  * script digest, declared names.
- * floor: board
  */
 #ifndef BOARD_API_H
 #define BOARD_API_H

@@ -1,6 +1,5 @@
 /*
  * api_enemy.h - what the functions of enemies share: api_enemy.c, and api_body.c for those with parts.
- * floor: board
  */
 #ifndef BOARD_API_ENEMY_H
 #define BOARD_API_ENEMY_H

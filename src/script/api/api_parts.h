@@ -1,6 +1,5 @@
 /*
  * api_parts.h - what the files of the API table share among themselves.
- * floor: board
  */
 #ifndef BOARD_API_PARTS_H
 #define BOARD_API_PARTS_H

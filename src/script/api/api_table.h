@@ -1,6 +1,5 @@
 /*
  * api_table.h - the Lua API as data: names, arguments, units, help. Without Lua's headers: the cabinet includes it.
- * floor: board
  */
 #ifndef BOARD_API_TABLE_H
 #define BOARD_API_TABLE_H

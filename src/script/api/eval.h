@@ -1,6 +1,5 @@
 /*
  * eval.h - a line of Lua, run in a board between two frames.
- * floor: board
  */
 #ifndef BOARD_EVAL_H
 #define BOARD_EVAL_H

@@ -1,6 +1,5 @@
 /*
  * lualib.h - the library scripts see: stock Lua 5.4 without what is unbounded or differs between hosts.
- * floor: board
  *
  * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
  * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys and what is

@@ -1,6 +1,5 @@
 /*
  * luaparts.h - the files lualib.c is put together from.
- * floor: board
  *
  * Each open function sets its functions in the table on top of the stack.
  */

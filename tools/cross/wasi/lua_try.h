@@ -1,6 +1,6 @@
 /*
  * lua_try.h - how Lua raises errors where there is no setjmp: the host calls the protected function and catches.
- * floor: tools    used by: Lua, when it is built for wasm (-include lua_try.h)
+ * Used by: Lua, when it is built for wasm (-include lua_try.h)
  *
  * The host (run.mjs, or a browser's loader) has two imports of module "lua". host_try calls f(L, ud) and returns 0, or
  * 1 when host_throw ended it; then it also puts back the stack pointer. Lua notes why in the jump buffer's status
