@@ -63,7 +63,7 @@ THROWS   = $(if $(findstring address,$(OPT)),-Wl$(comma)--push-state$(comma)--no
 comma   := ,
 LIBS     = $(HARDEN_L) $(LUA_L) -lm $(THREADS) $(SYSTEM_L) $(THROWS)
 
-# Layers, the lowest first (tests/house/layers.py): what the library has, and what only the program has.
+# Layers, the lowest first (tests/lint/layers.py): what the library has, and what only the program has.
 BOARD_SRC := $(wildcard src/base/*.c fb/*.c src/sound/*.c src/entities/*.c src/rom/*.c src/machine/*.c src/machine/*/*.c \
                          src/script/*.c src/script/*/*.c src/board/*.c)
 CAB_SRC   := $(filter-out src/cab/main.c,$(wildcard src/common/*.c src/demo/*.c src/cab/*.c src/cab/*/*.c))

@@ -4,7 +4,7 @@
  * goes to.
  *
  * Sixteen pixels are a vector of the compiler's (gcc, clang), for no loop over them stays one at every level of
- * optimisation: tests/house/levels.sh. No step moves bits from one byte to another. The rule, and mostly the height, is
+ * optimisation: tests/lint/levels.sh. No step moves bits from one byte to another. The rule, and mostly the height, is
  * a constant where these are called; forced, for gcc would make one loop of all calls.
  */
 #ifndef FB_PAINT_H

@@ -26,7 +26,7 @@ run() { # PART
     library) CURTAIN_LONG=1 tests/machine/library.sh ;;
     bulletml) make --no-print-directory deps-play-bulletml && make --no-print-directory build/release/bulletml ;;
     bare) tests/bare_root.sh ;;
-    browser) CURTAIN_LONG=1 tests/house/onefile.sh ;;
+    browser) CURTAIN_LONG=1 tests/lint/onefile.sh ;;
     *) make --no-print-directory "$1" ARGS= ;;
     esac
 }

@@ -3,7 +3,7 @@
 #
 #     OUT=build/release tests/run.sh [all|unit|torture|sanitizer]
 #
-# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,house}/*.sh; unit: the
+# all: the C programs below $OUT/unit and $OUT/machine and the scripts tests/{machine,cli,golden,lint}/*.sh; unit: the
 # C programs below $OUT/unit; torture: only what has torture in its name, at length; sanitizer: the C programs, where
 # any finding ends the program. Those with a window of their own mostly wait: two of them run beside the others. Every
 # program prints TAP. A crash, a missing or wrong plan and a skipped test count as failed. One line a program; the
@@ -76,7 +76,7 @@ add() { # those of the globs that exist; what make built of a test that is gone 
 }
 case $what in
 all) # the longest first
-    add tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/house/*.sh "$OUT"/unit/test_*
+    add tests/machine/*.sh "$OUT"/machine/test_* tests/golden/*.sh tests/cli/*.sh tests/lint/*.sh "$OUT"/unit/test_*
     ;;
 unit) add "$OUT"/unit/test_* ;;
 torture)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # annotations.sh - `curtain help lua --annotations`: it is Lua, it keeps to LuaLS's grammar, and it says of every entry,
 # field, type, range and default what docs/reference/api.md says, which is made of the same table
-# (tests/house/docs.sh). And what does not go with the option.
+# (tests/lint/docs.sh). And what does not go with the option.
 . "$(dirname "$0")/../tap.sh"
 curtain=$OUT/curtain-null
 file=$scratch/curtain.lua

@@ -7,7 +7,7 @@ rm -r "$bench/mygame" # which the page makes
 blocks README.md
 check "README's new game is the shooter" cmp "$bench/mygame/main.lua" examples/shooter/main.lua
 for art in examples/*/art/*.png; do
-    case $art in # their own: tests/house/art.sh, tests/cli/art.sh
+    case $art in # their own: tests/lint/art.sh, tests/cli/art.sh
     */glow.png | */items.png | */tiles.png | */shooter/* | */pattern/* | */bulletml/* | \
         */moth/art/palette.png) continue ;;
     esac

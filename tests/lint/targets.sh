@@ -18,20 +18,20 @@ runs() {
 all       tests/cli/install.sh      built_in
 analyze   tests/nightly.sh          parts="analyze
 asan      tests/nightly.sh          asan ubsan
-clean     tests/house/targets.sh    make -s -C "$scratch/clean" clean
+clean     tests/lint/targets.sh    make -s -C "$scratch/clean" clean
 compare   tests/cli/compare.sh      tools/compare/compare.sh "$@"
 cross     tests/builds.sh           tools/cross/run.sh i386
 deps      tests/cli/install.sh      installs deps
-docs      tests/house/onefile.sh    tools/docs/docs.sh
-format    tests/house/targets.sh    make -s -C "$scratch/format" format
+docs      tests/lint/onefile.sh    tools/docs/docs.sh
+format    tests/lint/targets.sh    make -s -C "$scratch/format" format
 fuzz      tests/nightly.sh          fuzz mutants"
-help      tests/house/targets.sh    make --no-print-directory help
+help      tests/lint/targets.sh    make --no-print-directory help
 install   tests/cli/install.sh      makes install
 library   tests/nightly.sh          browser library ports
 monkey    tests/nightly.sh          ubsan monkey
 msan      tests/nightly.sh          monkey msan
 mutants   tests/nightly.sh          fuzz mutants"
-nightly   tests/house/targets.sh    tests/nightly.sh none
+nightly   tests/lint/targets.sh    tests/nightly.sh none
 bulletml  tests/nightly.sh          build/release/bulletml
 play      .ci/run                   make play
 players   Makefile                  --no-print-directory players

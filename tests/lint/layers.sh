@@ -2,7 +2,7 @@
 # layers.sh - every #include obeys the layers, and a planted one that does not is found.
 . "$(dirname "$0")/../tap.sh"
 
-layers() { tree '*.c' '*.h' | xargs python3 tests/house/layers.py; }
+layers() { tree '*.c' '*.h' | xargs python3 tests/lint/layers.py; }
 check "every include is of its own layer or below, and no directory is large" layers
 layers | sed 's/^/# /'
 
@@ -11,7 +11,7 @@ cp -r --parents src fb platform "$scratch"
 planted() {
     cp "$1" "$scratch/kept"
     echo "#include $2" >>"$scratch/$1"
-    (cd "$scratch" && find src fb platform -name '*.[ch]' | xargs python3 "$OLDPWD/tests/house/layers.py")
+    (cd "$scratch" && find src fb platform -name '*.[ch]' | xargs python3 "$OLDPWD/tests/lint/layers.py")
     local rc=$?
     cp "$scratch/kept" "$scratch/$1"
     return $rc

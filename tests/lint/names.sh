@@ -2,7 +2,7 @@
 # names.sh - public functions have a prefix that says where they are from (names.py), and functions are short.
 . "$(dirname "$0")/../tap.sh"
 
-names() { python3 tests/house/names.py "$@"; }
+names() { python3 tests/lint/names.py "$@"; }
 check "every public function has a prefix, and none has more than 100 lines" \
     names $(tree 'src/*.[ch]' 'fb/*.[ch]' 'platform/*.[ch]')
 mkdir "$scratch/planted"

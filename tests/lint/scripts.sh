@@ -7,7 +7,7 @@ for rom in roms/*/; do
     check "${rom%/} packs" "$curtain" pack "$rom" -o "$scratch/game.rom"
 done
 
-lint() { "$curtain" help lua | lua5.4 tests/house/lint.lua "$@"; }
+lint() { "$curtain" help lua | lua5.4 tests/lint/lint.lua "$@"; }
 check "no script of a game uses an unknown name" lint $(tree 'roms/*.lua' | grep -vE '/(std|tests)/')
 library=$(tree 'scripts/*.lua')
 check "no script of the library uses an unknown name" lint $(printf -- '--with %s ' $library) $library

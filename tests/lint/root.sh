@@ -19,12 +19,12 @@ root() { # DIR
     while IFS= read -r name; do
         # shellcheck disable=SC2086
         printf '%s\n' $allowed | grep -qxF -- "$name" && continue
-        echo "$name: unexpected file in the repository's root; remove it, or list it in tests/house/root.sh"
+        echo "$name: unexpected file in the repository's root; remove it, or list it in tests/lint/root.sh"
         bad=1
     done < <(entries "$1")
     for name in $allowed; do
         [ -e "$1/$name" ] && continue
-        echo "$name: listed in tests/house/root.sh, but missing"
+        echo "$name: listed in tests/lint/root.sh, but missing"
         bad=1
     done
     return $bad

@@ -3,7 +3,7 @@
 # a browser opens it (chromium, 400 MB, which make nightly installs).
 . "$(dirname "$0")/../tap.sh"
 pages=$repo/tools/docs/docs.sh
-look=$repo/tests/house/onefile.py
+look=$repo/tests/lint/onefile.py
 made=$scratch/curtain.html
 
 check "it is made" "$pages" -o "$made"
@@ -66,7 +66,7 @@ refuse "planted: a heading is missing" 'docs/guide/09-bosses.md: ' \
     spoilt 's,<h1 id="guide-09-bosses/bosses">,<p id="guide-09-bosses/bosses">,'
 
 if [ -n "${CURTAIN_LONG:-}" ]; then
-    browse() { tests/house/onefile_browser.py "$1" "$scratch/pictures"; }
+    browse() { tests/lint/onefile_browser.py "$1" "$scratch/pictures"; }
     check "a browser opens it, follows its links, searches" browse "$made"
     sed 's,  if (!wanted.length),  if (true),' "$made" >"$scratch/spoilt.html"
     refuse "planted: a search that finds nothing" 'not ok' browse "$scratch/spoilt.html"

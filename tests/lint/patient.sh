@@ -49,7 +49,7 @@ check 'the runner tells what hangs' runner
 # A program that is ended by the clock is a verdict that depends on it. What may: a wait for the window system's answer,
 # of which it is asked again.
 by_the_clock() {
-    grep -nE '(^|[^a-z_])timeout [^#]*[0-9]' "$@" | grep -vE 'timeout 100 xdotool|tests/house/patient\.sh'
+    grep -nE '(^|[^a-z_])timeout [^#]*[0-9]' "$@" | grep -vE 'timeout 100 xdotool|tests/lint/patient\.sh'
 }
 none() { ! by_the_clock "$@"; }
 check 'no test ends a program by the clock' none $(tree 'tests/*.sh')
