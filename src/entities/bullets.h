@@ -115,8 +115,8 @@ struct bullets {
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
     uint64_t *idle;    /* its program does nothing until the clock is `end` */
-    uint64_t *near;    /* PADS words: may be near that player this frame, or what `narrow` kept of them */
-    uint64_t *grazes;  /* PADS words: those of near that `narrow` marked */
+    uint64_t *near;    /* PADS words: may be near that player; after hit_bullets, hit or graze that player */
+    uint64_t *grazes;  /* PADS words, of hit_bullets: those of near that only graze */
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
     uint8_t *due;      /* of an idle bullet: the low byte of `end` */
@@ -136,16 +136,11 @@ struct bullets {
     uint32_t *of_kind; /* the column `live` of their kinds, kept up to date; NULL: of laser heads, which have none */
 };
 
-/*
- * The broad phase for one player: a move finds the bullets that end it within `reach` and their own speed of (x, y), on
- * both axes. reach < 0: none. `narrow` (may be NULL) is the narrow phase: it gets a block's bullets found so as `near`
- * while their columns are in the cache, returns those to keep, and marks in *grazes those of them that only graze.
- */
+/* The broad phase for one player: a move finds the bullets that end it within `reach` and their own speed of (x, y), on
+ * both axes. reach < 0: none. */
 struct bullets_query {
     fx x, y;
     int64_t reach;
-    uint64_t (*narrow)(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes);
-    void *context; /* of narrow */
 };
 
 /* What can be aimed at: the things of a pool or list; with `in`, those alone where it is not 0. */
@@ -248,9 +243,6 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
  * program has removed it. */
 void bullets_begin(struct bullets *b);
 bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i);
-
-/* Sets `near` alone, from where the bullets are. */
-void bullets_find_near(struct bullets *b, const struct bullets_query query[PADS]);
 
 /* Sets `solid`. False: no bullet is. */
 bool bullets_find_solid(struct bullets *b);

@@ -292,14 +292,16 @@ static bool meets(struct whole p, struct whole q, bool swept)
     return false;
 }
 
-/* hit_run after things were put in places by hand, without a move that found who is near. */
+/* hit_run after things were put in places by hand, without a move that found who is near: all are asked. */
 static inline void hit_now(struct board *b)
 {
     struct bullets_query query[PADS];
 
     b->events.n = 0;
     hit_queries(b, query);
-    bullets_find_near(&b->bullets, query);
+    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++)
+        b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
+    hit_bullets(b, query, true);
     hit_run(b);
 }
 

@@ -373,11 +373,6 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
                 assert_int_equal(near, may);
         }
     }
-    uint64_t near[2 * 1024 / SLOTS_BLOCK];
-    memcpy(near, s->near, s->s.top / SLOTS_BLOCK * PADS * sizeof *near);
-    bullets_find_near(s, query);
-    for (uint32_t k = 0; k < s->s.top / SLOTS_BLOCK * PADS; k++)
-        assert_true(!((near[k] ^ s->near[k]) & s->s.used[k / PADS]));
     bullets_release_all(s);
 }
 

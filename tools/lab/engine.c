@@ -161,7 +161,9 @@ uint32_t engine_hits(struct board *b)
 
     begin_frame(b);
     hit_queries(b, query);
-    bullets_find_near(&b->bullets, query);
+    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++) /* all are asked */
+        b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
+    hit_bullets(b, query, true);
     hit_run(b);
     return b->events.n;
 }

@@ -4,13 +4,13 @@
  * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
  * exact shape test (geom.h) looks at that whole path. A kind with swept = false is tested where it stands.
  *
- * Bullets are tested while they move, block by block, because their columns are in the cache then. The broad phase is
- * in bullets_move: it finds the bullets near a player, who has moved before. For these it calls narrow_phase, and
- * hit_run raises the events. `reach` covers the largest radius, the graze ring and the player's movement. Shots against
- * enemies are in hit_shots.c.
+ * The broad phase of bullets is in bullets_move: it finds those near a player, who has moved before. hit_bullets is the
+ * narrow phase, and hit_run raises the events. `reach` covers the largest radius, the graze ring and the player's
+ * movement. Shots against enemies are in hit_shots.c.
  *
  * What leaves the field is tested too, for it may touch something on its way out: bullets_move holds the bullets that
- * touched, and all shots; hit_shots releases the shots that hit no enemy, events_run the others.
+ * are near, and all shots; hit_bullets releases the bullets that touch no player, hit_shots the shots that hit no
+ * enemy, events_run the others.
  */
 #include "../../base/int.h"
 #include "hit.h"
@@ -114,19 +114,36 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
         }
 }
 
-/* Those of a block's bullets that hit player p or graze. */
-static uint64_t narrow_phase(const struct bullets_query *q, uint32_t p, uint32_t block, uint64_t near, uint64_t *grazes)
+/* Those of a block's bullets that hit player p, or graze (*grazes). */
+static uint64_t narrow_phase(struct board *b, uint32_t p, int64_t reach, uint32_t block, uint64_t near,
+                             uint64_t *grazes)
 {
-    struct board *b = q->context;
-    struct body c = hit_player_body(b, p);
+    const struct body c = hit_player_body(b, p);
     uint64_t found = 0;
 
     for (uint64_t m = near; m; m &= m - 1) {
-        enum verdict v = test_bullet(b, p, &c, q->reach, block * SLOTS_BLOCK + bits_lowest(m));
+        enum verdict v = test_bullet(b, p, &c, reach, block * SLOTS_BLOCK + bits_lowest(m));
         found |= v != MISS ? m & -m : 0;
         *grazes |= v == GRAZE ? m & -m : 0;
     }
     return found;
+}
+
+void hit_bullets(struct board *b, const struct bullets_query query[PADS], bool hold_all)
+{
+    struct bullets *s = &b->bullets;
+
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
+        uint64_t *near = s->near + block * PADS, *grazes = s->grazes + block * PADS, touch = 0;
+        for (uint32_t p = 0; p < PADS; p++) {
+            grazes[p] = 0;
+            if (near[p])
+                near[p] = narrow_phase(b, p, query[p].reach, block, near[p], &grazes[p]);
+            touch |= near[p];
+        }
+        for (uint64_t m = hold_all || !s->s.holding ? 0 : s->s.held[block] & ~touch; m; m &= m - 1)
+            bullets_release(s, block * SLOTS_BLOCK + bits_lowest(m));
+    }
 }
 
 void hit_queries(struct board *b, struct bullets_query query[PADS])
@@ -134,7 +151,7 @@ void hit_queries(struct board *b, struct bullets_query query[PADS])
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = hit_player_body(b, p);
         fx graze = b->player_kinds.graze[b->player.kind[p]];
-        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1, narrow_phase, b };
+        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1 };
     }
 }
 
