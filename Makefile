@@ -397,7 +397,7 @@ web: say-null-web
 	@ls -l $(WEB)/$(basename $(notdir $(patsubst %/,%,$(GAME)))).html
 
 # The limit of work lowered, so that a test of an endless loop ends soon; and the largest board's RAM.
-SHORT := script/vm script/vm_count board/board script/api/eval
+SHORT := script/vm script/vm_fault script/vm_count board/board script/api/eval
 $(OUT)/short/%.o: src/%.c
 	@mkdir -p $(@D)
 	$(SAY) "  CC    $< (short)"

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../script/api/api_table.h"
+#include "help/help_lua.h"
 #include "../board/board.h"
 #include "trial/trial.h"
 #include "../../platform/platform.h"
@@ -92,14 +92,14 @@ static enum result help_lua(const char *name)
     }
     if (name)
         name = print_synonym(name);
-    if (api_help(name, say)) {
+    if (help_write(name, say)) {
         if (name)
             lua_example_print(name);
         return report_stdout(RESULT_DONE);
     }
-    if (api_help_near(name))
+    if (help_nearest(name))
         return report_line(RESULT_REFUSED, "help lua: no entry for \"%s\" (did you mean %s?)", name,
-                           api_help_near(name));
+                           help_nearest(name));
     return report_line(RESULT_REFUSED, "help lua: no entry for \"%s\" (curtain help lua lists all names)", name);
 }
 

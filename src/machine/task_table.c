@@ -44,3 +44,54 @@ bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
     }
     return false;
 }
+
+const char *tasks_from(const struct board *b, const struct lua_State *L)
+{
+    const struct tasks *t = &b->tasks;
+
+    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
+}
+
+int64_t tasks_owner(const struct board *b)
+{
+    return b->tasks.now_owner;
+}
+
+bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner)
+{
+    *owner = stay ? 0 : b->tasks.now_scene;
+    return tasks_owner_alive(b, *owner);
+}
+
+struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
+{
+    struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+
+    /* what an enemy without a scene makes must not end with the scene of what killed it */
+    tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
+    return was;
+}
+
+void tasks_act_for(struct board *b, struct tasks_now was)
+{
+    b->tasks.now_owner = was.owner;
+    b->tasks.now_scene = was.scene;
+}
+
+void tasks_act_for_task(struct board *b, uint32_t i)
+{
+    tasks_act_for(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
+}
+
+void tasks_act_for_turn(struct board *b)
+{
+    if (b->tasks.current == NO_SLOT)
+        tasks_act_for(b, (struct tasks_now){ 0, 0 });
+    else
+        tasks_act_for_task(b, (uint32_t)b->tasks.current);
+}
+
+uint32_t tasks_serial(const struct board *b)
+{
+    return b->tasks.current == NO_SLOT ? 0 : b->tasks.serial[b->tasks.current];
+}

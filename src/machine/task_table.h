@@ -49,4 +49,34 @@ extern const struct chip tasks_chip;
 bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
+/* The owner and scene a script acts for. */
+struct tasks_now {
+    int64_t owner, scene;
+};
+
+/* The owner for things the running script starts. */
+int64_t tasks_owner(const struct board *b);
+
+/* The owner of an enemy or a sprite that the running script makes: its scene; with stay none, so that it outlives the
+ * scene. False: that scene has ended, and nothing more is made in it. */
+bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner);
+
+/* An enemy's own handler runs in the enemy's scene. That of an enemy without a scene runs in none, with the owner of
+ * what caused it; but with no owner if that runs in a scene, for what it makes must not end with that scene.
+ * Returns what tasks_act_for puts back afterwards. */
+struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene);
+void tasks_act_for(struct board *b, struct tasks_now was);
+
+/* What the scripts of this task do is on behalf of its owner, its end included. */
+void tasks_act_for_task(struct board *b, uint32_t slot);
+
+/* Back to the running task's own owner and scene: for an error out of an enemy's handler that a task caught. */
+void tasks_act_for_turn(struct board *b);
+
+/* Where the author's line stands that led to the task of @std's that has its turn in L; NULL: no such task. */
+const char *tasks_from(const struct board *b, const struct lua_State *L);
+
+/* Serial of the running task, 0: none. */
+uint32_t tasks_serial(const struct board *b);
+
 #endif

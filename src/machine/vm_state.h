@@ -7,6 +7,7 @@
 #include "../base/heap.h"
 #include "board_types.h"
 
+struct api_table;
 struct board;
 struct profile;
 
@@ -48,6 +49,7 @@ struct vm_guesses {
 };
 
 struct vm {
+    const struct api_table *api; /* what scripts can call */
     struct lua_State *L;
     struct lua_State *running; /* the thread that runs, or ran last */
     struct heap *heap;

@@ -146,13 +146,6 @@ static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
     lua_rawseti(L, -2, -(lua_Integer)i - 1);
 }
 
-const char *tasks_from(const struct board *b, lua_State *L)
-{
-    const struct tasks *t = &b->tasks;
-
-    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
-}
-
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 {
     vm_charge(L, WORK_TASK);
@@ -197,53 +190,6 @@ void tasks_stop(struct board *b, uint32_t slot)
     sprites_drop_of(&b->sprites, h);
     if (b->lines.s.live)
         lines_drop_of(&b->lines, h);
-}
-
-int64_t tasks_owner(const struct board *b)
-{
-    return b->tasks.now_owner;
-}
-
-bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner)
-{
-    *owner = stay ? 0 : b->tasks.now_scene;
-    return tasks_owner_alive(b, *owner);
-}
-
-struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
-{
-    struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
-
-    /* what an enemy without a scene makes must not end with the scene of what killed it */
-    tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
-    return was;
-}
-
-void tasks_act_for(struct board *b, struct tasks_now was)
-{
-    b->tasks.now_owner = was.owner;
-    b->tasks.now_scene = was.scene;
-}
-
-/* What the scripts of this task do is on behalf of its owner, its end included. */
-static void act_for_task(struct board *b, uint32_t i)
-{
-    tasks_act_for(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
-}
-
-static const struct tasks_now of_board = { 0, 0 };
-
-void tasks_act_for_turn(struct board *b)
-{
-    if (b->tasks.current == NO_SLOT)
-        tasks_act_for(b, of_board);
-    else
-        act_for_task(b, (uint32_t)b->tasks.current);
-}
-
-uint32_t tasks_serial(const struct board *b)
-{
-    return b->tasks.current == NO_SLOT ? 0 : b->tasks.serial[b->tasks.current];
 }
 
 static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
@@ -304,11 +250,11 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
 
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
-    act_for_task(b, i);
+    tasks_act_for_task(b, i);
     const uint32_t left = vm_enter(b, co);
     int status = lua_resetthread(co);
     vm_leave(b, L, left);
-    tasks_act_for(b, of_board);
+    tasks_act_for(b, (struct tasks_now){ 0, 0 });
     if (status != LUA_OK)
         fail(b, L, co, status);
 }
@@ -323,11 +269,11 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
     t->skipped = 0;
-    act_for_task(b, i);
+    tasks_act_for_task(b, i);
     const uint32_t left = vm_enter(b, co);
     int status = lua_resume(co, L, n, &results);
     vm_leave(b, L, left);
-    tasks_act_for(b, of_board);
+    tasks_act_for(b, (struct tasks_now){ 0, 0 });
     if (status != LUA_OK && status != LUA_YIELD)
         fail(b, L, co, status); /* reads tasks.current */
     t->current = NO_SLOT;

@@ -79,16 +79,22 @@ void vm_log(struct board *b, const char *s, size_t n);
 /* print: writes its arguments, the whole stack, into the frame's log. */
 int vm_print(lua_State *L);
 
-/* Takes two values off the stack: what answers reads of fields, and on top what answers writes. They become the
- * metatable of the value below, for good. */
-void vm_seal(lua_State *L);
-
 /* Runs the library's piece "screens/title" (std.h) and leaves what it returns; a fault when the ROM has none. It counts
  * as work: a unit a byte. */
 void vm_read_piece(lua_State *L, const char *name);
 
 /* Loads script "stages/one" or "@std/pattern" and leaves its function on the stack; a fault when it cannot. */
 void vm_load(lua_State *L, const char *name);
+
+/* require "stages/one": runs a script of the game once, at load. */
+int vm_require(lua_State *L);
+
+/* Runs module i of the library (std.h) with the sys table at `sys`, if the ROM has it and what it adds to is on, and
+ * binds what it returns: prelude's entries one by one, the others under their name. */
+void vm_load_std(lua_State *L, int i, int sys);
+
+/* Before the first script. */
+void vm_open_scripts(lua_State *L, int sys);
 
 /* The standard library, then the entry script. For vm_call. */
 int vm_boot(lua_State *L);

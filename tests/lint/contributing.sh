@@ -78,7 +78,7 @@ signs+='assert(n > -200 and n < 200)'
 api() {
     find_block 'int rng_sign(' >"$scratch/sign.c" && find_block '"rng.sign"' >"$scratch/row" &&
         awk -v sign="$scratch/sign.c" -v row="$scratch/row" '
-            /^#define NO_PARAMS/ { while ((getline line <sign) > 0) print line }
+            /^static const struct api_entry entries/ { while ((getline line <sign) > 0) print line }
             { print }
             /^static const struct api_entry entries/ { while ((getline line <row) > 0) print line }' \
             src/script/api/api_rng.c >"$copy/src/script/api/api_rng.c" || return

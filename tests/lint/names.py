@@ -10,7 +10,7 @@ NO_PREFIX = {
     "program_": "the program, for ports whose host has the loop",
     "snd_": "src/sound",
     "int64_": "int.h's functions of the wider type",
-    "luapattern_ luatable_ luatext_ luautf8_ luamath_": "luaparts.h says what each file of the library gives",
+    "luaerror_ luapattern_ luatable_ luatext_ luautf8_ luamath_": "luaparts.h says what each file of the library gives",
     "board_eval board_profile": "operations on a board, in headers of their own",
 }
 LISTED = tuple(" ".join(NO_PREFIX).split())

@@ -605,9 +605,9 @@ static void push_place(lua_State *L)
 
 static const struct api_entry *entry_named(const char *name)
 {
-    for (int i = 0; i < api_count(); i++)
-        if (!strcmp(api_entry(i)->name, name))
-            return api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++)
+        if (!strcmp(api_entry(&api_table, i)->name, name))
+            return api_entry(&api_table, i);
     return NULL;
 }
 
@@ -793,9 +793,10 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
     }
     lua_newtable(L);
     const char *of = one_in(3) ? "shot" : "bullet";
-    for (int i = 0; e->flags & API_FIRE && i < api_count(); i++)
-        if (!strncmp(api_entry(i)->name, of, strlen(of)) && !strcmp(strchr(api_entry(i)->name, 0) - 5, ".fire"))
-            fire = api_entry(i);
+    for (int i = 0; e->flags & API_FIRE && i < api_count(&api_table); i++)
+        if (!strncmp(api_entry(&api_table, i)->name, of, strlen(of)) &&
+            !strcmp(strchr(api_entry(&api_table, i)->name, 0) - 5, ".fire"))
+            fire = api_entry(&api_table, i);
     bool place = one_in(2);
     uint64_t shape = below(4);
     for (int i = e->plain; i < e->count + (fire ? fire->count : 0); i++) {
@@ -836,7 +837,7 @@ static void push_entry(lua_State *L, const char *name)
     snprintf(space, sizeof space, "%.*s", (int)(split - name), name);
     if (*split == ':') {
         for (int k = 1; k < HANDLES; k++)
-            if (!strcmp(api_things[k]->name, space))
+            if (!strcmp(api_table.things[k]->name, space))
                 lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
     } else if (!strcmp(space, "sys"))
         push_string_field(L, "sys");
@@ -937,9 +938,9 @@ static void test_entries(void **state)
 {
     (void)state;
     prop = NULL;
-    for (int i = 0; i < api_count(); i++) {
+    for (int i = 0; i < api_count(&api_table); i++) {
         struct tally t = { 0 };
-        entry = api_entry(i);
+        entry = api_entry(&api_table, i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
             continue;
         int n = trials(entry->flags & API_FIRE ? 3000
@@ -964,14 +965,14 @@ static void test_properties(void **state)
     (void)state;
     entry = NULL;
     for (int k = 1; k < HANDLES; k++)
-        for (int i = 0; i < api_things[k]->n; i++) {
+        for (int i = 0; i < api_table.things[k]->n; i++) {
             struct tally t = { 0 };
-            prop = &api_things[k]->props[i];
+            prop = &api_table.things[k]->props[i];
             prop_kind = (enum handle_kind)k;
             for (int n = trials(60); n--;)
                 try_once(prop->value.name, false, &t);
             if (!t.good && !handle_kind_group((enum handle_kind)k))
-                fail_msg("%s.%s never worked", api_things[k]->name, prop->value.name);
+                fail_msg("%s.%s never worked", api_table.things[k]->name, prop->value.name);
         }
 }
 
@@ -1107,8 +1108,8 @@ static void test_made_when_read(void **state)
     char text[1024];
 
     (void)state;
-    for (int i = 0; i < api_count(); i++)
-        members += !strncmp(api_entry(i)->name, "query.", 6);
+    for (int i = 0; i < api_count(&api_table); i++)
+        members += !strncmp(api_entry(&api_table, i)->name, "query.", 6);
     assert_true(members >= 3);
     snprintf(text, sizeof text,
              "local near, n = query.near, 0\n"

@@ -873,8 +873,8 @@ static void test_faults(void **state)
           "laser.curve: points: expected a whole number from 2 to 256 frames, got 257");
     fault("laser.curve { kind = 'ray', x = 1, y = 1, speed = 1 }.length = 3",
           "laser: length: cannot be set on a curve (`points` sets its length)");
-    for (int i = 0; i < api_things[H_LASER]->n; i++) {
-        const struct api_prop *p = &api_things[H_LASER]->props[i];
+    for (int i = 0; i < api_table.things[H_LASER]->n; i++) {
+        const struct api_prop *p = &api_table.things[H_LASER]->props[i];
         char text[200], want[100];
         if (p->write == PROP_WRITE)
             continue;

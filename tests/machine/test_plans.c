@@ -230,9 +230,9 @@ static const struct api_param *param(const struct api_entry *e, const struct api
 
 static const struct api_entry *entry_named(const char *name)
 {
-    for (int i = 0; i < api_count(); i++)
-        if (!strcmp(api_entry(i)->name, name))
-            return api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++)
+        if (!strcmp(api_entry(&api_table, i)->name, name))
+            return api_entry(&api_table, i);
     return NULL;
 }
 
@@ -335,11 +335,11 @@ static void test_random(void **state)
     int fine = 0, wrong = 0;
     uint32_t used = 0;
 
-    for (int i = 0; i < api_count(); i++)
-        if (fits(api_entry(i)))
-            warm(t, api_entry(i));
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++)
+        if (fits(api_entry(&api_table, i)))
+            warm(t, api_entry(&api_table, i));
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
         for (int k = 0; fits(e) && k < lines; k++) {
             t->n = 0;
             for (uint32_t calls = 1 + below(t, 3); calls > 0; calls--)

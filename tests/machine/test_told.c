@@ -77,7 +77,7 @@ static void test_read_only(void **state)
     (void)state;
     int seen = 0;
     for (int k = 1; k < HANDLES; k++) {
-        const struct api_thing *t = api_things[k];
+        const struct api_thing *t = api_table.things[k];
         char text[300], want[200];
         if (!made[k]) /* what is of backgrounds has nothing that is read only */
             continue;
@@ -181,8 +181,8 @@ static bool is_there(const char *of, char how, const char *name)
     char full[64];
 
     snprintf(full, sizeof full, "%s%s%s", of, *of ? (how == ':' ? ":" : ".") : "", name);
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
         size_t n = strlen(full);
         if (how != '{' && (!strcmp(e->name, full) || (!*of && !strncmp(e->name, full, n) && e->name[n] == '.')))
             return true;
@@ -191,8 +191,8 @@ static bool is_there(const char *of, char how, const char *name)
                 return true;
     }
     for (int k = 1; how == ':' && k < HANDLES; k++)
-        for (int i = 0; !strcmp(api_things[k]->name, of) && i < api_things[k]->n; i++)
-            if (!strcmp(api_things[k]->props[i].value.name, name))
+        for (int i = 0; !strcmp(api_table.things[k]->name, of) && i < api_table.things[k]->n; i++)
+            if (!strcmp(api_table.things[k]->props[i].value.name, name))
                 return true;
     return false;
 }
@@ -808,8 +808,8 @@ static void put_call(struct blame *t, const struct api_entry *e, const struct ap
 
     t->n = 0;
     for (int k = 1; method && k < HANDLES; k++)
-        if (!strncmp(e->name, api_things[k]->name, strcspn(e->name, ":")) &&
-            !api_things[k]->name[strcspn(e->name, ":")])
+        if (!strncmp(e->name, api_table.things[k]->name, strcspn(e->name, ":")) &&
+            !api_table.things[k]->name[strcspn(e->name, ":")])
             put(t, "local self = %s ", made[k] ? made[k] : "nil");
     put(t, "%s%s(", method ? "self:" : "", method ? strchr(e->name, ':') + 1 : e->name);
     for (int i = method; i < e->plain; i++)
@@ -947,14 +947,14 @@ static void test_blame(void **state)
     rig_power(&t.rig, &g, NULL);
     rig_run(&t.rig, 3);
     rig_save(&t.rig);
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
         t.loading = e->flags & API_LOAD || is_inner(e);
         if ((e->flags & API_SYS && !is_inner(e)) || api_off(&m, e->name))
             continue;
         for (int f = 0; e->flags & API_FIRE && f < FIRES; f++)
             for (int each = 0; each < 2; each++)
-                mistake_all(&t, e, api_fire[f], words[f], each);
+                mistake_all(&t, e, api_table.fire[f], words[f], each);
         if (!(e->flags & API_FIRE))
             mistake_all(&t, e, NULL, NULL, false);
     }
@@ -1106,9 +1106,9 @@ static void test_words(void **state)
     (void)state;
     assert_string_equal(said("spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })", 1),
                         "main.lua:1: spark.def: layer: expected middle or front, got \"back\"");
-    for (int i = 0; i < api_count(); i++)
-        for (int k = 0; k < api_entry(i)->count; k++) {
-            const struct api_param *p = &api_entry(i)->params[k];
+    for (int i = 0; i < api_count(&api_table); i++)
+        for (int k = 0; k < api_entry(&api_table, i)->count; k++) {
+            const struct api_param *p = &api_entry(&api_table, i)->params[k];
             struct api_value v = { 0 };
             int n;
             const char *const *words = api_type_list(p->type, &n);
@@ -1116,7 +1116,7 @@ static void test_words(void **state)
                 continue;
             api_fill_default(p, &v);
             if (v.i >= n || strcmp(words[v.i], p->def) != 0)
-                fail_msg("%s: %s: \"%s\" is %s", api_entry(i)->name, p->name, p->def, words[v.i]);
+                fail_msg("%s: %s: \"%s\" is %s", api_entry(&api_table, i)->name, p->name, p->def, words[v.i]);
         }
 }
 

@@ -63,7 +63,7 @@ static int count_run(lua_State *L, struct board *b, struct api_value *v)
         if (!strcmp(e->name, "motion.def"))
             note_steps(L, v[0].at);
     }
-    return api_entry(i)->run(L, b, v);
+    return api_entry(&api_table, i)->run(L, b, v);
 }
 
 /* Upvalue 1: the entry's number. Called by a wrapper. */
@@ -83,7 +83,7 @@ static int count_property(lua_State *L)
 
     if (by_std(L, 2) || !handle_is(h) || !name)
         return 0;
-    const struct api_thing *t = api_things[handle_kind(h)];
+    const struct api_thing *t = api_table.things[handle_kind(h)];
     for (int i = 0; i < t->n && i < PROPS; i++)
         if (!strcmp(t->props[i].value.name, name))
             of[handle_kind(h)][i]++;
@@ -106,9 +106,9 @@ static int number_of(const struct api_entry *e)
 {
     int i = 0;
 
-    while (i < api_count() && api_entry(i) != e)
+    while (i < api_count(&api_table) && api_entry(&api_table, i) != e)
         i++;
-    assert_true(i < api_count());
+    assert_true(i < api_count(&api_table));
     return i;
 }
 
@@ -156,11 +156,11 @@ static void make_all(lua_State *L)
                     api_fill(L, lua_gettop(L) - 1);
         lua_pop(L, 1);
     }
-    for (int i = 0; i < api_count(); i++)
+    for (int i = 0; i < api_count(&api_table); i++)
         for (int k = 1; k < HANDLES; k++) {
-            const char *name = api_entry(i)->name, *verb = strchr(name, ':');
-            if (!verb || (size_t)(verb - name) != strlen(api_things[k]->name) ||
-                strncmp(name, api_things[k]->name, (size_t)(verb - name)) != 0)
+            const char *name = api_entry(&api_table, i)->name, *verb = strchr(name, ':');
+            if (!verb || (size_t)(verb - name) != strlen(api_table.things[k]->name) ||
+                strncmp(name, api_table.things[k]->name, (size_t)(verb - name)) != 0)
                 continue;
             lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
             lua_getfield(L, -1, verb + 1);
@@ -179,9 +179,9 @@ static void patch_all(lua_State *L)
     lua_pushvalue(L, LUA_REGISTRYINDEX);
     patch(L, lua_gettop(L), call, seen);
     lua_settop(L, 0);
-    for (int i = 0; i < api_count(); i++) {
-        const char *name = api_entry(i)->name, *dot = strchr(name, '.');
-        if (!(api_entry(i)->flags & API_LUA) || strchr(name, ' '))
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const char *name = api_entry(&api_table, i)->name, *dot = strchr(name, '.');
+        if (!(api_entry(&api_table, i)->flags & API_LUA) || strchr(name, ' '))
             continue;
         lua_pushglobaltable(L);
         if (dot) {
@@ -404,9 +404,9 @@ static int play(void **state)
 
     if (setup(state))
         return -1;
-    assert_true(api_count() <= MOST);
-    for (int i = 0; i < api_count(); i++) {
-        copies[i] = *api_entry(i);
+    assert_true(api_count(&api_table) <= MOST);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        copies[i] = *api_entry(&api_table, i);
         if (copies[i].run)
             copies[i].run = count_run;
     }
@@ -439,12 +439,14 @@ static void test_functions(void **state)
     char missing[4096] = "";
 
     (void)state;
-    for (int i = 0; i < api_count(); i++)
+    for (int i = 0; i < api_count(&api_table); i++)
         /* missions are another way through the menus: test_missions.c; its ROM has no documents: test_bulletml.c */
-        if (!(api_entry(i)->flags & API_SYS) && !uses[i] && strncmp(api_entry(i)->name, "mission.", 8) != 0 &&
-            strcmp(api_entry(i)->name, "bullet.ml") && strcmp(api_entry(i)->name, "bullet.documents") &&
-            strcmp(api_entry(i)->name, "bulletml:stop"))
-            append(missing, sizeof missing, api_entry(i)->name, "");
+        if (!(api_entry(&api_table, i)->flags & API_SYS) && !uses[i] &&
+            strncmp(api_entry(&api_table, i)->name, "mission.", 8) != 0 &&
+            strcmp(api_entry(&api_table, i)->name, "bullet.ml") &&
+            strcmp(api_entry(&api_table, i)->name, "bullet.documents") &&
+            strcmp(api_entry(&api_table, i)->name, "bulletml:stop"))
+            append(missing, sizeof missing, api_entry(&api_table, i)->name, "");
     if (missing[0])
         fail_msg("roms/torture does not use:%s", missing);
 }
@@ -455,9 +457,9 @@ static void test_properties(void **state)
 
     (void)state;
     for (int k = 1; k < HANDLES; k++)
-        for (int i = 0; i < api_things[k]->n; i++) {
-            const struct api_prop *p = &api_things[k]->props[i];
-            snprintf(name, sizeof name, "%s.%s", api_things[k]->name, p->value.name);
+        for (int i = 0; i < api_table.things[k]->n; i++) {
+            const struct api_prop *p = &api_table.things[k]->props[i];
+            snprintf(name, sizeof name, "%s.%s", api_table.things[k]->name, p->value.name);
             if (!strcmp(name, "sprite.blend") || k == H_BULLETML) /* the ROM has none: test_blend.c, test_bulletml.c */
                 continue;
             if (!reads[k][i] &&

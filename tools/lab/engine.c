@@ -170,8 +170,8 @@ uint32_t engine_hits(struct board *b)
 
 const char *engine_default(const char *entry, const char *argument)
 {
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
         for (int k = 0; k < e->count && !strcmp(e->name, entry); k++)
             if (!strcmp(e->params[k].name, argument) && e->params[k].def)
                 return e->params[k].def;

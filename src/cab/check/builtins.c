@@ -120,8 +120,8 @@ void builtins_open(struct name_set *s)
         name_set_add(s, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
-    for (int i = 0; i < api_count(); i++)
-        add_entry(s, api_entry(i));
+    for (int i = 0; i < api_count(&api_table); i++)
+        add_entry(s, api_entry(&api_table, i));
 }
 
 void name_set_close(struct name_set *s)
@@ -179,8 +179,9 @@ bool builtins_global(const char *name)
     for (int i = 0; i < std_script_count; i++)
         if (strcmp(std_scripts[i].name, name) == 0 && !adds_only(name))
             return true;
-    for (int i = 0; i < api_count(); i++)
-        if (strncmp(api_entry(i)->name, name, n) == 0 && strchr(".", api_entry(i)->name[n]) != NULL)
+    for (int i = 0; i < api_count(&api_table); i++)
+        if (strncmp(api_entry(&api_table, i)->name, name, n) == 0 &&
+            strchr(".", api_entry(&api_table, i)->name[n]) != NULL)
             return true;
     return false;
 }
@@ -203,10 +204,8 @@ const char *builtins_handle(const char *space, const char *name)
     char full[64];
 
     snprintf(full, sizeof full, "%s%s%s", space != NULL ? space : "", space != NULL ? "." : "", name);
-    for (int i = 0; i < api_count(); i++)
-        if (strcmp(api_entry(i)->name, full) == 0)
-            return is_handle(api_entry(i)->returns) ? api_entry(i)->returns : NULL;
-    return NULL;
+    const struct api_entry *e = api_find(&api_table, full);
+    return e && is_handle(e->returns) ? e->returns : NULL;
 }
 
 bool builtins_handed(const struct symbol_origin *of)

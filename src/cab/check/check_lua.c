@@ -236,10 +236,7 @@ static const struct api_entry *entry(const char *space, const char *name)
     char full[96];
 
     snprintf(full, sizeof full, "%s%s%s", space != NULL ? space : "", space != NULL ? "." : "", name);
-    for (int i = 0; i < api_count(); i++)
-        if (strcmp(api_entry(i)->name, full) == 0)
-            return api_entry(i);
-    return NULL;
+    return api_find(&api_table, full);
 }
 
 /* What load runs may do anything too. */

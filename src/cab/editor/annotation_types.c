@@ -7,6 +7,7 @@
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
+#include "../help/help_lua.h"
 
 #define COUNT(list) (sizeof(list) / sizeof(list)[0])
 
@@ -91,7 +92,7 @@ static void things(unsigned kinds, char *out, size_t size)
     out[0] = 0;
     for (int k = 1; k < HANDLES; k++)
         if (!kinds || kinds >> k & 1)
-            n = add(out, size, n, api_things[k]->name);
+            n = add(out, size, n, api_table.things[k]->name);
 }
 
 /* A hit shape, of the forms that the table words. */
@@ -109,7 +110,7 @@ static void hits(const struct api_param *p, char *out, size_t size)
     char words[320];
     size_t n = 0;
 
-    api_param_words(p, words, sizeof words);
+    help_argument_words(p, words, sizeof words);
     for (size_t i = 0; i < COUNT(forms); i++)
         if (strstr(words, forms[i].form))
             n = add(out, size, n, forms[i].type);
@@ -178,8 +179,8 @@ static bool parts(const struct api_entry *e, const struct api_param *p, char *ou
 {
     const size_t n = strcspn(e->name, " ");
 
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *part = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *part = api_entry(&api_table, i);
         const char *word = part->name + n + 1;
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
             continue;
@@ -252,7 +253,7 @@ static const char *return_type(const char *word)
         if (!strcmp(list[i].word, word))
             return list[i].type;
     for (int k = 1; k < HANDLES; k++)
-        if (!strcmp(api_things[k]->name, word))
+        if (!strcmp(api_table.things[k]->name, word))
             return word;
     return "any";
 }

@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include "../../script/api/api_table.h"
+#include "../help/help_lua.h"
 #include "../host/version.h"
 #include "annotation_types.h"
 
@@ -30,14 +30,6 @@ static bool is_part(const struct api_entry *e)
 static bool is_public(const struct api_entry *e)
 {
     return !(e->flags & API_SYS) || is_part(e);
-}
-
-static const struct api_entry *find(const char *name)
-{
-    for (int i = 0; i < api_count(); i++)
-        if (!strcmp(api_entry(i)->name, name))
-            return api_entry(i);
-    return NULL;
 }
 
 static const struct api_param *find_param(const struct api_entry *e, const char *name)
@@ -64,7 +56,7 @@ static void comment(const struct api_param *p, char out[WORDS_SIZE])
 {
     char words[WORDS_SIZE / 2];
 
-    api_param_words(p, words, sizeof words);
+    help_argument_words(p, words, sizeof words);
     snprintf(out, WORDS_SIZE, "%s%s[%s]", p->help ? p->help : "", p->help && p->help[0] ? " " : "", words);
 }
 
@@ -83,7 +75,7 @@ static void field(struct prose *to, const struct api_entry *e, const struct api_
 static bool fired_before(int maker, const char *name)
 {
     for (int i = 0; i < maker; i++)
-        if (find_param(find(makers[i]), name))
+        if (find_param(api_find(&api_table, makers[i]), name))
             return true;
     return false;
 }
@@ -108,7 +100,7 @@ static void fired(struct prose *to)
 {
     prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
-        const struct api_entry *e = find(makers[m]);
+        const struct api_entry *e = api_find(&api_table, makers[m]);
         for (int i = e->plain; i < e->count; i++)
             if (!fired_before(m, e->params[i].name))
                 fired_field(to, e, &e->params[i]);
@@ -134,9 +126,11 @@ static void arguments_class(struct prose *to, const struct api_entry *e)
 static void argument_classes(struct prose *to)
 {
     fired(to);
-    for (int i = 0; i < api_count(); i++)
-        if (is_public(api_entry(i)) && (is_part(api_entry(i)) || has_table(api_entry(i))))
-            arguments_class(to, api_entry(i));
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
+        if (is_public(e) && (is_part(e) || has_table(e)))
+            arguments_class(to, e);
+    }
 }
 
 /* ---- functions ---- */
@@ -189,14 +183,14 @@ static void property(struct prose *to, const struct api_prop *p)
     const bool nil = strstr(p->value.help, "nil") != NULL, read = p->write != PROP_WRITE;
 
     annotation_property(p, type, sizeof type);
-    api_property_words(p, words, sizeof words);
+    help_property_words(p, words, sizeof words);
     prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read-only: " : "",
               p->value.help, words);
 }
 
 static void handle(struct prose *to, enum handle_kind kind)
 {
-    const struct api_thing *t = api_things[kind];
+    const struct api_thing *t = api_table.things[kind];
     const size_t n = strlen(t->name);
     char owner[NAME_SIZE];
 
@@ -207,9 +201,11 @@ static void handle(struct prose *to, enum handle_kind kind)
         property(to, &t->props[i]);
     snprintf(owner, sizeof owner, "a_%s", t->name);
     prose_add(to, "local %s = {}\n", owner);
-    for (int i = 0; i < api_count(); i++)
-        if (!strncmp(api_entry(i)->name, t->name, n) && api_entry(i)->name[n] == ':' && is_public(api_entry(i)))
-            function(to, api_entry(i), owner);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
+        if (!strncmp(e->name, t->name, n) && e->name[n] == ':' && is_public(e))
+            function(to, e, owner);
+    }
 }
 
 /* ---- globals ---- */
@@ -225,11 +221,12 @@ static void space_of(const char *name, char out[NAME_SIZE])
 /* Values come behind the entries in one order: i from 0 on; NULL: there are no more. */
 static const char *any_name(int i)
 {
-    const char *help;
+    const int k = i - api_count(&api_table);
 
-    if (i >= api_count())
-        return api_plain(i - api_count(), &help);
-    return is_public(api_entry(i)) && !strpbrk(api_entry(i)->name, ": ") ? api_entry(i)->name : "";
+    if (k >= 0)
+        return k < api_table.plains ? api_table.plain[k].name : NULL;
+    const struct api_entry *e = api_entry(&api_table, i);
+    return is_public(e) && !strpbrk(e->name, ": ") ? e->name : "";
 }
 
 static bool space_before(int i, const char *space)
@@ -246,10 +243,10 @@ static bool space_before(int i, const char *space)
 
 static void space_fields(struct prose *to, const char *space)
 {
-    const char *name, *help;
     char of[NAME_SIZE];
 
-    for (int i = 0; (name = api_plain(i, &help)); i++) {
+    for (int i = 0; i < api_table.plains; i++) {
+        const char *name = api_table.plain[i].name, *help = api_table.plain[i].help;
         space_of(name, of);
         if (strcmp(of, space) || strchr(name, '('))
             continue;
@@ -298,9 +295,8 @@ static void plain_function(struct prose *to, const char *name, const char *help)
 /* print and require are Lua's: the server knows them. */
 static void plain_names(struct prose *to)
 {
-    const char *name, *help;
-
-    for (int i = 0; (name = api_plain(i, &help)); i++) {
+    for (int i = 0; i < api_table.plains; i++) {
+        const char *name = api_table.plain[i].name, *help = api_table.plain[i].help;
         const char *type = annotation_plain(name);
         if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
             plain_function(to, name, help);
@@ -322,8 +318,8 @@ void annotations_write(struct prose *to)
     for (int k = 1; k < HANDLES; k++)
         handle(to, (enum handle_kind)k);
     spaces(to);
-    for (int i = 0; i < api_count(); i++)
+    for (int i = 0; i < api_count(&api_table); i++)
         if (any_name(i)[0])
-            function(to, api_entry(i), NULL);
+            function(to, api_entry(&api_table, i), NULL);
     plain_names(to);
 }

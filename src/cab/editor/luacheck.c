@@ -31,9 +31,8 @@ static bool is_open(const char *space)
 
 static void add_plain(struct name_set *s)
 {
-    const char *name, *help;
-
-    for (int i = 0; (name = api_plain(i, &help)); i++) {
+    for (int i = 0; i < api_table.plains; i++) {
+        const char *name = api_table.plain[i].name;
         char space[32], field[32];
         const size_t n = strcspn(name, ".(");
         if (name[n] != '.' || name[n + 1] == '.')
@@ -75,10 +74,8 @@ static bool is_librarys(const char *space)
 /* Is it a value, no function? It may be a text or a table, which have fields. */
 static bool is_value(const char *full)
 {
-    const char *name, *help;
-
-    for (int i = 0; (name = api_plain(i, &help)); i++)
-        if (!strcmp(name, full))
+    for (int i = 0; i < api_table.plains; i++)
+        if (!strcmp(api_table.plain[i].name, full))
             return true;
     return false;
 }

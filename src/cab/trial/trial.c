@@ -133,7 +133,7 @@ static int run_script(lua_State *L)
     lua_pushglobaltable(L);
     lua_pushcfunction(L, undeclared);
     lua_pushcfunction(L, no_new_global);
-    vm_seal(L);
+    lualib_seal(L);
     lua_pop(L, 1);
     load(L, t->chunk, t->text, t->text_size);
     lua_call(L, 0, 0);

@@ -37,6 +37,7 @@ struct api_value {
 enum { NVRAM_STEP = 32 /* bytes of nvram that are walked or moved at the price of a VM instruction */ };
 
 #define PARAMS(list) list, sizeof list / sizeof *list
+#define NO_PARAMS    NULL, 0
 
 /* Puts the API into the globals and leaves the sys table on the stack. */
 void api_open(lua_State *L);

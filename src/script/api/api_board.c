@@ -6,6 +6,7 @@
 #include <string.h>
 #include "../../base/hash.h"
 #include "api.h"
+#include "../lua/lualib.h"
 #include "api_parts.h"
 
 /* The only parameter of each entry here. */
@@ -211,7 +212,7 @@ static void seal(lua_State *L, const char *name)
     lua_rotate(L, -2, 1);
     lua_pushstring(L, name);
     lua_pushcclosure(L, read_only, 1);
-    vm_seal(L);
+    lualib_seal(L);
 }
 
 static void rect(lua_State *L, const char *name, int x, int y, int w, int h)
@@ -243,7 +244,6 @@ void api_rom_open(lua_State *L)
     lua_setglobal(L, "rom");
 }
 
-#define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "board.frame", board_frame_run, NO_PARAMS, 0, 0, "frames", HELP("returns the number of frames since power-on") },
     { "board.difficulty", board_difficulty, PARAMS(name_opt), 1, API_CHANGES, "name",

@@ -37,7 +37,7 @@ static void checked(lua_State *L, const char *entry)
 /* The arguments of a phase; upvalue: its name in errors. */
 static int check_phase(lua_State *L)
 {
-    struct api_entry e = *api_find("boss.def phase");
+    struct api_entry e = *api_find(api_of(L), "boss.def phase");
 
     e.name = lua_tostring(L, lua_upvalueindex(1));
     return api_checked(L, &e);

@@ -10,6 +10,15 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
+#define HIT_MANY "{ circles = { { x, y, r }, .. } }, { sprite = name }"
+const char *const api_hit_forms[] = {
+    [HIT_PLAYERS] = "{ circle = r } or { sprite = name }",
+    [HIT_ENEMIES] =
+        "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
+    [HIT_LASERS] = "{ share = s }, s from 0 to 1, or \"none\"",
+    [HIT_BULLETS] = "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_MANY " or \"none\"",
+};
+
 const char *const api_thing_names[HANDLES] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
@@ -323,8 +332,6 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const asks[] = { "settings", "replays", "practice", "keys" };
 
 /* By FIRES_. */
-const struct api_entry *const api_fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
-                                                  &api_fire_beam };
 
 static const struct word_list {
     const char *const *words;
@@ -501,7 +508,7 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
         api_check_looked(L, entry, p, v);
 }
 
-double api_default(const struct api_param *p)
+static double default_of(const struct api_param *p)
 {
     const char *s = p->def;
     double n = 0;
@@ -518,7 +525,7 @@ void api_fill_default(const struct api_param *p, struct api_value *v)
 {
     if (!p->def || (p->def[0] == '0' && !p->def[1]) || (p->type == A_BOOL && p->def[0] == 'f'))
         return; /* nearly all: v is 0 and false already */
-    v->n = api_default(p);
+    v->n = default_of(p);
     v->i = (int64_t)v->n;
     if (p->type == A_FX)
         fx_from_double(v->n, &v->f);
@@ -550,7 +557,7 @@ const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int a
     if (!(e->flags & API_FIRE))
         return NULL;
     if (lua_type(L, at) != LUA_TTABLE)
-        return api_fire[FIRES_BULLETS];
+        return api_of(L)->fire[FIRES_BULLETS];
     lua_pushliteral(L, "fire");
     const char *word = lua_rawget(L, at) == LUA_TSTRING ? lua_tostring(L, -1) : "";
     int found = FIRES_BULLETS;
@@ -561,10 +568,10 @@ const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int a
     const struct manifest *m = &vm_board(L)->cart.m;
     const char *line = found < FIRES_BOLTS ? NULL : api_off(m, "laser");
     if (!line)
-        line = api_off(m, api_fire[found]->name);
+        line = api_off(m, api_of(L)->fire[found]->name);
     if (line)
         api_error(L, e->name, "fire: " API_OFF, line);
-    return api_fire[found];
+    return api_of(L)->fire[found];
 }
 
 /* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
@@ -580,6 +587,11 @@ int api_search_param(const struct api_entry *e, const struct api_entry *fire, co
     return -1;
 }
 
+bool api_step_word(lua_State *L, const char *name)
+{
+    return api_search_param(api_find(api_of(L), "motion.def step"), NULL, name) >= 0;
+}
+
 /* The error for the stray key on top. */
 static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire)
 {
@@ -592,9 +604,9 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     const char *name = lua_tostring(L, -1);
     if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
         api_error(L, e->name, "%s %s", name, NOT_YET);
-    if (fire == api_fire[FIRES_BULLETS] && api_search_param(api_fire[FIRES_SHOTS], NULL, name) >= 0)
+    if (fire == api_of(L)->fire[FIRES_BULLETS] && api_search_param(api_of(L)->fire[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "`%s` requires a shot (did you forget `fire = \"shot\"`?)", name);
-    if (api_step_word(name) && api_search_param(e, fire, "motion") >= 0)
+    if (api_step_word(L, name) && api_search_param(e, fire, "motion") >= 0)
         api_error(L, e->name,
                   "unknown argument \"%s\" (it is a step of a motion: motion = motion.def { { %s = ... } })", name,
                   name);

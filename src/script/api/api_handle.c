@@ -3,6 +3,7 @@
  */
 #include <string.h>
 #include "../../base/edit.h"
+#include "../lua/lualib.h"
 #include "api_parts.h"
 
 /* Registry: a table a kind of handle, of names that were read: a method, or false for a name that is none. */
@@ -18,7 +19,7 @@ bool api_push_method(lua_State *L, int kind, const char *name)
     }
     if (lua_getfield(L, -1, name) == LUA_TNIL) {
         lua_pop(L, 1);
-        if (!api_push_member(L, api_things[kind]->name, ':', name))
+        if (!api_push_member(L, api_of(L)->things[kind]->name, ':', name))
             lua_pushboolean(L, 0);
         lua_pushvalue(L, -1);
         lua_setfield(L, -3, name);
@@ -71,12 +72,6 @@ static const struct api_prop *prop_named(const struct api_thing *t, uint8_t *gue
     return prop;
 }
 
-/* Groups and motions are always alive. */
-static bool may_die(enum handle_kind kind)
-{
-    return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
-}
-
 static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
@@ -86,13 +81,13 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
         return vm_fault(L, FAULT_SCRIPT, "%s: %s %s", t->name, name, NOT_YET);
     for (int i = 0; i < t->n; i++)
         api_suggest_nearer(name, t->props[i].value.name, &best, &found);
-    if (may_die((enum handle_kind)kind))
+    if (api_ends((enum handle_kind)kind))
         api_suggest_nearer(name, "alive", &best, &found);
     enum name_kind values = api_value_names_of((enum handle_kind)kind);
     for (int k = 0; k < api_values(vm_board(L), values); k++)
         api_suggest_nearer(name, board_name(vm_board(L), values, k), &best, &found);
-    for (int i = 0; i < api_count(); i++) {
-        const char *verb = api_member(api_entry(i), t->name, ':');
+    for (int i = 0; i < api_count(api_of(L)); i++) {
+        const char *verb = api_member(api_entry(api_of(L), i), t->name, ':');
         if (verb)
             api_suggest_nearer(name, verb, &best, &found);
     }
@@ -109,7 +104,7 @@ static int read_only(lua_State *L, const struct api_thing *t, int kind, const ch
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is a method; call it with a colon, thing:%s(...)", t->name, name,
                         name);
     lua_pop(L, 1);
-    if (api_property(t, name) || (may_die((enum handle_kind)kind) && !strcmp(name, "alive")))
+    if (api_property(t, name) || (api_ends((enum handle_kind)kind) && !strcmp(name, "alive")))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is read-only", t->name, name);
     return no_property(L, t, kind, name);
 }
@@ -251,17 +246,17 @@ static int get_property(lua_State *L)
     if (!handle_is(h))
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     if (lua_type(L, 2) != LUA_TSTRING)
-        return vm_fault(L, FAULT_SCRIPT, "%s: expected a property name, got a %s", api_things[handle_kind(h)]->name,
-                        luaL_typename(L, 2));
+        return vm_fault(L, FAULT_SCRIPT, "%s: expected a property name, got a %s",
+                        api_of(L)->things[handle_kind(h)]->name, luaL_typename(L, 2));
     const char *name = lua_tolstring(L, 2, &bytes);
-    const struct api_thing *t = api_things[handle_kind(h)];
+    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
     uint8_t *guess = prop_guess(b, handle_kind(h), false, name, bytes);
     if (prop_guessed(t, guess, name))
         return push_property(L, b, t, h, *guess);
     if (api_push_method(L, (int)handle_kind(h), name))
         return 1;
     bool alive = board_alive(b, h);
-    if (!strcmp(name, "alive") && may_die(handle_kind(h)))
+    if (!strcmp(name, "alive") && api_ends(handle_kind(h)))
         return lua_pushboolean(L, alive), 1;
     const struct api_prop *prop = prop_named(t, guess, name, &p);
     if (handle_kind(h) == H_PLAYER && !prop) {
@@ -298,7 +293,7 @@ static int set_property(lua_State *L)
     if (!handle_is(h) || lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "attempt to index a number value (it is not a thing)");
     const char *name = lua_tolstring(L, 2, &bytes);
-    const struct api_thing *t = api_things[handle_kind(h)];
+    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
     const struct api_prop *prop = prop_named(t, prop_guess(b, handle_kind(h), true, name, bytes), name, &p);
     bool alive = board_alive(b, h);
     script_fold(b, 0x2000);
@@ -329,6 +324,6 @@ void api_open_handles(lua_State *L)
     lua_pushinteger(L, 0);
     lua_pushcfunction(L, get_property);
     lua_pushcfunction(L, set_property);
-    vm_seal(L); /* of the number type */
+    lualib_seal(L); /* of the number type */
     lua_pop(L, 1);
 }

@@ -1,97 +1,10 @@
 /*
- * api_item.c - item; and lists of what enemies, bullets and phases drop.
+ * api_item.c - item.
  */
-#include <stdio.h>
 #include <string.h>
-#include "../../base/bytes.h"
 #include "../../base/trig.h"
-#include "api_parts.h"
 #include "../events_run.h"
-
-/* ---- tables with names ---- */
-
-enum { MOST_NAMES = ITEM_REGISTERS + 2 };
-#define NAMED "{ NAME = n }"
-
-/* The whole number under a name of the table at `at`. */
-static int64_t number_of(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
-                         double hi)
-{
-    char full[64];
-    struct api_param p = { full, A_INT, REQ, lo, hi, NULL, NULL, NULL };
-    struct api_value v = { 0 };
-
-    snprintf(full, sizeof full, "%s.%s", what, name);
-    lua_getfield(L, at, name);
-    api_check(L, entry, &p, lua_gettop(L), &v);
-    lua_pop(L, 1);
-    return v.i;
-}
-
-/* ---- lists of drops ---- */
-
-enum { DROP_BYTES = 4 /* of a list's entry: kind and number, 16 bits each */ };
-
-/* Is it a list that api_drops may have made? */
-static bool is_list(const struct board *b, const uint8_t *list, size_t size)
-{
-    if (!list || size % DROP_BYTES || size > MOST_NAMES * DROP_BYTES)
-        return false;
-    for (size_t i = 0; i < size; i += DROP_BYTES)
-        if (bytes_get16(list + i) >= b->item_kinds.s.live)
-            return false;
-    return true;
-}
-
-enum { AN_ITEM = 6 /* work: one that is dropped */ };
-
-/* Of a list that an enemy, a bullet or a phase drops. */
-static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
-
-void api_push_drops(lua_State *L, const char *entry, int at)
-{
-    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
-    const char *line = api_off(&vm_board(L)->cart.m, "item"), *names[MOST_NAMES];
-    uint8_t list[MOST_NAMES * DROP_BYTES];
-    struct api_value v;
-
-    if (line)
-        api_error(L, entry, "drops: " API_OFF, line);
-    int n = api_sorted_names(L, entry, "drops", NAMED, at, names, MOST_NAMES);
-    for (int i = 0; i < n; i++) {
-        lua_pushstring(L, names[i]);
-        api_check(L, entry, &kind, lua_gettop(L), &v);
-        lua_pop(L, 1);
-        bytes_put16(list + i * DROP_BYTES, (uint16_t)v.i);
-        bytes_put16(list + i * DROP_BYTES + 2, (uint16_t)number_of(L, entry, "drops", at, names[i], 0, UINT16_MAX));
-    }
-    lua_pushlstring(L, (const char *)list, (size_t)n * DROP_BYTES);
-}
-
-void api_drops(lua_State *L, const char *entry, int at)
-{
-    api_push_drops(L, entry, at);
-    api_fold(L, vm_board(L), lua_gettop(L));
-}
-
-void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
-{
-    size_t size = 0;
-    const uint8_t *list = (const uint8_t *)lua_tolstring(L, -1, &size);
-    uint16_t kind[MOST_NAMES], n[MOST_NAMES];
-    struct item_drop d = usual_drop;
-    int kinds = is_list(b, list, size) ? (int)size / DROP_BYTES : 0;
-
-    for (int i = 0; i < kinds; i++) {
-        kind[i] = bytes_get16(list + i * DROP_BYTES);
-        n[i] = bytes_get16(list + i * DROP_BYTES + 2);
-        vm_charge(L, AN_ITEM * (uint64_t)n[i]);
-    }
-    d.x = x;
-    d.y = y;
-    board_drop(b, &d, kind, n, kinds);
-    lua_pop(L, 1);
-}
+#include "api_parts.h"
 
 /* ---- item.def ---- */
 
@@ -151,22 +64,22 @@ static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
         return;
     }
     lua_pop(L, 1);
-    k->low[i] = k->high[i] = number_of(L, DEF, "gives", gives, "score", 0, ITEM_MOST);
+    k->low[i] = k->high[i] = api_named_number(L, DEF, "gives", gives, "score", 0, ITEM_MOST);
 }
 
 static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives)
 {
-    const char *names[MOST_NAMES];
-    int n = api_sorted_names(L, DEF, "gives", NAMED, gives, names, MOST_NAMES);
+    const char *names[MOST_ITEM_NAMES];
+    int n = api_sorted_names(L, DEF, "gives", ITEM_NAMES, gives, names, MOST_ITEM_NAMES);
 
     for (int j = 0; j < n; j++)
         if (!strcmp(names[j], "score"))
             read_score(L, k, i, gives);
         else if (!strcmp(names[j], "lives"))
-            k->lives[i] = (int32_t)number_of(L, DEF, "gives", gives, names[j], 0, MOST_LIVES);
+            k->lives[i] = (int32_t)api_named_number(L, DEF, "gives", gives, names[j], 0, MOST_LIVES);
         else
             k->gives[i * ITEM_REGISTERS + register_number(L, names[j])] =
-                (int32_t)number_of(L, DEF, "gives", gives, names[j], -INT32_MAX, INT32_MAX);
+                (int32_t)api_named_number(L, DEF, "gives", gives, names[j], -INT32_MAX, INT32_MAX);
 }
 
 static int item_def(lua_State *L, struct board *b, struct api_value *v)

@@ -1,5 +1,6 @@
 /*
- * api_names.c - the names scripts declare, tags, and suggestions for misspelt names.
+ * api_names.c - the names scripts declare, tags, and suggestions for misspelt names; and the values of things, which
+ * are kept and read as fx.
  */
 #include <string.h>
 #include "../../base/edit.h"
@@ -173,4 +174,61 @@ void api_push_tag(lua_State *L, uint16_t tag)
 const char *api_library_names(const char *library)
 {
     return lualib_names(library);
+}
+
+/* ---- declared values ---- */
+
+enum name_kind api_value_names_of(enum handle_kind kind)
+{
+    switch (kind) {
+    case H_BULLET:
+    case H_GROUP:
+        return N_BULLET_VALUE;
+    case H_SHOT:
+    case H_SHOTS:
+        return N_SHOT_VALUE;
+    case H_ENEMY:
+    case H_ENEMIES:
+        return N_ENEMY_VALUE;
+    default:
+        return NAME_LISTS;
+    }
+}
+
+enum name_kind api_value_names(const struct api_entry *e)
+{
+    switch (e->flags & API_VALUES ? e->name[0] : '\0') {
+    case 'b':
+        return N_BULLET_VALUE;
+    case 's':
+        return N_SHOT_VALUE;
+    case 'e':
+        return N_ENEMY_VALUE;
+    default:
+        return NAME_LISTS;
+    }
+}
+
+int api_values(const struct board *b, enum name_kind names)
+{
+    return names == NAME_LISTS ? 0 : (int)b->names[names].n;
+}
+
+struct api_param api_value_param(const char *name)
+{
+    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL };
+}
+
+fx *api_value_column(struct board *b, enum name_kind names, int k)
+{
+    if (names == N_ENEMY_VALUE)
+        return enemies_value(&b->enemies, k);
+    return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
+}
+
+void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)
+{
+    for (int k = 0; k < api_values(b, names); k++)
+        if (v[k].given)
+            api_value_column(b, names, k)[i] = v[k].f;
 }

@@ -22,6 +22,14 @@ struct api_bound {
 /* Pushes f as a function that is bound to e. */
 void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f);
 
+static inline const struct api_table *api_of(lua_State *L)
+{
+    return vm_board(L)->vm.api;
+}
+
+/* Pushes the entry as scripts call it. */
+void api_push_call(lua_State *L, const struct api_entry *e);
+
 /* What the function that runs is bound to. */
 static inline struct api_bound *api_bound(lua_State *L)
 {
@@ -65,10 +73,7 @@ static inline unsigned api_guess(const char *name, size_t n, unsigned of)
     return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + of * 41u) % VM_GUESSES;
 }
 
-/* The entries of bullet.fire, shot.fire, laser.bolt, laser.curve and laser.beam. A pattern (API_FIRE) takes the
- * parameters of one of them too: of what its argument `fire` names, by FIRES_. */
-enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
-extern const struct api_entry *const api_fire[FIRES];
+/* The entries that a pattern fires with. */
 extern const struct api_entry api_fire_bullet, api_fire_shot, api_fire_bolt, api_fire_curve, api_fire_beam;
 
 /* The arguments of bullet.fire and shot.fire, in their order. */
@@ -125,16 +130,6 @@ int64_t api_units(bool fine, const struct api_value *v);
 
 /* A script's write (OVERRIDE_) ends the running motion step's drive. */
 void api_override(struct bullets *s, uint32_t i, unsigned what);
-
-/* An entry by name; NULL: none. */
-const struct api_entry *api_find(const char *name);
-
-/* "a bullet", "an enemy": a thing of that kind in a sentence. */
-extern const char *const api_thing_names[HANDLES];
-
-/* Keeps the better of two suggestions for a misspelt word: the nearer, then the first in byte order. *best is EDIT_FAR
- * and *found is NULL before the first call. */
-void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
 /* The same, and all that there are; `list` is for api_hint_push. */
 struct api_hint {
@@ -209,44 +204,30 @@ void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct a
 /* sys.volley: api_volley.c. */
 int api_volley(lua_State *L, struct board *b, struct api_value *v);
 
-/* What stands behind `of` and the split in the name of an entry in C: of "bullet.fire", "bullet" and '.', "fire"; else
- * NULL. */
-const char *api_member(const struct api_entry *e, const char *of, char split);
-
 /* Pushes the function of the entry that is so called; false, and nothing is pushed: there is none. */
 bool api_push_member(lua_State *L, const char *of, char split, const char *name);
 
+/* The tables of the API. `missing` answers reads of what one of them has not. */
+void api_open_spaces(lua_State *L, lua_CFunction missing);
+
 /* From now on the table on top, the global of that name, is one of the API's. */
 void api_add_space(lua_State *L, const char *name);
+
+/* Pushes the name of the API's table at `at`, or nil; returns it, or NULL. */
+const char *api_push_space(lua_State *L, int at);
 
 /* Raises the fault of a read of a field that a table of the API does not have, if it is reserved or of a module that is
  * not there. */
 void api_no_field(lua_State *L, const char *of, const char *name);
 
-/* Parts of the help: a line, wrapped, its later lines indented; an argument; an entry with its arguments or (not whole)
- * on a line. */
-void api_help_wrapped(const char *text, int indent, void (*line)(const char *));
-void api_help_param(const struct api_param *p, void (*line)(const char *));
-void api_help_entry(const struct api_entry *e, bool whole, void (*line)(const char *));
-
-/* All that has the word in its name or text, the nearest first; false: nothing has. And what to begin with. */
-bool api_help_search(const char *word, void (*line)(const char *));
-void api_help_tasks(void (*line)(const char *));
-
 /* Is it a word of a motion's step? */
-bool api_step_word(const char *name);
+bool api_step_word(lua_State *L, const char *name);
 
 /* Sets the number type's metatable: handles' properties and methods. */
 void api_open_handles(lua_State *L);
 
 /* Pushes the method of that name, or false. */
 bool api_push_method(lua_State *L, int kind, const char *name);
-
-/* Whose hit shape it is: they may have different ones. */
-enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */, HIT_LASERS };
-
-/* What they may be, in words. */
-extern const char *const api_hit_forms[];
 
 /* Where `aim` points from a place: at the nearest player, of a shot at the nearest enemy; if there is none, or just
  * there, down, and of a shot up. */
@@ -459,6 +440,14 @@ const char *api_names_off(lua_State *L, enum name_kind what);
 
 /* Is it a property of that kind of thing? */
 bool api_property(const struct api_thing *t, const char *name);
+
+/* A table of items or registers: { NAME = n }. */
+enum { MOST_ITEM_NAMES = ITEM_REGISTERS + 2, AN_ITEM = 6 /* work: one that is dropped */ };
+#define ITEM_NAMES "{ NAME = n }"
+
+/* The whole number under a name of the table at `at`. */
+int64_t api_named_number(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
+                         double hi);
 
 /* Pushes a list, as a text, of what a table at `at` (drops = { NAME = n }) names, in byte order of the names; api_drops
  * folds it, too. */

@@ -6,8 +6,6 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-extern const struct api_thing api_player_thing;
-
 /* Registry: kind of ship, or RUN_REGISTERS, -> { name -> number }; and -> { number -> { show, at, label, mark } }, of
  * those that say how they are shown. */
 static const char names_key = 0, shows_key = 0;
@@ -128,7 +126,7 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
                 api_error(L, entry, "registers: game.%s already exists", name);
         return;
     }
-    if (api_property(&api_player_thing, name) || !strcmp(name, "alive"))
+    if (api_property(api_of(L)->things[H_PLAYER], name) || !strcmp(name, "alive"))
         api_error(L, entry, "registers: \"%s\" is already a property of players", name);
     if (api_push_method(L, H_PLAYER, name))
         api_error(L, entry, "registers: \"%s\" is already a method of players", name);

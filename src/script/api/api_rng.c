@@ -144,7 +144,6 @@ static int angle_cos(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-#define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "rng.int", rng_int, PARAMS(ab_int), 2, API_CHANGES, "integer",
       HELP("returns a random whole number from `a` to `b`, including both") },

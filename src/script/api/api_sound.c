@@ -283,7 +283,6 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
     return skipped ? pass_beats(L, b) : wait_on(L, LUA_OK, 0);
 }
 
-#define NO_PARAMS NULL, 0
 static const struct api_entry entries[] = {
     { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
       HELP("plays a sound from rom.lua; plays nothing while a stage skips ahead to a practice mark") },

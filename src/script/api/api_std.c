@@ -1,7 +1,7 @@
 /*
  * api_std.c - the entries written in Lua (scripts/): their arguments and help; and the list of all modules.
  */
-#include "api.h"
+#include "api_parts.h"
 
 #define N              PARAM("n", A_INT, REQ, 0, 65535, "bullets", NULL, "number of bullets to fire")
 #define NF(help)       PARAM("n", A_COUNT, REQ, 0, 65535, "times", NULL, help)
@@ -574,37 +574,74 @@ static const struct api_entry entries[] = {
 };
 static const struct api_module api_std = { entries, sizeof entries / sizeof *entries };
 
-extern const struct api_module api_time, api_bullet, api_value, api_enemy, api_body, api_item, api_player, api_screen,
-    api_rng, api_query, api_save, api_board, api_sys, api_line, api_bg, api_laser, api_bomb, api_option, api_boss,
-    api_sound, api_bulletml;
-const struct api_module *const api_modules[] = { &api_time,   &api_bullet,  &api_value, &api_enemy,  &api_body,
-                                                 &api_player, &api_screen,  &api_rng,   &api_query,  &api_save,
-                                                 &api_board,  &api_sys,     &api_std,   &api_item,   &api_line,
-                                                 &api_bg,     &api_laser,   &api_bomb,  &api_option, &api_boss,
-                                                 &api_sound,  &api_bulletml };
-const int api_module_count = sizeof api_modules / sizeof *api_modules;
+extern const struct api_module api_time, api_bullet, api_motion, api_value, api_enemy, api_body, api_item, api_player,
+    api_screen, api_rng, api_query, api_save, api_board, api_sys, api_sys_text, api_line, api_bg, api_laser, api_bomb,
+    api_option, api_boss, api_sound, api_bulletml;
+static const struct api_module *const modules[] = { &api_time,   &api_bullet, &api_motion, &api_value,    &api_enemy,
+                                                    &api_body,   &api_player, &api_screen, &api_rng,      &api_query,
+                                                    &api_save,   &api_board,  &api_sys,    &api_sys_text, &api_std,
+                                                    &api_item,   &api_line,   &api_bg,     &api_laser,    &api_bomb,
+                                                    &api_option, &api_boss,   &api_sound,  &api_bulletml };
 
 extern const struct api_thing api_bullet_thing, api_shot_thing, api_enemy_thing, api_player_thing, api_sprite_thing,
     api_task_thing, api_motion_thing, api_group_thing, api_shots_thing, api_enemies_thing, api_item_thing,
     api_items_thing, api_line_thing, api_layer_thing, api_plane_thing, api_laser_thing, api_lasers_thing,
     api_option_thing, api_bulletml_thing;
-const struct api_thing *const api_things[HANDLES] = { NULL,
-                                                      &api_bullet_thing,
-                                                      &api_shot_thing,
-                                                      &api_enemy_thing,
-                                                      &api_player_thing,
-                                                      &api_sprite_thing,
-                                                      &api_task_thing,
-                                                      &api_motion_thing,
-                                                      &api_group_thing,
-                                                      &api_shots_thing,
-                                                      &api_enemies_thing,
-                                                      &api_item_thing,
-                                                      &api_items_thing,
-                                                      &api_line_thing,
-                                                      &api_layer_thing,
-                                                      &api_plane_thing,
-                                                      &api_laser_thing,
-                                                      &api_lasers_thing,
-                                                      &api_option_thing,
-                                                      &api_bulletml_thing };
+static const struct api_thing *const things[HANDLES] = { NULL,
+                                                         &api_bullet_thing,
+                                                         &api_shot_thing,
+                                                         &api_enemy_thing,
+                                                         &api_player_thing,
+                                                         &api_sprite_thing,
+                                                         &api_task_thing,
+                                                         &api_motion_thing,
+                                                         &api_group_thing,
+                                                         &api_shots_thing,
+                                                         &api_enemies_thing,
+                                                         &api_item_thing,
+                                                         &api_items_thing,
+                                                         &api_line_thing,
+                                                         &api_layer_thing,
+                                                         &api_plane_thing,
+                                                         &api_laser_thing,
+                                                         &api_lasers_thing,
+                                                         &api_option_thing,
+                                                         &api_bulletml_thing };
+
+/* Names that are no functions of the API. */
+static const struct api_plain plain[] = {
+    { "forever", HELP("means \"without end\" where a number of frames or times is expected") },
+    { "print(...)", HELP("writes its arguments to the log") },
+    { "require(name)", HELP("runs a script of the game once and returns its result, as in require \"stages/one\"; only "
+                            "while scripts load") },
+    { "game.stage", HELP("name of the current stage, or nil") },
+    { "game.mode", HELP("name of the current mode of boot.run, or nil") },
+    { "game.continues", HELP("number of continues used in this game, by all players") },
+    { "game.frames", HELP("frames since the game started") },
+    { "hud.banks",
+      HELP("palette banks of text in the HUD, menus and dialogue: plain, bright, faint, alarm; set them in main.lua") },
+    { "hud.low",
+      HELP("rows left free below the registers at the lower edge of the field; set it in main.lua; initially 1") },
+    { "hud.shy", HELP("distance in px within which a ship hides the registers at the lower edge of the field; set it "
+                      "in main.lua; initially 0") },
+    { "hud.gone", HELP("list with an entry for each player: true while the player's registers at the lower edge of the "
+                       "field are hidden; use it to hide the game's own displays, too") },
+    { "hud.graze", HELP("word before the graze count; set it in main.lua; false shows a star") },
+    { "hud.cols", HELP("width of the screen in cells of 8 px") },
+    { "hud.rows", HELP("height of the screen in cells of 8 px") },
+    { "hud.banner(lines?, frames?)",
+      HELP("shows a banner, a list of texts in the middle of the field; without `lines`, removes the banner") },
+    { "hud.centre(row, text, bank?, first?, cols?)",
+      HELP("translates a text and centres it on the screen, or in `cols` cells from column `first`; wraps a text that "
+           "is too long; returns the row below the text") },
+    { "talk.look", HELP("look of dialogue: dim, bank, font; set them in main.lua") },
+    { "rom.title", HELP("title of the game") },
+    { "rom.field", HELP("playfield: x, y, w, h in px; x and y are its position on the screen") },
+    { "rom.screen", HELP("screen: w, h in px") },
+};
+
+static const struct api_entry *const fire[FIRES] = { &api_fire_bullet, &api_fire_shot, &api_fire_bolt, &api_fire_curve,
+                                                     &api_fire_beam };
+
+const struct api_table api_table = { modules, sizeof modules / sizeof *modules, things, fire,
+                                     plain,   sizeof plain / sizeof *plain };

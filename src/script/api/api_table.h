@@ -131,39 +131,54 @@ struct api_module {
     int n;
 };
 
-extern const struct api_thing *const api_things[HANDLES];
-extern const struct api_module *const api_modules[];
-extern const int api_module_count;
+/* A name that is no function of the API, "rom.title", or a function of @std's without a check of its arguments,
+ * "hud.banner(lines, frames)". */
+struct api_plain {
+    const char *name, *help;
+};
+
+/* A pattern (API_FIRE) takes the parameters of one of these entries too: of what its argument `fire` names. */
+enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
+
+/* The whole API. Scripts' calls read it through the board, which is given it when it powers on (struct vm): what
+ * checks arguments needs the table, and the table's entries need the check. */
+struct api_table {
+    const struct api_module *const *modules;
+    int n;                                 /* of modules */
+    const struct api_thing *const *things; /* by enum handle_kind; 0: NULL */
+    const struct api_entry *const *fire;   /* by FIRES_ */
+    const struct api_plain *plain;
+    int plains;
+};
+extern const struct api_table api_table;
 
 /* The words of a sprite's `layer`, by LAYER_. */
 extern const char *const api_layers[];
 
-/* "curtain help lua": every entry; the one of that name; those of that table; or what has the word `name` in its name
- * or text. Calls line for each line. False: none. */
-bool api_help(const char *name, void (*line)(const char *));
+/* The number of entries; the i-th one; and that of a name, or NULL. */
+int api_count(const struct api_table *t);
+const struct api_entry *api_entry(const struct api_table *t, int i);
+const struct api_entry *api_find(const struct api_table *t, const char *name);
 
-/* The entry whose name is nearest to that; NULL: none is near. */
-const char *api_help_near(const char *name);
-
-/* The number of entries, and the i-th one. */
-int api_count(void);
-const struct api_entry *api_entry(int i);
-
-/* An argument's default as a number. */
-double api_default(const struct api_param *p);
-
-/* What an argument may be, in words: "whole number from 0 to 15 (default 0)"; or "(required)" in the end. */
-void api_param_words(const struct api_param *p, char *out, size_t size);
-
-/* The same of a property: what it reads as, with the range of what is written to it. */
-void api_property_words(const struct api_prop *p, char *out, size_t size);
+/* What stands behind `of` and the split in the name of an entry in C: of "bullet.fire", "bullet" and '.', "fire"; else
+ * NULL. */
+const char *api_member(const struct api_entry *e, const char *of, char split);
 
 /* The words that an argument of that type takes, *n of them; NULL: it is not of the types of a few words. */
 const char *const *api_type_list(enum api_type type, int *n);
 
-/* The i-th name that is no function of the table, "rom.title", or a function of @std's without a check of its
- * arguments, "hud.banner(lines, frames)"; NULL: there are no more. */
-const char *api_plain(int i, const char **help);
+/* "a bullet", "an enemy": a thing of that kind in a sentence. */
+extern const char *const api_thing_names[HANDLES];
+
+/* Keeps the better of two suggestions for a misspelt word: the nearer, then the first in byte order. *best is EDIT_FAR
+ * and *found is NULL before the first call. */
+void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
+
+/* Whose hit shape it is: they may have different ones. */
+enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */, HIT_LASERS };
+
+/* What they may be, in words. */
+extern const char *const api_hit_forms[];
 
 /* Does that kind of thing end, so that it has `alive`? */
 bool api_ends(enum handle_kind kind);
@@ -197,6 +212,6 @@ const char *api_instead_field(const char *name, const char **space);
 
 /* Functions that scripts can call whose last word is next to `name`, three at most: "bullet.fire or shot.fire"; false:
  * none. */
-bool api_help_calls(const char *name, char *out, size_t size);
+bool api_near_calls(const struct api_table *t, const char *name, char *out, size_t size);
 
 #endif

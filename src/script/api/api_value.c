@@ -1,6 +1,6 @@
 /*
- * api_value.c - value: numbers that a game declares for each bullet, shot or enemy. The columns are a group of the chip
- * (slots.h), which rom.lua asks for; here they get their names. A value is kept and read as an fx.
+ * api_value.c - value.def: names for numbers that a game keeps with each bullet, shot or enemy. The columns are a group
+ * of the chip (slots.h), which rom.lua asks for.
  */
 #include <string.h>
 #include "api_parts.h"
@@ -10,55 +10,6 @@ enum { KINDS = 3 };
 static const char *const words[KINDS] = { "bullet", "shot", "enemy" };
 static const char *const makers[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
 static const enum handle_kind things[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
-
-enum name_kind api_value_names_of(enum handle_kind kind)
-{
-    switch (kind) {
-    case H_BULLET:
-    case H_GROUP:
-        return N_BULLET_VALUE;
-    case H_SHOT:
-    case H_SHOTS:
-        return N_SHOT_VALUE;
-    case H_ENEMY:
-    case H_ENEMIES:
-        return N_ENEMY_VALUE;
-    default:
-        return NAME_LISTS;
-    }
-}
-
-enum name_kind api_value_names(const struct api_entry *e)
-{
-    for (int k = 0; e->flags & API_VALUES && k < KINDS; k++)
-        if (e->name[0] == words[k][0])
-            return (enum name_kind)(N_BULLET_VALUE + k);
-    return NAME_LISTS;
-}
-
-int api_values(const struct board *b, enum name_kind names)
-{
-    return names == NAME_LISTS ? 0 : (int)b->names[names].n;
-}
-
-struct api_param api_value_param(const char *name)
-{
-    return (struct api_param){ name, A_FX, REQ, -32768, 32767, NULL, NULL, NULL };
-}
-
-fx *api_value_column(struct board *b, enum name_kind names, int k)
-{
-    if (names == N_ENEMY_VALUE)
-        return enemies_value(&b->enemies, k);
-    return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
-}
-
-void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)
-{
-    for (int k = 0; k < api_values(b, names); k++)
-        if (v[k].given)
-            api_value_column(b, names, k)[i] = v[k].f;
-}
 
 static bool is_word(const char *name)
 {
@@ -70,16 +21,16 @@ static bool is_word(const char *name)
 /* What has the name already: a property, a verb, a reserved name of the thing, or an argument of what makes it. */
 static bool taken(lua_State *L, int kind, const char *name)
 {
-    const struct api_entry *maker = api_find(makers[kind]);
+    const struct api_entry *maker = api_find(api_of(L), makers[kind]);
     const enum handle_kind also = kind == 0 ? H_GROUP : things[kind];
     bool is = !strcmp(name, "alive") || api_reserved(words[kind], ':', name) || api_reserved(maker->name, '{', name);
 
-    is |= api_property(api_things[things[kind]], name) || api_property(api_things[also], name);
+    is |= api_property(api_of(L)->things[things[kind]], name) || api_property(api_of(L)->things[also], name);
     for (int i = 0; i < maker->count; i++)
         is |= !strcmp(maker->params[i].name, name);
-    for (int i = 0; kind == 0 && i < api_count(); i++) /* patterns hand on what they do not know */
-        for (int k = 0; api_entry(i)->flags & API_FIRE && k < api_entry(i)->count; k++)
-            is |= !strcmp(api_entry(i)->params[k].name, name);
+    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns hand on what they do not know */
+        for (int k = 0; api_entry(api_of(L), i)->flags & API_FIRE && k < api_entry(api_of(L), i)->count; k++)
+            is |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
     is |= api_push_method(L, (int)things[kind], name);
     lua_pop(L, 1);
     return is;

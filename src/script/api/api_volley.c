@@ -217,7 +217,7 @@ static int volley(lua_State *L)
 int api_volley(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[0].at);
-    const struct api_entry *e = api_find(name);
+    const struct api_entry *e = api_find(api_of(L), name);
 
     (void)b;
     if (!e || !(e->flags & API_FIRE) || pattern_of(name) == EMIT_ONE)

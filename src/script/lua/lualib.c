@@ -1,10 +1,6 @@
 /*
  * lualib.c - see lualib.h. The base functions, and what is kept of the stock libraries; the rest is in the lua*.c
  * files.
- *
- * error wraps its value in a carrier, a userdata with a metatable of its own, so that pcall can tell what a script
- * raised from what the machine raised. A fault on its way through a pcall is kept in the registry, so that a __close
- * handler that raises an error in its place cannot hide it: from then on every pcall that fails passes the fault on.
  */
 #include "lualib.h"
 
@@ -13,148 +9,9 @@
 #include "luaparts.h"
 #include "../../machine/machine.h"
 #include "../script.h"
-#include "../tasks.h"
 #include "../vm.h"
 
-/* Registry keys are the addresses of these. */
-static const char carrier_key, fault_key, trace_key, metatables_key;
-
-/* ---- error and pcall ---- */
-
-bool lualib_raised(lua_State *L, int idx)
-{
-    if (lua_type(L, idx) != LUA_TUSERDATA || !lua_getmetatable(L, idx))
-        return false;
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
-    bool same = lua_rawequal(L, -1, -2);
-    lua_pop(L, 2);
-    return same;
-}
-
-void lualib_unwrap(lua_State *L, int idx)
-{
-    lua_getiuservalue(L, idx, 1);
-}
-
-void lualib_trace(lua_State *L)
-{
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &trace_key);
-}
-
-/* Raises the value on top in a carrier; a carrier, which a __close handler may get, as it is. */
-static int throw_value(lua_State *L)
-{
-    if (!lualib_raised(L, -1)) {
-        lua_newuserdatauv(L, 0, 1);
-        lua_insert(L, -2);
-        lua_setiuservalue(L, -2, 1);
-        lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
-        lua_setmetatable(L, -2);
-    }
-    return lua_error(L);
-}
-
-static int throw_at(lua_State *L, int level)
-{
-    if (lua_type(L, 1) == LUA_TSTRING && level > 0) {
-        luaL_where(L, level);
-        lua_pushvalue(L, 1);
-        lua_concat(L, 2);
-    }
-    return throw_value(L);
-}
-
-static int base_error(lua_State *L)
-{
-    lua_Integer level = luaL_optinteger(L, 2, 1);
-
-    lua_settop(L, 1);
-    return throw_at(L, level < 0 || level > INT16_MAX ? 0 : (int)level);
-}
-
-static int base_assert(lua_State *L)
-{
-    if (lua_toboolean(L, 1))
-        return lua_gettop(L);
-    luaL_checkany(L, 1);
-    lua_remove(L, 1);
-    lua_pushliteral(L, "assertion failed!");
-    lua_settop(L, 1);
-    return throw_at(L, 1);
-}
-
-/* Message handler of pcall: keeps the first fault and its traceback, while the stack is still there. */
-static int note_fault(lua_State *L)
-{
-    if (lualib_raised(L, 1) || lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL) {
-        lua_settop(L, 1);
-        return 1;
-    }
-    lua_settop(L, 1);
-    vm_place(L);
-    lua_pushvalue(L, 1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &fault_key);
-    luaL_traceback(L, L, NULL, 1);
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &trace_key);
-    return 1;
-}
-
-enum { IN_TASK = 1 }; /* what Lua hands pcall_done after a wait: only tasks can wait, so no handler runs then */
-
-/* The stack: the handler, true, then what the function returned or the error. */
-static int pcall_done(lua_State *L, int status, lua_KContext context)
-{
-    if (status == LUA_OK || status == LUA_YIELD)
-        return lua_gettop(L) - 1;
-    if (context == IN_TASK)
-        tasks_act_for_turn(vm_board(L));
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
-        return lua_error(L);
-    lua_pop(L, 1);
-    if (!lualib_raised(L, -1))
-        return lua_error(L);
-    lua_pushboolean(L, 0);
-    lualib_unwrap(L, -2);
-    return 2;
-}
-
-enum { A_PCALL = 20 /* work: one that catches an error; the others are less */ };
-
-static int base_pcall(lua_State *L)
-{
-    luaL_checkany(L, 1);
-    vm_charge(L, A_PCALL);
-    lua_pushcfunction(L, note_fault);
-    lua_insert(L, 1);
-    lua_pushboolean(L, 1);
-    lua_insert(L, 2);
-    struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
-    int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
-    tasks_act_for(vm_board(L), was); /* an error may have left an enemy's handler */
-    return pcall_done(L, status, 0);
-}
-
-/* What a __close handler sees when it looks at a carrier. */
-static int carrier_tostring(lua_State *L)
-{
-    if (!lualib_raised(L, 1))
-        return luaL_argerror(L, 1, "error expected");
-    lualib_unwrap(L, 1);
-    lualib_tolstring(L, -1, NULL);
-    return 1;
-}
-
-static void open_errors(lua_State *L)
-{
-    lua_createtable(L, 0, 3);
-    lua_pushcfunction(L, carrier_tostring);
-    lua_setfield(L, -2, "__tostring");
-    lua_pushliteral(L, "error");
-    lua_setfield(L, -2, "__name");
-    lua_pushboolean(L, 0);
-    lua_setfield(L, -2, "__metatable");
-    lua_rawsetp(L, LUA_REGISTRYINDEX, &carrier_key);
-}
+static const char metatables_key; /* registry: those that setmetatable ever set */
 
 /* ---- metatables ---- */
 
@@ -230,6 +87,17 @@ static void open_metatables(lua_State *L)
     lua_setfield(L, -2, "__mode");
     lua_setmetatable(L, -2);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &metatables_key);
+}
+
+void lualib_seal(lua_State *L)
+{
+    lua_createtable(L, 0, 3);
+    lua_rotate(L, -3, 1);
+    lua_setfield(L, -3, "__newindex");
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_setmetatable(L, -2);
 }
 
 /* ---- load ---- */
@@ -371,15 +239,16 @@ static void keep(lua_State *L, const char *list)
 
 static void open_base(lua_State *L)
 {
-    static const luaL_Reg functions[] = {
-        { "assert", base_assert },        { "error", base_error }, { "load", base_load },
-        { "pairs", luatable_pairs },      { "pcall", base_pcall }, { "setmetatable", base_setmetatable },
-        { "tostring", luatext_tostring }, { NULL, NULL }
-    };
+    static const luaL_Reg functions[] = { { "load", base_load },
+                                          { "pairs", luatable_pairs },
+                                          { "setmetatable", base_setmetatable },
+                                          { "tostring", luatext_tostring },
+                                          { NULL, NULL } };
 
     lua_pushglobaltable(L);
     keep(L, lualib_names(""));
     luaL_setfuncs(L, functions, 0);
+    luaerror_open(L);
     luaparts_wrap(L, "tonumber", charged);
     lua_pop(L, 1);
 }
@@ -412,7 +281,6 @@ static void open_string_metatable(lua_State *L)
 void lualib_open(lua_State *L)
 {
     luaL_checkstack(L, 8, NULL);
-    open_errors(L);
     open_metatables(L);
     open_base(L);
     open_string(L);

@@ -40,6 +40,10 @@ void lualib_trace(lua_State *L);
  * collector. */
 void lualib_check_metatables(lua_State *L);
 
+/* Takes two values off the stack: what answers reads of fields, and on top what answers writes. They become the
+ * metatable of the value below, for good. */
+void lualib_seal(lua_State *L);
+
 /* The Lua function on top becomes one whose locals have no names; chunk is what it was loaded with. For the standard
  * library: a fault in it is told without the name of a local. */
 void lualib_drop_locals(lua_State *L, const char *chunk);

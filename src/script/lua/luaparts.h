@@ -10,6 +10,7 @@
 #include <lua.h>
 #include <stddef.h>
 
+void luaerror_open(lua_State *L);   /* globals: assert error pcall */
 void luapattern_open(lua_State *L); /* string: find gmatch gsub match */
 void luatext_open(lua_State *L);    /* string: format rep */
 void luautf8_open(lua_State *L);    /* utf8: char codepoint codes len offset */

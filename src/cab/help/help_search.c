@@ -1,13 +1,13 @@
 /*
- * api_search.c - `curtain help lua WORD`, where WORD is no entry and no table: all that has the word in its name or its
- * text, the nearest first; and what `curtain help lua` begins with, the functions by what one wants to do.
+ * help_search.c - `curtain help lua WORD`, where WORD is no entry and no table: all that has the word in its name or
+ * its text, the nearest first; and what `curtain help lua` begins with, the functions by what one wants to do.
  *
  * A name has a word anywhere ("turn" in bullet:turn), a text where one of its words begins so ("turn" in "turns", not
  * in "returns"), for texts have many words. Each thing is shown once, where it fits best.
  */
 #include <stdio.h>
 #include <string.h>
-#include "api_parts.h"
+#include "help_lua.h"
 
 enum rank { RANK_NAME, RANK_PART, RANK_TEXT, RANKS };
 
@@ -85,7 +85,7 @@ static bool search_part(const struct api_entry *e, const char *word, enum rank r
         if (rank_of(e->params[i].name, "", word) == rank) {
             snprintf(text, sizeof text, "in each%s of %.*s:", part, (int)(part - e->name), e->name);
             line(text);
-            api_help_param(&e->params[i], line);
+            help_param(&e->params[i], line);
             any = true;
         }
     return any;
@@ -95,12 +95,12 @@ static bool search_entries(const char *word, enum rank rank, void (*line)(const 
 {
     bool any = false;
 
-    for (int i = 0; i < api_count(); i++) {
-        const struct api_entry *e = api_entry(i);
+    for (int i = 0; i < api_count(&api_table); i++) {
+        const struct api_entry *e = api_entry(&api_table, i);
         if (strchr(e->name, ' '))
             any |= search_part(e, word, rank, line);
         else if (!(e->flags & API_SYS) && rank_entry(e, word) == rank) {
-            api_help_entry(e, false, line);
+            help_entry(e, false, line);
             any = true;
         }
     }
@@ -109,16 +109,17 @@ static bool search_entries(const char *word, enum rank rank, void (*line)(const 
 
 static bool search_plain(const char *word, enum rank rank, void (*line)(const char *))
 {
-    const char *name, *help;
     char text[400];
     bool any = false;
 
-    for (int i = 0; (name = api_plain(i, &help)); i++)
-        if (rank_of(name, help, word) == rank) {
-            snprintf(text, sizeof text, "%-46s %s", name, help);
-            api_help_wrapped(text, 47, line);
+    for (int i = 0; i < api_table.plains; i++) {
+        const struct api_plain *p = &api_table.plain[i];
+        if (rank_of(p->name, p->help, word) == rank) {
+            snprintf(text, sizeof text, "%-46s %s", p->name, p->help);
+            help_wrapped(text, 47, line);
             any = true;
         }
+    }
     return any;
 }
 
@@ -128,8 +129,8 @@ static bool search_properties(const char *word, enum rank rank, void (*line)(con
     bool any = false;
 
     for (int kind = 1; kind < HANDLES; kind++)
-        for (int i = 0; i < api_things[kind]->n; i++) {
-            const struct api_prop *p = &api_things[kind]->props[i];
+        for (int i = 0; i < api_table.things[kind]->n; i++) {
+            const struct api_prop *p = &api_table.things[kind]->props[i];
             if (rank_of(p->value.name, p->value.help, word) != rank)
                 continue;
             if (rank == RANK_NAME)
@@ -137,13 +138,13 @@ static bool search_properties(const char *word, enum rank rank, void (*line)(con
             else
                 snprintf(text, sizeof text, "property %s of %s: %s", p->value.name, api_thing_names[kind],
                          p->value.help);
-            api_help_wrapped(text, 4, line);
+            help_wrapped(text, 4, line);
             any = true;
         }
     return any;
 }
 
-bool api_help_search(const char *word, void (*line)(const char *))
+bool help_search(const char *word, void (*line)(const char *))
 {
     bool any = false;
 
@@ -176,7 +177,7 @@ static const char *const tasks[][2] = {
     { "start the game", "boot.run" },
 };
 
-void api_help_tasks(void (*line)(const char *))
+void help_tasks(void (*line)(const char *))
 {
     char text[160];
 

@@ -1,0 +1,82 @@
+/*
+ * api_drops.c - lists of the items that enemies, bullets and phases drop.
+ */
+#include <stdio.h>
+#include "../../base/bytes.h"
+#include "api_parts.h"
+
+int64_t api_named_number(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
+                         double hi)
+{
+    char full[64];
+    struct api_param p = { full, A_INT, REQ, lo, hi, NULL, NULL, NULL };
+    struct api_value v = { 0 };
+
+    snprintf(full, sizeof full, "%s.%s", what, name);
+    lua_getfield(L, at, name);
+    api_check(L, entry, &p, lua_gettop(L), &v);
+    lua_pop(L, 1);
+    return v.i;
+}
+
+enum { DROP_BYTES = 4 /* of a list's entry: kind and number, 16 bits each */ };
+
+/* Is it a list that api_drops may have made? */
+static bool is_list(const struct board *b, const uint8_t *list, size_t size)
+{
+    if (!list || size % DROP_BYTES || size > MOST_ITEM_NAMES * DROP_BYTES)
+        return false;
+    for (size_t i = 0; i < size; i += DROP_BYTES)
+        if (bytes_get16(list + i) >= b->item_kinds.s.live)
+            return false;
+    return true;
+}
+
+/* Of a list that an enemy, a bullet or a phase drops. */
+static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
+
+void api_push_drops(lua_State *L, const char *entry, int at)
+{
+    const struct api_param kind = { "drops", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, NULL };
+    const char *line = api_off(&vm_board(L)->cart.m, "item"), *names[MOST_ITEM_NAMES];
+    uint8_t list[MOST_ITEM_NAMES * DROP_BYTES];
+    struct api_value v;
+
+    if (line)
+        api_error(L, entry, "drops: " API_OFF, line);
+    int n = api_sorted_names(L, entry, "drops", ITEM_NAMES, at, names, MOST_ITEM_NAMES);
+    for (int i = 0; i < n; i++) {
+        lua_pushstring(L, names[i]);
+        api_check(L, entry, &kind, lua_gettop(L), &v);
+        lua_pop(L, 1);
+        bytes_put16(list + i * DROP_BYTES, (uint16_t)v.i);
+        bytes_put16(list + i * DROP_BYTES + 2,
+                    (uint16_t)api_named_number(L, entry, "drops", at, names[i], 0, UINT16_MAX));
+    }
+    lua_pushlstring(L, (const char *)list, (size_t)n * DROP_BYTES);
+}
+
+void api_drops(lua_State *L, const char *entry, int at)
+{
+    api_push_drops(L, entry, at);
+    api_fold(L, vm_board(L), lua_gettop(L));
+}
+
+void api_drop_list(lua_State *L, struct board *b, fx x, fx y)
+{
+    size_t size = 0;
+    const uint8_t *list = (const uint8_t *)lua_tolstring(L, -1, &size);
+    uint16_t kind[MOST_ITEM_NAMES], n[MOST_ITEM_NAMES];
+    struct item_drop d = usual_drop;
+    int kinds = is_list(b, list, size) ? (int)size / DROP_BYTES : 0;
+
+    for (int i = 0; i < kinds; i++) {
+        kind[i] = bytes_get16(list + i * DROP_BYTES);
+        n[i] = bytes_get16(list + i * DROP_BYTES + 2);
+        vm_charge(L, AN_ITEM * (uint64_t)n[i]);
+    }
+    d.x = x;
+    d.y = y;
+    board_drop(b, &d, kind, n, kinds);
+    lua_pop(L, 1);
+}

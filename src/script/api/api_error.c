@@ -1,0 +1,117 @@
+/*
+ * api_error.c - errors of the API, and the script digest: what calls had as arguments and results.
+ */
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+#include "../../base/hash.h"
+#include "api_parts.h"
+
+int api_error(lua_State *L, const char *entry, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    const char *message = lua_pushvfstring(L, format, args);
+    va_end(args);
+    return vm_fault(L, FAULT_SCRIPT, "%s: %s", entry, message);
+}
+
+/* ---- places, for errors that are found later than they were made ---- */
+
+static const char places_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
+
+void api_note_place(lua_State *L, const char *entry, const char *name)
+{
+    const int top = lua_gettop(L);
+    char place[VM_PLACE];
+
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) != LUA_TTABLE) {
+        lua_newtable(L);
+        lua_pushvalue(L, -1);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &places_key);
+    }
+    vm_where(L, place, sizeof place);
+    lua_pushfstring(L, "%s %s", entry, name);
+    lua_pushstring(L, place);
+    lua_rawset(L, -3);
+    lua_settop(L, top);
+}
+
+int api_error_at(lua_State *L, const char *entry, const char *name, const char *format, ...)
+{
+    va_list args;
+
+    va_start(args, format);
+    const char *message = lua_pushvfstring(L, format, args), *place = NULL;
+    va_end(args);
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) == LUA_TTABLE) {
+        lua_pushfstring(L, "%s %s", entry, name);
+        lua_rawget(L, -2);
+        place = lua_tostring(L, -1);
+    }
+    return place ? vm_fault_at(L, place, "%s: %s", entry, message) : api_error(L, entry, "%s", message);
+}
+
+/* ---- the script digest ---- */
+
+enum { FOLDED = 8 /* bytes of a text that count as a VM instruction */ };
+
+void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
+{
+    if (n >= FOLDED)
+        vm_charge(L, n / FOLDED);
+    b->script.digest = hash_bytes(b->script.digest, s, n);
+}
+
+void api_fold(lua_State *L, struct board *b, int at)
+{
+    size_t n;
+    double d;
+    uint64_t bits;
+
+    switch (lua_type(L, at)) {
+    case LUA_TNUMBER:
+        if (lua_isinteger(L, at)) {
+            script_fold(b, (uint64_t)lua_tointeger(L, at));
+            break;
+        }
+        d = lua_tonumber(L, at);
+        memcpy(&bits, &d, sizeof bits);
+        script_fold(b, isnan(d) ? 0x7ff8000000000000u : bits);
+        break;
+    case LUA_TSTRING: {
+        const char *s = lua_tolstring(L, at, &n);
+        api_fold_text(L, b, s, n);
+        break;
+    }
+    case LUA_TBOOLEAN:
+        script_fold(b, lua_toboolean(L, at) ? 3 : 2);
+        break;
+    default:
+        script_fold(b, 16 + (uint64_t)lua_type(L, at));
+    }
+}
+
+void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v)
+{
+    double d;
+
+    if (v->type != LUA_TNUMBER) {
+        api_fold(L, b, v->at);
+        return;
+    }
+    memcpy(&d, &v->bits, sizeof d);
+    script_fold(b, !v->whole && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
+}
+
+void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
+{
+    b->script.calls++;
+    script_fold(b, entry);
+    for (int i = 0; i < n; i++)
+        if (v[i].given) {
+            script_fold(b, (uint64_t)i);
+            api_fold_looked(L, b, &v[i]);
+        }
+}

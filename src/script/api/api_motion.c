@@ -1,0 +1,650 @@
+/*
+ * api_motion.c - motion.def: reads a list of steps into a motion program. What the steps emit, wait_for and path say is
+ * read by api_step.c.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../../base/edit.h"
+#include "../../base/trig.h"
+#include "api_parts.h"
+
+/* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
+static int64_t q32(double v)
+{
+    return fx_nearest(v * 4294967296.0);
+}
+
+/* A number in Q32 for what is fine; for what is not, rounded to fx. */
+int64_t api_units(bool fine, const struct api_value *v)
+{
+    return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
+}
+
+bool api_motion_fine(const struct board *b, uint16_t motion)
+{
+    return motion && b->motions.fine[motion - 1];
+}
+
+enum {
+    M_WAIT,
+    M_KIND,
+    M_BANK,
+    M_DIR,
+    M_AIM,
+    M_TURN,
+    M_HOME,
+    M_SPEED,
+    M_ACCEL,
+    M_DIE,
+    M_OVER,
+    M_LOOP,
+    M_GO_TO,
+    M_POLAR,
+    M_WAVE,
+    M_ORBIT,
+    M_EASE,
+    M_SPIN,
+    M_AT,
+    M_EVERY,
+    M_PHASE,
+    M_RADIUS_TO,
+    M_BOUNCE,
+    M_WALLS,
+    M_EMIT,
+    M_PATH,
+    M_MIRROR,
+    M_WAIT_FOR,
+    M_KEYS
+};
+
+static const struct api_param step_keys[M_KEYS] = {
+    PARAM("wait", A_COUNT, OPT, 0, 1e9, "frames", NULL, "frames to fly unchanged before the next step"),
+    PARAM("kind", A_BULLET_KIND, OPT, 0, 0, NULL, NULL, "kind of bullet to turn into"),
+    PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL, "number added to the palette bank of its sprite from now on"),
+    PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "new direction of flight, clockwise from the right"),
+    PARAM("aim", A_BOOL, OPT, 0, 0, NULL, NULL, "aim at the nearest target; with `over`, aim again in every frame"),
+    PARAM("turn", A_DIR, OPT, 0, 0, NULL, NULL, "degrees to turn, clockwise; with `over`, degrees per frame"),
+    PARAM("home", A_NUM, OPT, 0, 180, "degrees per frame", NULL,
+          "maximum turn per frame towards the nearest target; needs `over`"),
+    PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+          "new speed; with `over`, it is reached in equal steps; with `go_to`, it is the speed of travel"),
+    PARAM("accel", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame per frame", NULL,
+          "change in speed; with `over`, the change per frame"),
+    PARAM("die", A_BOOL, OPT, 0, 0, NULL, NULL, "despawn the bullet"),
+    PARAM("over", A_COUNT, OPT, 1, 1e9, "frames", NULL,
+          "duration of the step; without `over`, the step takes effect immediately"),
+    PARAM("loop", A_COUNT, OPT, 0, 65534, "times", NULL, "number of times to run the steps nested in this one"),
+    PARAM("go_to", A_TABLE, OPT, 0, 0, NULL, NULL, "point { x, y } in the field to fly to; needs `over` or `speed`"),
+    PARAM("polar", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
+          "speed away from `at`, or from where the step starts if `at` is omitted; needs `over`"),
+    PARAM("wave", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px", NULL,
+          "distance the bullet swings to each side of its path; needs `over` and `every`"),
+    PARAM("orbit", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
+          "radius of a circle around `at`, or around the thing in `around` if `at` is omitted; needs `over`"),
+    PARAM("ease", A_EASE, OPT, 0, 0, NULL, NULL, "easing of `go_to`"),
+    PARAM("spin", A_DIR, OPT, 0, 0, NULL, NULL, "degrees per frame around the centre of `polar` or `orbit`, clockwise"),
+    PARAM("at", A_TABLE, OPT, 0, 0, NULL, NULL, "centre of `polar` or `orbit`, a point { x, y } in the field"),
+    PARAM("every", A_INT, OPT, 1, 65535, "frames", NULL, "period of `wave`"),
+    PARAM("phase", A_DIR, OPT, 0, 0, NULL, NULL, "phase at which `wave` starts; 360 degrees is one period"),
+    PARAM("radius_to", A_FX, OPT, 0, MAX_SPEED, "px", NULL, "radius that `orbit` reaches at the end of `over`"),
+    PARAM("bounce", A_COUNT, OPT, 1, 65534, "times", NULL,
+          "number of bounces off the edges of the field; the steps nested in this one run after each bounce"),
+    PARAM("walls", A_STR, OPT, 1, 31, NULL, NULL,
+          "edges to bounce off: any of left, right, top and bottom, separated by spaces; all four if omitted"),
+    PARAM("emit", A_TABLE, OPT, 0, 0, NULL, NULL, "bullets or shots to fire from the bullet's position"),
+    PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL, "route to follow, moved so that it starts at the bullet's position"),
+    PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror `path` left to right"),
+    PARAM("wait_for", A_TABLE, OPT, 0, 0, NULL, NULL,
+          "what to wait for while flying unchanged: a position, a nearby target or a signal"),
+};
+
+enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
+
+/* A program being read. */
+struct reader {
+    struct motion_step steps[MAX_STEPS];
+    uint32_t n;
+    int bounces; /* open ones */
+    bool fine;
+    uint32_t brief; /* after which row the last step stands that lasts, but may be over at once */
+    const char
+        *brief_is; /* which, and when: "`orbit` takes no time once its thing has despawned"; NULL: there was none */
+};
+
+static const char DEF[] = "motion.def";
+
+static struct motion_step *add_step(lua_State *L, struct reader *r)
+{
+    if (r->n == MAX_STEPS)
+        api_error(L, DEF, "too many steps (at most %d)", MAX_STEPS);
+    r->steps[r->n] = (struct motion_step){ 0 };
+    return &r->steps[r->n++];
+}
+
+static void step_error(lua_State *L, int step, const char *message)
+{
+    api_error(L, DEF, "step %d: %s", step, message);
+}
+
+static const struct api_fields step_fields = { step_keys, M_KEYS, NAME_LISTS };
+
+static bool knows_step_key(lua_State *L, const char *key, const void *of)
+{
+    vm_charge(L, 1);
+    return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, of);
+}
+
+/* The error for the unknown key of a step on top. */
+static void unknown_key(lua_State *L, int step, const char *where)
+{
+    const char *name = luakeys_text(L, -1);
+
+    if (name && (!strcmp(name, "fine") || !strcmp(name, "name")))
+        api_error(L, DEF, "step %d: %s is not part of a step; write { %s = ..., { ... }, { ... } }", step, name, name);
+    api_refuse_key(L, where, &step_fields);
+}
+
+/* The number of a step that key k sets, if a value's name may stand for it; else STEP_NUMBERS. */
+static enum step_number step_number(int k)
+{
+    switch (k) {
+    case M_WAIT:
+    case M_OVER:
+        return NUMBER_OVER;
+    case M_BANK:
+        return NUMBER_BANK;
+    case M_DIR:
+        return NUMBER_DIR;
+    case M_TURN:
+        return NUMBER_TURN;
+    case M_HOME:
+        return NUMBER_HOME;
+    case M_SPEED:
+        return NUMBER_SPEED;
+    case M_ACCEL:
+        return NUMBER_ACCEL;
+    case M_POLAR:
+        return NUMBER_SPEED;
+    case M_WAVE:
+    case M_ORBIT:
+        return NUMBER_SIZE;
+    case M_RADIUS_TO:
+        return NUMBER_SIZE_TO;
+    case M_SPIN:
+        return NUMBER_TURN;
+    case M_EVERY:
+        return NUMBER_COUNT;
+    case M_PHASE:
+        return NUMBER_DIR;
+    default:
+        return STEP_NUMBERS;
+    }
+}
+
+uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
+{
+    const struct board *b = vm_board(L);
+    const char *name = lua_tostring(L, at), *found = NULL;
+    int bullet = api_names_find(L, N_BULLET_VALUE, name), shot = api_names_find(L, N_SHOT_VALUE, name);
+    int best = EDIT_FAR;
+
+    if (bullet != NO_SLOT || shot != NO_SLOT)
+        return (uint64_t)(bullet + 1) + (uint64_t)(shot + 1) * NAMED_SHOTS;
+    for (int k = 0; k < api_values(b, N_BULLET_VALUE); k++)
+        api_suggest_nearer(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
+    for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
+        api_suggest_nearer(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
+    if (found)
+        api_error(L, DEF, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
+    api_error(L, DEF, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key, name);
+    return 0;
+}
+
+/* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. Returns the names in it. */
+static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
+{
+    uint64_t named = 0;
+    char where[40];
+
+    luaL_checkstack(L, M_KEYS + 8, NULL);
+    snprintf(where, sizeof where, "%s: step %d", DEF, step);
+    if (luakeys_push_stray(L, at, knows_step_key, &step_fields))
+        unknown_key(L, step, where);
+    for (int k = 0; k < M_KEYS; k++) {
+        enum step_number number = step_number(k);
+        v[k] = (struct api_value){ 0 };
+        if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
+            named |= api_step_name(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
+            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
+        } else
+            api_check(L, where, &step_keys[k], lua_gettop(L), &v[k]);
+    }
+    return named;
+}
+
+/* The settings that each step that leads may have beside kind and bank. */
+static const struct {
+    int key;
+    uint32_t may, must;
+} leads[] = {
+    { M_GO_TO, 1u << M_OVER | 1u << M_SPEED | 1u << M_EASE, 0 },
+    { M_POLAR, 1u << M_OVER | 1u << M_SPIN | 1u << M_AT, 1u << M_OVER },
+    { M_WAVE, 1u << M_OVER | 1u << M_EVERY | 1u << M_PHASE, 1u << M_OVER | 1u << M_EVERY },
+    { M_ORBIT, 1u << M_OVER | 1u << M_SPIN | 1u << M_RADIUS_TO | 1u << M_AT, 1u << M_OVER },
+};
+enum { LEADS = sizeof leads / sizeof *leads };
+
+static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step)
+{
+    if (v[M_OVER].given == v[M_SPEED].given)
+        step_error(L, step, "`go_to` requires either `over` (frames) or `speed`");
+    if (v[M_SPEED].given && v[M_EASE].given)
+        step_error(L, step, "go_to: `ease` requires `over` (with `speed`, the motion is linear)");
+    if (v[M_SPEED].given && v[M_SPEED].at && v[M_SPEED].f <= 0)
+        step_error(L, step, "go_to: speed: expected a number above 0");
+    if (v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "`go_to` with `over = forever` never arrives");
+}
+
+/* The key that leads, alone but for its settings; and its settings with it alone. */
+static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
+{
+    int found = -1;
+
+    for (int i = 0; i < LEADS; i++)
+        if (v[leads[i].key].given) {
+            if (found >= 0)
+                api_error(L, DEF, "step %d: `%s` and `%s` cannot be combined", step, step_keys[leads[found].key].name,
+                          step_keys[leads[i].key].name);
+            found = i;
+        }
+    const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
+    if (v[M_WALLS].given)
+        step_error(L, step, "`walls` requires `bounce`");
+    if (v[M_MIRROR].given)
+        step_error(L, step, "`mirror` requires `path`");
+    for (int k = 0; k < M_KEYS; k++) {
+        if (found < 0 && v[k].given && own >> k & 1)
+            api_error(L, DEF, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step, step_keys[k].name);
+        if (found < 0 || k == leads[found].key)
+            continue;
+        const char *word = step_keys[leads[found].key].name;
+        if (v[k].given && k != M_KIND && k != M_BANK && !(leads[found].may >> k & 1))
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name, word);
+        if (!v[k].given && leads[found].must >> k & 1)
+            api_error(L, DEF, "step %d: `%s` requires `%s`", step, word, step_keys[k].name);
+    }
+    if (found >= 0 && fine)
+        api_error(L, DEF, "step %d: `%s` cannot be used in a fine motion (this step is always exact)", step,
+                  step_keys[leads[found].key].name);
+    if (v[M_GO_TO].given)
+        go_to_alone(L, v, step);
+    if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "`radius_to` with `over = forever` never arrives");
+    if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.around && !vm_board(L)->shots.around)
+        step_error(L, step,
+                   "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
+}
+
+/* A number of a place: itself, or a value's name. */
+static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
+{
+    struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
+    struct api_value v = { 0 };
+    char where[40];
+
+    if (lua_type(L, at) == LUA_TSTRING)
+        return api_step_name(L, step, key, at) << number * NAMED_BITS;
+    snprintf(where, sizeof where, "%s: step %d", DEF, step);
+    api_check(L, where, &p, at, &v);
+    *out = v.f;
+    return 0;
+}
+
+/* { x, y } at v, of go_to or at; returns the names in it. */
+static uint64_t read_place(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
+{
+    int keys = 0, top = lua_gettop(L);
+
+    if (!v->given)
+        return 0;
+    for (lua_pushnil(L); lua_next(L, v->at); lua_pop(L, 1))
+        keys++;
+    if (keys != 2 || lua_rawlen(L, v->at) != 2)
+        api_error(L, DEF, "step %d: %s: expected { x, y }", step, key);
+    lua_rawgeti(L, v->at, 1);
+    lua_rawgeti(L, v->at, 2);
+    uint64_t named = read_part(L, step, key, top + 1, NUMBER_X, &s->x);
+    named |= read_part(L, step, key, top + 2, NUMBER_Y, &s->y);
+    lua_settop(L, top);
+    return named;
+}
+
+/* Sets what a step that leads has beside the others; returns the names in it. */
+static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
+{
+    s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
+    s->size_to = v[M_RADIUS_TO].f;
+    s->count = (uint16_t)v[M_EVERY].i;
+    s->how = (uint8_t)(v[M_EASE].i | (v[M_AT].given ? HOW_AT : 0) | (v[M_RADIUS_TO].given ? HOW_TO : 0) |
+                       (v[M_GO_TO].given && v[M_SPEED].given ? HOW_SPEED : 0));
+    if (v[M_SPIN].given)
+        s->turn = (int32_t)v[M_SPIN].a;
+    if (v[M_PHASE].given)
+        s->dir = v[M_PHASE].a;
+    if (v[M_POLAR].given)
+        s->speed = api_units(fine, &v[M_POLAR]);
+    if (s->does & DOES_GO_TO) /* speed is its setting */
+        s->does &= ~(uint32_t)DOES_SPEED;
+    return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
+}
+
+/* v's frames; forever is the most there are. */
+static uint32_t frames(const struct api_value *v)
+{
+    return v->i > 1000000000 ? UINT32_MAX : (uint32_t)v->i;
+}
+
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], uint64_t named, int step,
+                      bool fine)
+{
+    static const uint32_t does[M_KEYS] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
+                                           DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
+                                           DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
+
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
+            s->does |= does[k];
+    lead_alone(L, v, step, fine);
+    if (!s->does)
+        step_error(L, step, "does nothing");
+    if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
+        step_error(L, step, "`wait` cannot be combined with anything else");
+    if (s->does & DOES_DIR && v[M_OVER].given)
+        step_error(L, step, "`dir` takes effect immediately; with `over`, use `turn`, `aim` or `home`");
+    if (s->does & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+        step_error(L, step, "`speed` with `over = forever` never arrives");
+    if (s->does & DOES_DIE && v[M_OVER].given)
+        step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
+    if (s->does & DOES_HOME && !v[M_OVER].given)
+        step_error(L, step, "`home` requires `over` (frames)");
+    s->over = frames(&v[s->does & DOES_WAIT ? M_WAIT : M_OVER]);
+    s->kind = (uint16_t)v[M_KIND].i;
+    s->bank = (uint8_t)v[M_BANK].i;
+    s->dir = v[M_DIR].a;
+    s->turn = (int32_t)v[M_TURN].a;
+    trig_from_degrees(v[M_HOME].n, &s->home);
+    s->speed = api_units(fine, &v[M_SPEED]);
+    s->accel = api_units(fine, &v[M_ACCEL]);
+    named |= fill_lead(L, s, v, step, fine);
+    s->named = named;
+    s->does |= named ? DOES_NAMED : 0;
+}
+
+/* The error for a loop, whose first row is `open`, that may run on without a frame of time. */
+static void untimed(lua_State *L, const struct reader *r, uint32_t open, const char *what, int step)
+{
+    if (r->brief_is && r->brief > open)
+        api_error(L, DEF, "step %d: %s (%s: add { wait = 1 })", step, what, r->brief_is);
+    step_error(L, step, what);
+}
+
+/* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
+static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, bool timed, uint64_t inside,
+                          int64_t count, int step)
+{
+    uint64_t rounds = timed ? 1 : (uint64_t)count;
+
+    if (!timed && count == LUA_MAXINTEGER)
+        untimed(L, r, open, "infinite loop: with `loop = forever`, at least one step must take time", step);
+    if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
+        untimed(L, r, open, "this loop runs too many steps in one frame; at least one of them must take time", step);
+    return inside * rounds;
+}
+
+/* The step that was read last may be over at once; `is` says when. */
+static bool is_brief(struct reader *r, const char *is)
+{
+    r->brief = r->n;
+    r->brief_is = is;
+    return false;
+}
+
+/* Does time pass in the step that was read last? */
+static bool takes_time(struct reader *r, const struct motion_step *s)
+{
+    if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
+        return is_brief(r, "`orbit` takes no time once its thing has despawned");
+    return s->over > 0 || s->how & HOW_SPEED;
+}
+
+/* A step whose word is `word`, beside which may stand what `may` has bits of. */
+static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int word, uint32_t may)
+{
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && k != word && !(may >> k & 1))
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[word].name);
+}
+
+/* Adds the legs of a route, kind and bank with the first. */
+static void read_path(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+{
+    const uint32_t before = r->n;
+    struct motion_step leg = { .kind = (uint16_t)v[M_KIND].i, .bank = (uint8_t)v[M_BANK].i };
+    struct api_leg at = { .route = v[M_PATH].at, .mirror = v[M_MIRROR].i };
+
+    word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
+    if (r->fine)
+        step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
+    leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
+    while (api_step_leg(L, step, &at, &leg)) {
+        *add_step(L, r) = leg;
+        leg = (struct motion_step){ 0 };
+    }
+    if (r->n == before)
+        step_error(L, step, "path: the route has no length; add a second point");
+}
+
+/* Reads a step that holds no others; does time pass in it? */
+static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], uint64_t named, int step)
+{
+    struct motion_step *s, rows[EMIT_ROWS];
+    struct motion_emit e;
+
+    if (v[M_EMIT].given) {
+        word_alone(L, v, step, M_EMIT, 0);
+        api_step_emit(L, step, v[M_EMIT].at, &e);
+        motion_emit_steps(&e, rows);
+        for (int k = 0; k < EMIT_ROWS; k++)
+            *add_step(L, r) = rows[k];
+        return false;
+    }
+    if (v[M_PATH].given) {
+        read_path(L, r, v, step);
+        return true;
+    }
+    s = add_step(L, r);
+    if (v[M_WAIT_FOR].given) {
+        word_alone(L, v, step, M_WAIT_FOR, 0);
+        api_step_await(L, step, v[M_WAIT_FOR].at, s);
+        return s->how == HOW_SIGNAL || is_brief(r, "`wait_for` takes no time if its condition already holds");
+    }
+    fill_step(L, s, v, named, step, r->fine);
+    return takes_time(r, s);
+}
+
+static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
+
+/* The walls that a list of words names. */
+static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
+{
+    static const char *const words[] = { "left", "right", "top", "bottom" };
+    uint8_t walls = 0;
+
+    if (!v->given)
+        return HOW_WALLS;
+    for (const char *at = lua_tostring(L, v->at); *at; at += strspn(at, " ")) {
+        size_t n = 0;
+        int k = 0;
+        while (at[n] && at[n] != ' ')
+            n++;
+        while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
+            k++;
+        if (k == 4)
+            api_error(L, DEF, "step %d: walls: expected one or more of \"left right top bottom\", got \"%s\"", step,
+                      lua_tostring(L, v->at));
+        walls |= (uint8_t)(1 << k);
+        at += n;
+    }
+    if (!walls)
+        step_error(L, step, "walls: expected one or more of \"left right top bottom\"");
+    return walls;
+}
+
+/* The way to a wall, inside the loop of bounces that step `open` opens. */
+static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+{
+    if (r->fine)
+        step_error(L, step, "`bounce` cannot be used in a fine motion (this step is always exact)");
+    if (r->bounces++)
+        step_error(L, step, "`bounce` cannot be nested in `bounce`");
+    r->steps[r->n - 1].does |= DOES_BOUNCE;
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_BOUNCE;
+    s->how = read_walls(L, step, &v[M_WALLS]);
+    s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
+}
+
+/* Reads a loop or bounces, with the steps inside, from the table at `at`. Returns the steps it runs at once. */
+static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
+                          bool *timed)
+{
+    const int word = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
+    const bool bounce = word == M_BOUNCE;
+    const uint32_t open = r->n;
+    bool inner;
+
+    if (depth == MOTION_DEPTH)
+        step_error(L, step, "loops nested more than 4 deep");
+    for (int k = 0; k < M_KEYS; k++)
+        if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
+            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[word].name);
+    struct motion_step *s = add_step(L, r);
+    s->does = DOES_LOOP;
+    s->depth = (uint8_t)depth;
+    s->count = v[word].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[word].i;
+    if (bounce)
+        add_bounce(L, r, v, step);
+    uint64_t inside = read_steps(L, r, at, depth + 1, &inner);
+    r->bounces -= bounce;
+    inner |= bounce;
+    *timed |= inner && v[word].i > 0;
+    s = add_step(L, r);
+    *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
+    r->steps[open].jump = (uint16_t)r->n;
+    if (bounce)
+        r->steps[open + 1].jump = (uint16_t)r->n;
+    return loop_work(L, r, open, inner, inside, v[word].i, step);
+}
+
+/* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
+ * passes. */
+static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
+{
+    uint64_t work = 1;
+    int n = (int)lua_rawlen(L, at);
+
+    *timed = false;
+    for (int i = 1; i <= n; i++) {
+        struct api_value v[M_KEYS];
+        int top = lua_gettop(L);
+        if (lua_rawgeti(L, at, i) != LUA_TTABLE)
+            step_error(L, i, "expected a table");
+        uint64_t named = read_keys(L, top + 1, i, v);
+        if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
+            if (lua_rawlen(L, top + 1))
+                step_error(L, i, "nested steps require `loop = n` or `bounce = n`");
+            *timed |= read_step(L, r, v, named, i);
+        } else
+            work += read_loop(L, r, top + 1, depth, v, i, timed);
+        work++;
+        lua_settop(L, top);
+    }
+    return work;
+}
+
+enum { HEAD_NAME, HEAD_FINE, HEADS };
+
+/* What is next to the steps: name and fine. Returns the name or NULL. */
+static const char *read_head(lua_State *L, struct reader *r)
+{
+    static const struct api_param head[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                             PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
+    static const struct api_fields fields = { head, HEADS, NAME_LISTS };
+    struct api_value v[HEADS] = { { 0 } };
+
+    if (luakeys_push_stray(L, 1, knows_step_key, &fields)) {
+        const char *key = luakeys_text(L, -1);
+        if (key && api_step_word(L, key))
+            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+        api_refuse_key(L, DEF, &fields);
+    }
+    for (int i = 0; i < HEADS; i++) {
+        lua_getfield(L, 1, head[i].name);
+        api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
+    }
+    r->n = 0;
+    r->bounces = 0;
+    r->brief_is = NULL;
+    r->fine = v[HEAD_FINE].i;
+    return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
+}
+
+static int motion_def(lua_State *L, struct board *b, struct api_value *v)
+{
+    struct reader r;
+    bool timed;
+
+    (void)v;
+    luaL_checktype(L, 1, LUA_TTABLE);
+    const char *name = read_head(L, &r);
+    if (!lua_rawlen(L, 1) && !r.fine)
+        api_error(L, DEF, "expected at least one step");
+    if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
+        api_error(L, DEF, "too many steps in one frame");
+    uint32_t refused_before = b->steps.s.refused; /* tells which of the two pools was full */
+    int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
+    if (m == NO_SLOT)
+        board_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);
+    if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
+        api_names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
+    script_fold(b, (uint64_t)(uint32_t)m);
+    lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
+    return 1;
+}
+
+static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
+{
+    (void)b, (void)slot, (void)p;
+    lua_pushnil(L);
+}
+
+const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
+
+static const struct api_param motion_params[] = { PARAM(
+    "steps", A_TABLE, REQ, 0, 0, NULL, NULL,
+    "list of steps, run in order; `name = STRING` and `fine = true` can be set in the same table") };
+
+static const struct api_entry entries[] = {
+    { "motion.def", motion_def, PARAMS(motion_params), 1, API_CHANGES, "motion",
+      HELP("creates a motion program: a list of steps that any number of bullets can run") },
+    { "motion.def step", NULL, PARAMS(step_keys), 0, API_LUA | API_SYS, NULL,
+      HELP("one step; instead of any number, you can write the name of a value (value.def)") },
+    { "motion.def emit", NULL, PARAMS(api_emit_params), 0, API_LUA | API_SYS, NULL,
+      HELP("what to fire from the position of the bullet") },
+    { "motion.def wait_for", NULL, PARAMS(api_await_params), 0, API_LUA | API_SYS, NULL,
+      HELP("condition to wait for: exactly one of `x`, `y`, `near` and `tag`") },
+};
+const struct api_module api_motion = { entries, sizeof entries / sizeof *entries };

@@ -1,0 +1,94 @@
+/*
+ * api_open.c - the globals of the API: its tables, whose functions are made when a script first reads their names.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../events_run.h"
+#include "api_parts.h"
+
+/* The __index of the API's tables: a field that a game has put there is found before. */
+static int missing_field(lua_State *L)
+{
+    const char *of = api_push_space(L, 1);
+
+    if (!of || lua_type(L, 2) != LUA_TSTRING)
+        return 0;
+    if (!api_push_member(L, of, '.', lua_tostring(L, 2))) {
+        api_no_field(L, of, lua_tostring(L, 2));
+        return 0;
+    }
+    lua_pushvalue(L, 2);
+    lua_pushvalue(L, -2);
+    lua_rawset(L, 1);
+    return 1;
+}
+
+/* Tables that few games name. */
+static bool is_late(const char *space)
+{
+    return !strcmp(space, "bomb");
+}
+
+static void make_space(lua_State *L, const char *space)
+{
+    lua_newtable(L);
+    api_add_space(L, space);
+    lua_pushglobaltable(L);
+    lua_pushvalue(L, -2);
+    lua_pushstring(L, space);
+    lua_insert(L, -2);
+    lua_rawset(L, -3);
+    lua_pop(L, 1);
+}
+
+bool api_open_late(lua_State *L, const char *name)
+{
+    if (!is_late(name))
+        return false;
+    make_space(L, name);
+    return true;
+}
+
+/* What an entry needs before a script can find it: "wait" stands among the globals, "bullet.fire" needs a global table
+ * bullet, but for a table that is off. */
+static void install(lua_State *L, const struct api_entry *e)
+{
+    const char *split = strpbrk(e->name, ".:");
+    char space[32];
+    const int top = lua_gettop(L);
+
+    if (!vm_board(L)->lasers.s.cap && !strncmp(e->name, "laser", 5))
+        return;
+    if (!split) {
+        api_push_call(L, e);
+        lua_setglobal(L, e->name);
+    } else if (*split == '.' && !(e->flags & API_SYS)) {
+        snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
+        if (api_off(&vm_board(L)->cart.m, space) || is_late(space))
+            return;
+        if (lua_getglobal(L, space) != LUA_TTABLE)
+            make_space(L, space);
+        lua_settop(L, top);
+    }
+}
+
+void api_open(lua_State *L)
+{
+    api_open_names(L);
+    events_open(L);
+    api_open_handles(L);
+    api_open_spaces(L, missing_field);
+    lua_pushinteger(L, LUA_MAXINTEGER);
+    lua_setglobal(L, "forever");
+    lua_newtable(L);
+    api_add_space(L, "sys");
+    int sys = lua_gettop(L);
+    for (int m = 0; m < api_of(L)->n; m++)
+        for (int i = 0; i < api_of(L)->modules[m]->n; i++)
+            if (!(api_of(L)->modules[m]->entries[i].flags & API_LUA))
+                install(L, &api_of(L)->modules[m]->entries[i]);
+    lua_pushcfunction(L, api_sys_check);
+    lua_setfield(L, sys, "check");
+    api_rom_open(L);
+    lua_settop(L, sys);
+}

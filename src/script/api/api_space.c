@@ -1,0 +1,55 @@
+/*
+ * api_space.c - the tables of the API ("bullet", "sys"): which those are, and making all functions of one.
+ */
+#include "api_parts.h"
+
+/* Registry: the metatable of the API's tables; and the names of those, by table. */
+static const char shared_key = 0, spaces_key = 0;
+
+/* A Lua of tests has no API. */
+const char *api_push_space(lua_State *L, int at)
+{
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key) != LUA_TTABLE)
+        return NULL;
+    lua_pushvalue(L, at);
+    lua_rawget(L, -2);
+    lua_remove(L, -2);
+    return lua_tostring(L, -1);
+}
+
+void api_fill(lua_State *L, int at)
+{
+    int top = lua_gettop(L);
+    const char *of = api_push_space(L, at), *member;
+
+    for (int i = 0; of && i < api_count(api_of(L)); i++)
+        if ((member = api_member(api_entry(api_of(L), i), of, '.')) != NULL &&
+            !api_off(&vm_board(L)->cart.m, api_entry(api_of(L), i)->name)) {
+            lua_getfield(L, at, member);
+            lua_pop(L, 1);
+        }
+    lua_settop(L, top);
+}
+
+void api_add_space(lua_State *L, const char *name)
+{
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key);
+    lua_pushvalue(L, -2);
+    lua_pushstring(L, name);
+    lua_rawset(L, -3);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &shared_key);
+    lua_setmetatable(L, -3);
+    lua_pop(L, 1);
+}
+
+void api_open_spaces(lua_State *L, lua_CFunction missing)
+{
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &spaces_key);
+    lua_createtable(L, 0, 2);
+    lua_pushcfunction(L, missing);
+    lua_setfield(L, -2, "__index");
+    lua_pushboolean(L, 0);
+    lua_setfield(L, -2, "__metatable");
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &shared_key);
+}

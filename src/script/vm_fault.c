@@ -1,0 +1,259 @@
+/*
+ * vm_fault.c - faults: their place, their message, their traceback; and the protected call that all scripts run in.
+ */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include "../machine/machine.h"
+#include "api/api_table.h"
+#include "lua/lualib.h"
+#include "vm.h"
+
+/* Level 0 is a C function, or in a hook the function that was interrupted. The place of a task that the library
+ * started is the author's line that led to it. */
+void vm_where(lua_State *L, char *place, size_t size)
+{
+    lua_Debug ar;
+
+    place[0] = 0;
+    for (int level = 0; lua_getstack(L, level, &ar); level++) {
+        lua_getinfo(L, "Sl", &ar);
+        bool std = strncmp(ar.short_src, "@std/", 5) == 0;
+        if (ar.currentline <= 0 || (std && place[0]))
+            continue;
+        snprintf(place, size, "%s:%d: ", ar.short_src, ar.currentline);
+        if (!std)
+            return;
+    }
+    const char *from = tasks_from(vm_board(L), L);
+    if (from)
+        snprintf(place, size, "%s", from);
+}
+
+/* Does it start with "FILE:LINE: "? */
+static bool has_place(const char *message)
+{
+    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE; p++) {
+        size_t digits = strspn(p + 1, "0123456789");
+        if (digits && p[digits + 1] == ':')
+            return true;
+    }
+    return false;
+}
+
+/* The author's place for a message that has none, or only the library's, which then follows it. */
+static void missing_place(lua_State *L, const char *message, char *place, size_t size)
+{
+    bool std = strncmp(message, "@std/", 5) == 0;
+
+    place[0] = 0;
+    if (!has_place(message) || std)
+        vm_where(L, place, size);
+    if (std && strncmp(place, "@std/", 5) == 0)
+        place[0] = 0;
+}
+
+void vm_place(lua_State *L)
+{
+    char place[VM_PLACE];
+
+    if (lua_type(L, -1) != LUA_TSTRING)
+        return;
+    missing_place(L, lua_tostring(L, -1), place, sizeof place);
+    lua_pushstring(L, place);
+    lua_insert(L, -2);
+    lua_concat(L, 2);
+}
+
+int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
+{
+    char place[VM_PLACE];
+    va_list args;
+
+    vm_board(L)->vm.kind = kind;
+    lua_checkstack(L, 4);
+    vm_where(L, place, sizeof place);
+    lua_pushstring(L, place);
+    va_start(args, format);
+    lua_pushvfstring(L, format, args);
+    va_end(args);
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
+void vm_note_dead(lua_State *L, const char *field)
+{
+    struct output *o = vm_board(L)->output;
+
+    snprintf(o->dead_field, sizeof o->dead_field, "%s", field);
+    vm_where(L, o->dead_place, sizeof o->dead_place);
+}
+
+int vm_fault_at(lua_State *L, const char *place, const char *format, ...)
+{
+    va_list args;
+
+    vm_board(L)->vm.kind = FAULT_SCRIPT;
+    luaL_checkstack(L, 4, NULL);
+    lua_pushstring(L, place);
+    va_start(args, format);
+    lua_pushvfstring(L, format, args);
+    va_end(args);
+    lua_concat(L, 2);
+    return lua_error(L);
+}
+
+static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
+{
+    if (b->vm.kind != FAULT_NONE)
+        return b->vm.kind;
+    if (status == LUA_ERRERR || strstr(message, "stack overflow"))
+        return FAULT_STACK;
+    return FAULT_SCRIPT;
+}
+
+static void copy_text(char *to, size_t size, const char *from)
+{
+    snprintf(to, size, "%s", from);
+}
+
+/* Does a task have its turn, which could have waited? Not while loading, in a handler, or in a line of the console. */
+static bool waits(const struct board *b)
+{
+    return b->tasks.current != NO_SLOT && b->vm.limit == WORK_LIMIT;
+}
+
+static void report_shortage(const struct board *b, struct board_fault *f)
+{
+    if (b->output->long_text) {
+        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)", b->output->shortage,
+                 b->output->long_text, (int)MAX_TEXT);
+        return;
+    }
+    const bool at_once = waits(b) && heap_work(b->vm.heap) - b->vm.swept > b->vm.heap_size / 2;
+    snprintf(f->message, sizeof f->message, "%sout of Lua memory (%d KiB); raise `board.lua_kib` in rom.lua%s",
+             b->output->shortage, b->cart.m.lua_kib,
+             b->output->deep ? " (calls nested deeply: infinite recursion?)"
+             : at_once       ? " (most of it allocated in one frame: infinite loop, missing wait?)"
+                             : "");
+}
+
+/* The last name in a message that ends in "(field 'NAME')" and is about nil; false: it does not. */
+static bool nil_field(const char *message, char *name, size_t size)
+{
+    const char *field = strstr(message, "a nil value (field '"), *end;
+
+    if (!field)
+        return false;
+    field += strlen("a nil value (field '");
+    end = strchr(field, '\'');
+    size_t n = end ? (size_t)(end - field) : 0;
+    if (!n || n >= size || strcmp(end, "')") != 0)
+        return false;
+    snprintf(name, size, "%.*s", (int)n, field);
+    return true;
+}
+
+/* What to say behind Lua's own message: why a field may be nil here. */
+static void hint(lua_State *L, const char *message, char *out, size_t size)
+{
+    const struct output *o = vm_board(L)->output;
+    char name[32], calls[100], place[VM_PLACE];
+    const char *space, *instead;
+
+    out[0] = 0;
+    if (!nil_field(message, name, sizeof name))
+        return;
+    vm_where(L, place, sizeof place);
+    if ((instead = api_instead_field(name, &space)) != NULL)
+        snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
+    else if (strstr(message, "to call") && api_near_calls(vm_board(L)->vm.api, name, calls, sizeof calls))
+        snprintf(out, size, " (did you mean %s?)", calls);
+    else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
+        snprintf(out, size, " (%s is nil once the thing has despawned; check `alive` first)", name);
+}
+
+/* The likely reason, where calls nest too deeply or a frame does not end. */
+static const char *cause(const struct board *b, enum board_fault_kind kind)
+{
+    if (kind == FAULT_STACK)
+        return " (calls nested too deeply: infinite recursion?)";
+    if (kind != FAULT_LOOP || b->vm.limit != WORK_LIMIT)
+        return "";
+    return waits(b) ? " (missing wait?)" : " (only a task can wait; start one with task.go)";
+}
+
+/* Any other error value. */
+static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
+{
+    char place[VM_PLACE] = "", other[80], why[160] = "";
+    bool raised = lualib_raised(from, -1);
+
+    if (raised)
+        lualib_unwrap(from, -1);
+    int type = lua_type(from, -1);
+    const char *message = other;
+    if (type == LUA_TSTRING || type == LUA_TNUMBER)
+        message = lua_tostring(from, -1);
+    else
+        snprintf(other, sizeof other, "error: expected a string as the error value, got a %s",
+                 lua_typename(from, type));
+    missing_place(from, message, place, sizeof place);
+    if (!raised && b->vm.kind == FAULT_NONE)
+        hint(from, message, why, sizeof why);
+    f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
+    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why, cause(b, f->kind));
+    if (f->kind == FAULT_LOOP)
+        board_full_forget(b);
+}
+
+void vm_report(struct board *b, lua_State *from, int status)
+{
+    struct board_fault *f = &b->output->fault;
+
+    if (f->kind != FAULT_NONE)
+        return;
+    f->kind = FAULT_MEMORY;
+    if (status == LUA_ERRMEM)
+        report_shortage(b, f);
+    else
+        report_error(b, from, status, f);
+    b->output->out.fault = f;
+}
+
+void vm_trace(struct board *b, lua_State *L, lua_State *from)
+{
+    if (b->output->fault.trace[0])
+        return;
+    lualib_trace(L); /* of a fault that went through a pcall */
+    if (!lua_isstring(L, -1))
+        luaL_traceback(L, from, NULL, 0);
+    copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
+    lua_pop(L, 1);
+}
+
+/* Message handler of vm_call: the stack is still there, so this is where the traceback is taken. */
+static int on_error(lua_State *L)
+{
+    struct board *b = vm_board(L);
+
+    vm_report(b, L, LUA_ERRRUN);
+    lua_settop(L, 1);
+    vm_trace(b, L, L);
+    return 1;
+}
+
+bool vm_call(struct board *b, lua_CFunction f)
+{
+    lua_State *L = b->vm.L;
+
+    vm_enter(b, L);
+    lua_settop(L, 0);
+    lua_pushcfunction(L, on_error);
+    lua_pushcfunction(L, f);
+    int status = lua_pcall(L, 0, 0, 1);
+    if (status != LUA_OK)
+        vm_report(b, L, status);
+    lua_settop(L, 0);
+    return status == LUA_OK;
+}

@@ -1,0 +1,122 @@
+/*
+ * vm_load.c - the scripts of a ROM: the game's, and the standard library's.
+ */
+#include <stdio.h>
+#include <string.h>
+#include "../machine/machine.h"
+#include "api/api_table.h"
+#include "lua/lualib.h"
+#include "script.h"
+#include "std.h"
+#include "vm.h"
+
+/* Registry: what require returned, by name; the sys table. */
+static const char modules_key = 0, sys_key = 0;
+
+void vm_load(lua_State *L, const char *name)
+{
+    const struct cart *cart = &vm_board(L)->cart;
+    const char *text, *what;
+    size_t size;
+    int line;
+    char chunk[160], meant[SCRIPT_NAME];
+
+    if (!cart_script(cart, name, &text, &size)) {
+        if (script_name(name, meant) && cart_script(cart, meant, &text, &size))
+            vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game (did you mean require \"%s\"?)", name,
+                     meant);
+        vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
+    }
+    if (!script_scan(text, size, &line, &what)) {
+        lua_pushfstring(L, "%s.lua:%d: %s", name, line, what);
+        lua_error(L);
+    }
+    snprintf(chunk, sizeof chunk, "@%s.lua", name);
+    if (luaL_loadbufferx(L, text, size, chunk, "t") != LUA_OK)
+        lua_error(L);
+}
+
+int vm_require(lua_State *L)
+{
+    struct board *b = vm_board(L);
+    const char *name = luaL_checkstring(L, 1);
+
+    lua_settop(L, 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &modules_key);
+    if (lua_getfield(L, 2, name) != LUA_TNIL) {
+        if (lua_type(L, -1) == LUA_TLIGHTUSERDATA)
+            return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" requires itself", name);
+        return 1;
+    }
+    if (!b->vm.loading)
+        return vm_fault(L, FAULT_SCRIPT, "require: \"%s\" is not loaded; scripts can only be loaded at startup", name);
+    lua_pushlightuserdata(L, b);
+    lua_setfield(L, 2, name);
+    vm_load(L, name);
+    lua_pushvalue(L, 1);
+    lua_call(L, 1, 1);
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+        lua_pushboolean(L, 1);
+    }
+    lua_pushvalue(L, -1);
+    lua_setfield(L, 2, name);
+    return 1;
+}
+
+void vm_read_piece(lua_State *L, const char *name)
+{
+    char path[64];
+    const char *text;
+    size_t size;
+
+    snprintf(path, sizeof path, "@std/%s", name);
+    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        vm_fault(L, FAULT_SCRIPT, "sys.read: no library file \"%s\" in this ROM", name);
+    vm_charge(L, size);
+    vm_load(L, path);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &sys_key);
+    lua_call(L, 1, 1);
+}
+
+void vm_load_std(lua_State *L, int i, int sys)
+{
+    const char *name = std_module(i);
+    char path[64];
+    const char *text;
+    size_t size;
+
+    snprintf(path, sizeof path, "@std/%s", name);
+    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+        return;
+    if (std_adds_to(i) && api_off(&vm_board(L)->cart.m, std_adds_to(i)))
+        return;
+    vm_load(L, path);
+    snprintf(path, sizeof path, "@@std/%s.lua", name);
+    lualib_drop_locals(L, path);
+    lua_pushvalue(L, sys);
+    lua_call(L, 1, 1);
+    lua_pushglobaltable(L);
+    if (!strcmp(name, "prelude")) {
+        if (!lua_istable(L, -2))
+            vm_fault(L, FAULT_SCRIPT, "%s.lua: expected the script to return a table of functions", path);
+        lua_pushnil(L);
+        while (lua_next(L, -3)) {
+            lua_pushvalue(L, -2);
+            lua_insert(L, -2);
+            lua_rawset(L, -4);
+        }
+    } else {
+        lua_pushvalue(L, -2);
+        lua_setfield(L, -2, name);
+    }
+    lua_pop(L, 2);
+}
+
+void vm_open_scripts(lua_State *L, int sys)
+{
+    lua_newtable(L);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &modules_key);
+    lua_pushvalue(L, sys);
+    lua_rawsetp(L, LUA_REGISTRYINDEX, &sys_key);
+}
