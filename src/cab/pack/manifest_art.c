@@ -1,9 +1,7 @@
 /*
  * manifest_art.c - the pictures of rom.lua: palettes, blends, fonts, sheets, sprites, the icon, maps.
  */
-#include <lauxlib.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "manifest_at.h"
 

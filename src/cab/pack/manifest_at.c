@@ -3,7 +3,6 @@
  */
 #include "manifest_at.h"
 
-#include <inttypes.h>
 #include <lauxlib.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -7,12 +7,8 @@
  */
 #include "manifest_at.h"
 
-#include <inttypes.h>
 #include <lauxlib.h>
-#include <lua.h>
-#include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include "../../../fb/utf8.h"
 #include "../../base/heap.h"
