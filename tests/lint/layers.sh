@@ -5,6 +5,9 @@
 layers() { tree '*.c' '*.h' | xargs python3 tests/lint/layers.py; }
 check "every include is of its own layer or below, and no directory is large" layers
 layers | sed 's/^/# /'
+cycles() { python3 tests/lint/cycles.py "$OUT"; }
+check "no symbol is used in a lower layer, and no cycle of objects or file is long" cycles
+cycles | cut -c 1-180 | sed 's/^/# /'
 
 # planted FILE INCLUDE: the same checks in a copy of the tree with one line more
 cp -r --parents src fb platform "$scratch"
@@ -37,10 +40,35 @@ refuse "planted: directories in a cycle" "directories in a cycle: src/cab/host -
 refuse "planted: a library's header" "<sndfile.h> need not be installed" planted src/cab/sound/sndfile.c '<sndfile.h>'
 has_include() { planted src/cab/sound/module.c $'"module.h"\n#if __has_include(<libopenmpt/libopenmpt.h>)\n#endif'; }
 refuse "planted: a question for one" "<libopenmpt/libopenmpt.h> need not be installed" has_include
-for i in $(seq 47); do echo >"$scratch/src/rom/more$i.c"; done
+for i in $(seq 51); do echo >"$scratch/src/rom/more$i.c"; done
 files=$(find "$scratch/src/rom" -name '*.[ch]' | wc -l)
-refuse "planted: a directory too large" "src/rom: $files files; a directory has 46 at most" \
+refuse "planted: a directory too large" "src/rom: $files files; a directory has 50 at most" \
     planted src/rom/cart.c '"../base/bytes.h"'
 rm "$scratch"/src/rom/more*.c
+
+# ---- symbols: in the copy, with the same objects ----
+
+mkdir "$scratch/out"
+cp -rs "$PWD/$OUT/src" "$PWD/$OUT/fb" "$scratch/out"
+object() { # FILE TEXT: is built in the copy
+    echo "$2" >"$scratch/$1"
+    rm -f "$scratch/out/${1%c}o"
+    ${CC:-gcc} -c -o "$scratch/out/${1%c}o" "$scratch/$1"
+}
+planted_cycles() { (cd "$scratch" && python3 "$OLDPWD/tests/lint/cycles.py" out); }
+check "the copy's objects are clean" planted_cycles
+object src/base/up.c 'void board_tick(void); void up(void); void up(void) { board_tick(); }'
+refuse "planted: base calls the board" "src/base/up.c uses board_tick of src/board/board.c, a higher layer" \
+    planted_cycles
+rm "$scratch/src/base/up.c"
+for i in $(seq 9); do
+    object "src/base/round$i.c" "void round$((i % 9 + 1))(void); void (*to$i)(void) = round$((i % 9 + 1)); \
+void round$i(void); void round$i(void) {}"
+done
+refuse "planted: nine tables of functions in a ring" "a cycle of 9 objects, at most 8: src/base/round1.c" planted_cycles
+rm "$scratch"/src/base/round*.c
+yes '' | head -1001 >"$scratch/src/base/long.h"
+refuse "planted: a long file" "src/base/long.h: 1001 lines, at most 1000" planted_cycles
+
 refuse "planted: a clock in base" "there is no <time.h>" planted src/base/rng.h '<time.h>'
 finish

@@ -4,104 +4,14 @@
  * expression that may still become the target of an assignment is pending: `value` notes that it was read, `store` that
  * it was written. Whatever is no Lua turns the token into T_BAD, which stays, and every loop ends at it.
  */
-#include "symbols.h"
+#include "symbols_parts.h"
 
 #include <stdlib.h>
 #include <string.h>
-#include "../../base/edit.h"
 
 enum {
-    DEPTH = 220, /* statements and expressions inside each other; Lua allows 200 */
-    LOCALS = 200 /* in sight at a time in one function: Lua's limit */
+    DEPTH = 220 /* statements and expressions inside each other; Lua allows 200 */
 };
-
-struct local {
-    const char *s; /* inside the text */
-    size_t n;
-    struct symbol_origin from; /* of the only value it ever gets */
-    int table;                 /* that value is this table; -1 */
-    int writes;                /* assignments after its declaration */
-    int values;                /* uses as a value that may go anywhere */
-    bool empty;                /* declared without a value */
-    bool unknown;              /* its value is not `from` after all */
-};
-
-/* Where the expression that comes next stands. */
-struct context {
-    struct symbol_origin from; /* name NULL: nowhere special */
-    int key;                   /* whose value it is, or -1 */
-};
-
-struct pending_walk {
-    int line, local; /* local -1: of is the origin */
-    const char *how;
-    struct symbol_origin of;
-};
-
-struct parse {
-    struct symbols *f;
-    struct lex l;
-    struct local *locals; /* all, in order of declaration */
-    int *active;          /* those in sight, indices of locals */
-    struct pending_walk *walks;
-    int n_locals, n_active, n_walks;
-    int depth, functions;
-    int base; /* of active: where those of this function begin */
-    bool (*is_builtin)(const char *name);
-};
-
-enum kind {
-    X_OTHER,
-    X_GLOBAL, /* name */
-    X_FIELD,  /* space.name of a global */
-    X_INDEX,  /* name[...] of a global */
-    X_LOCAL,  /* at */
-    X_MEMBER, /* local at, .name */
-    X_INSIDE, /* local at, [...] */
-    X_CALL,   /* of space.name, or of name */
-    X_STRING, /* at: index of texts */
-    X_NUMBER,
-    X_TABLE, /* at: index of tables */
-};
-
-struct expr {
-    enum kind kind;
-    int line, at;
-    const char *space, *name;
-    bool zero;
-};
-
-static void stop(struct parse *p)
-{
-    p->l.now.type = T_BAD;
-}
-
-/* Room for one more at the end of a list of n; lists grow when n is a power of two. */
-static bool room(struct parse *p, void *list, int n, size_t size)
-{
-    void **at = list;
-
-    if ((n & (n - 1)) != 0)
-        return true;
-    void *more = realloc(*at, (size_t)(n == 0 ? 1 : n * 2) * size);
-    if (more == NULL) {
-        p->f->arena.failed = true;
-        stop(p);
-        return false;
-    }
-    *at = more;
-    return true;
-}
-
-#define ADD(p, list, n, ...)                                                                                           \
-    (room(p, &(list), n, sizeof *(list)) ? (void)((list)[(n)++] = __VA_ARGS__) : (void)0) /* adds to a list */
-
-static const char *copy(struct parse *p, struct token t)
-{
-    bool odd = t.n > 0 && memchr(t.s, '\0', t.n) != NULL;
-
-    return arena_copy(&p->f->arena, t.s, odd ? 0 : t.n);
-}
 
 /* ---- tokens ---- */
 
@@ -121,7 +31,7 @@ static bool accept(struct parse *p, int token)
 static void expect(struct parse *p, int token)
 {
     if (!accept(p, token))
-        stop(p);
+        symbols_stop(p);
 }
 
 static struct token expect_name(struct parse *p)
@@ -129,7 +39,7 @@ static struct token expect_name(struct parse *p)
     struct token t = p->l.now;
 
     if (t.type != T_NAME)
-        stop(p);
+        symbols_stop(p);
     lex_step(&p->l);
     return t.type == T_NAME ? t : (struct token){ .s = "", .line = t.line };
 }
@@ -137,128 +47,8 @@ static struct token expect_name(struct parse *p)
 static bool enter(struct parse *p)
 {
     if (++p->depth > DEPTH)
-        stop(p);
+        symbols_stop(p);
     return type(p) != T_BAD;
-}
-
-/* ---- names ---- */
-
-static int declare(struct parse *p, struct token name)
-{
-    ADD(p, p->locals, p->n_locals, (struct local){ .s = name.s, .n = name.n, .table = -1 });
-    return p->n_locals - 1;
-}
-
-static void show(struct parse *p, int local)
-{
-    if (p->n_active - p->base >= LOCALS)
-        stop(p);
-    if (type(p) != T_BAD)
-        ADD(p, p->active, p->n_active, local);
-}
-
-static int declare_unknown(struct parse *p, struct token name)
-{
-    int local = declare(p, name);
-
-    if (local >= 0)
-        p->locals[local].unknown = true;
-    return local;
-}
-
-static bool is_named(const struct local *l, const char *s, size_t n)
-{
-    return l->n == n && memcmp(l->s, s, n) == 0;
-}
-
-static int find_local(const struct parse *p, const char *s, size_t n)
-{
-    for (int i = p->n_active; i-- > 0;)
-        if (is_named(&p->locals[p->active[i]], s, n))
-            return p->active[i];
-    return -1;
-}
-
-/* The nearest local in sight of a name that is none, the innermost of equals. */
-static const char *near_local(struct parse *p, const char *name)
-{
-    int best = (int)strlen(name) < 3 ? 0 : EDIT_FAR - 1;
-    const struct local *found = NULL;
-    char word[33];
-
-    for (int i = p->n_active; i-- > 0;) {
-        const struct local *l = &p->locals[p->active[i]];
-        if (l->n >= sizeof word || l->n < 2)
-            continue;
-        memcpy(word, l->s, l->n);
-        word[l->n] = '\0';
-        int distance = edit_distance(name, word);
-        if (distance >= best)
-            continue;
-        best = distance;
-        found = l;
-    }
-    return found != NULL ? arena_copy(&p->f->arena, found->s, found->n) : NULL;
-}
-
-static void use(struct parse *p, enum symbol_use how, int line, const char *name, const char *field)
-{
-    bool sure = p->is_builtin == NULL || p->is_builtin(name);
-
-    ADD(p, p->f->globals, p->f->n_globals,
-        (struct symbol_global){ how, line, name, field, sure ? NULL : near_local(p, name) });
-}
-
-static int add_text(struct parse *p, struct token t, int how)
-{
-    ADD(p, p->f->texts, p->f->n_texts, (struct symbol_text){ t.line, copy(p, t), how });
-    return p->f->n_texts - 1;
-}
-
-/* ---- what becomes of an expression ---- */
-
-static void value(struct parse *p, const struct expr *e)
-{
-    if (e->kind == X_GLOBAL)
-        use(p, USE_VALUE, e->line, e->name, NULL);
-    else if (e->kind == X_INDEX)
-        use(p, USE_INDEX, e->line, e->name, NULL);
-    else if (e->kind == X_FIELD)
-        use(p, USE_FIELD, e->line, e->space, e->name);
-    else if (e->kind == X_LOCAL)
-        p->locals[e->at].values++;
-}
-
-static void store(struct parse *p, const struct expr *e)
-{
-    if (e->kind == X_GLOBAL)
-        use(p, USE_WRITE, e->line, e->name, NULL);
-    else if (e->kind == X_INDEX)
-        use(p, USE_VALUE, e->line, e->name, NULL);
-    else if (e->kind == X_FIELD)
-        use(p, USE_MEMBER, e->line, e->space, e->name);
-    else if (e->kind == X_MEMBER)
-        ADD(p, p->f->members, p->f->n_members, (struct symbol_member){ e->at, e->name });
-    else if (e->kind == X_LOCAL)
-        p->locals[e->at].writes++;
-    else if (e->kind == X_INSIDE)
-        p->locals[e->at].values++;
-}
-
-static struct symbol_origin origin(const struct expr *e)
-{
-    if (e->kind != X_CALL)
-        return (struct symbol_origin){ 0 };
-    return (struct symbol_origin){ .space = e->space, .name = e->name };
-}
-
-/* A local gets the value of e, its i-th assignment. */
-static void give(struct parse *p, int local, const struct expr *e)
-{
-    struct local *l = &p->locals[local];
-
-    l->from = origin(e);
-    l->table = e->kind == X_TABLE ? e->at : -1;
 }
 
 static void primary(struct parse *p, struct expr *e);
@@ -279,12 +69,12 @@ static void plain(struct parse *p)
 static void parameters(struct parse *p, struct symbol_origin from)
 {
     for (from.param = 1; type(p) == T_NAME; from.param++) {
-        int local = declare_unknown(p, expect_name(p));
+        int local = symbols_declare_unknown(p, expect_name(p));
         if (local >= 0) {
             p->locals[local].from = from;
             p->locals[local].unknown = from.name == NULL;
         }
-        show(p, local);
+        symbols_show(p, local);
         if (!accept(p, ','))
             return;
     }
@@ -299,7 +89,7 @@ static void body(struct parse *p, struct symbol_origin from, bool method)
     p->base = sight;
     p->functions++;
     if (method)
-        show(p, declare_unknown(p, (struct token){ .s = "self", .n = 4 }));
+        symbols_show(p, symbols_declare_unknown(p, (struct token){ .s = "self", .n = 4 }));
     expect(p, '(');
     parameters(p, from);
     expect(p, ')');
@@ -314,7 +104,7 @@ static void body(struct parse *p, struct symbol_origin from, bool method)
 
 static int add_key(struct parse *p, int table, struct token name)
 {
-    const char *s = copy(p, name);
+    const char *s = symbols_copy(p, name);
 
     ADD(p, p->f->keys, p->f->n_keys, (struct symbol_key){ table, name.line, s, NULL });
     return p->f->n_keys - 1;
@@ -355,7 +145,7 @@ static void field(struct parse *p, int table, struct context c)
         bracket_key(p, table, c);
     } else if (type(p) == T_NAME && lex_peek(&p->l) == '=') {
         struct token t = expect_name(p);
-        add_text(p, t, SYMBOL_KEY);
+        symbols_add_text(p, t, SYMBOL_KEY);
         lex_step(&p->l);
         key_value(p, add_key(p, table, t), c);
     } else if (type(p) == '{') { /* a table in a list is the value of a nameless key */
@@ -387,7 +177,7 @@ static void constructor(struct parse *p, struct expr *e, struct context c)
 static void note_walk(struct parse *p, int line, const char *how, const struct expr *e)
 {
     if (e->kind == X_CALL)
-        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, -1, how, origin(e) });
+        ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, -1, how, symbols_origin(e) });
     else if (e->kind == X_LOCAL)
         ADD(p, p->walks, p->n_walks, (struct pending_walk){ line, e->at, how, { 0 } });
 }
@@ -414,7 +204,7 @@ static void arguments(struct parse *p, struct symbol_call *call, struct expr *fi
         if (type(p) == '{') {
             constructor(p, first, c);
         } else {
-            *first = (struct expr){ .kind = X_STRING, .line = p->l.now.line, .at = add_text(p, p->l.now, 0) };
+            *first = (struct expr){ .kind = X_STRING, .line = p->l.now.line, .at = symbols_add_text(p, p->l.now, 0) };
             lex_step(&p->l);
             call->arg[0] = type(p) != T_BAD ? p->f->texts[first->at].s : NULL;
         }
@@ -447,7 +237,7 @@ static void call(struct parse *p, struct expr *e)
     struct symbol_call c = { .line = e->line };
     struct expr first;
 
-    value(p, e);
+    symbols_value(p, e);
     if (named) {
         c.space = e->kind == X_FIELD ? e->space : NULL;
         c.name = e->name;
@@ -469,11 +259,11 @@ static void method(struct parse *p, struct expr *e)
     struct token name = expect_name(p);
     struct expr first;
 
-    add_text(p, name, SYMBOL_KEY);
+    symbols_add_text(p, name, SYMBOL_KEY);
     if (e->kind == X_GLOBAL)
-        use(p, USE_METHOD, e->line, e->name, copy(p, name));
+        symbols_use(p, USE_METHOD, e->line, e->name, symbols_copy(p, name));
     else
-        value(p, e);
+        symbols_value(p, e);
     if (name.n == 6 && memcmp(name.s, "format", 6) == 0)
         note_format(p, e);
     arguments(p, &c, &first);
@@ -495,7 +285,7 @@ static void select_field(struct parse *p, struct expr *e, const char *name)
         e->name = name;
         e->kind = X_MEMBER;
     } else {
-        value(p, e);
+        symbols_value(p, e);
         e->kind = X_OTHER;
     }
 }
@@ -513,19 +303,19 @@ static void index_with(struct parse *p, struct expr *e)
     else if (e->kind == X_LOCAL)
         e->kind = X_INSIDE;
     else
-        value(p, e), e->kind = X_OTHER;
+        symbols_value(p, e), e->kind = X_OTHER;
 }
 
 static void primary_name(struct parse *p, struct expr *e)
 {
     struct token t = expect_name(p);
-    int local = find_local(p, t.s, t.n);
+    int local = symbols_find_local(p, t.s, t.n);
 
     *e = (struct expr){ .kind = X_LOCAL, .line = t.line, .at = local };
     if (local >= 0)
         return;
-    e->kind = find_local(p, "_ENV", 4) >= 0 ? X_OTHER : X_GLOBAL;
-    e->name = copy(p, t);
+    e->kind = symbols_find_local(p, "_ENV", 4) >= 0 ? X_OTHER : X_GLOBAL;
+    e->name = symbols_copy(p, t);
 }
 
 static void bracketed(struct parse *p, struct expr *e)
@@ -547,8 +337,8 @@ static void primary(struct parse *p, struct expr *e)
     while (type(p) != T_BAD) {
         if (accept(p, '.')) {
             struct token t = expect_name(p);
-            add_text(p, t, SYMBOL_KEY);
-            select_field(p, e, copy(p, t));
+            symbols_add_text(p, t, SYMBOL_KEY);
+            select_field(p, e, symbols_copy(p, t));
         } else if (accept(p, '[')) {
             index_with(p, e);
         } else if (accept(p, ':')) {
@@ -570,13 +360,13 @@ static void simple(struct parse *p, struct expr *e, struct context c)
         constructor(p, e, c);
     } else if (t.type == T_NAME || t.type == '(') {
         primary(p, e);
-        value(p, e);
+        symbols_value(p, e);
     } else if (t.type == T_FUNCTION) {
         lex_step(&p->l);
         body(p, c.from, false);
     } else if (t.type == T_STRING) {
         e->kind = X_STRING;
-        e->at = add_text(p, t, 0);
+        e->at = symbols_add_text(p, t, 0);
         lex_step(&p->l);
     } else if (t.type == T_NUMBER) {
         e->kind = X_NUMBER;
@@ -585,7 +375,7 @@ static void simple(struct parse *p, struct expr *e, struct context c)
     } else if (t.type == T_NIL || t.type == T_TRUE || t.type == T_FALSE || t.type == T_DOTS) {
         lex_step(&p->l);
     } else {
-        stop(p);
+        symbols_stop(p);
     }
 }
 
@@ -722,17 +512,17 @@ static void repeat_statement(struct parse *p)
 /* The names of a for, a local or nothing more: declared, not yet in sight. Returns the first; *n of them. */
 static int name_list(struct parse *p, struct token first, int *n)
 {
-    int from = declare_unknown(p, first);
+    int from = symbols_declare_unknown(p, first);
 
     for (*n = 1; accept(p, ','); ++*n)
-        declare_unknown(p, expect_name(p));
+        symbols_declare_unknown(p, expect_name(p));
     return from;
 }
 
 static void show_all(struct parse *p, int first, int n)
 {
     for (int i = 0; i < n; i++)
-        show(p, first + i);
+        symbols_show(p, first + i);
 }
 
 static void for_statement(struct parse *p)
@@ -755,16 +545,16 @@ static void for_statement(struct parse *p)
 /* The name behind the colon: in the function, e is self, and may get fields. */
 static void own_method(struct parse *p, struct expr *e)
 {
-    const char *name = copy(p, expect_name(p));
+    const char *name = symbols_copy(p, expect_name(p));
 
     if (e->kind == X_GLOBAL)
-        use(p, USE_SELF, e->line, e->name, name);
+        symbols_use(p, USE_SELF, e->line, e->name, name);
     else if (e->kind == X_LOCAL)
         p->locals[e->at].values++;
     if (e->kind == X_GLOBAL)
         return;
     select_field(p, e, name);
-    store(p, e);
+    symbols_store(p, e);
 }
 
 /* function a.b.c:d() */
@@ -776,19 +566,19 @@ static void function_statement(struct parse *p)
     primary_name(p, &e);
     while (type(p) == '.') {
         lex_step(&p->l);
-        select_field(p, &e, copy(p, expect_name(p)));
+        select_field(p, &e, symbols_copy(p, expect_name(p)));
     }
     bool own = accept(p, ':');
     if (own)
         own_method(p, &e);
     else
-        store(p, &e);
+        symbols_store(p, &e);
     body(p, nowhere.from, own);
 }
 
 static void local_function(struct parse *p)
 {
-    show(p, declare_unknown(p, expect_name(p)));
+    symbols_show(p, symbols_declare_unknown(p, expect_name(p)));
     body(p, nowhere.from, false);
 }
 
@@ -799,7 +589,7 @@ static int local_names(struct parse *p, int *n)
 
     *n = 0;
     do {
-        declare(p, expect_name(p));
+        symbols_declare(p, expect_name(p));
         ++*n;
         if (accept(p, '<')) {
             expect_name(p);
@@ -818,7 +608,7 @@ static void local_statement(struct parse *p)
         do {
             expression(p, &e, nowhere);
             if (given < n && type(p) != T_BAD)
-                give(p, first + given, &e);
+                symbols_give(p, first + given, &e);
             given++;
         } while (accept(p, ','));
         for (int i = given; i < n && type(p) != T_BAD; i++)
@@ -836,11 +626,11 @@ static void assign(struct parse *p, struct expr *target)
     bool alone = type(p) == '=';
     struct expr e;
 
-    store(p, target);
+    symbols_store(p, target);
     while (accept(p, ',')) {
         struct expr more;
         primary(p, &more);
-        store(p, &more);
+        symbols_store(p, &more);
         if (more.kind == X_LOCAL)
             p->locals[more.at].unknown = true;
     }
@@ -849,7 +639,7 @@ static void assign(struct parse *p, struct expr *target)
     if (type(p) == T_BAD)
         return;
     if (alone && target->kind == X_LOCAL && p->locals[target->at].empty)
-        give(p, target->at, &e);
+        symbols_give(p, target->at, &e);
     else if (target->kind == X_LOCAL)
         p->locals[target->at].unknown = true;
     while (accept(p, ','))
