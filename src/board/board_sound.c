@@ -39,20 +39,17 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
-static void play_none(void *context, const struct tune_played *p, int sample)
-{
-    (void)context, (void)p, (void)sample;
-}
-
 /* Has it less than a frame to play? */
 static bool ends_next(const struct board *b, int slot)
 {
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(b->cart.tune_data + c->tune[slot]);
-    struct tune_at at = { c->at[slot], c->left[slot] };
+    struct tune_run run = { &t, c->track[slot], { c->at[slot], c->left[slot] }, t.tempo, 0, SND_FRAME, 0 };
+    struct tune_played e;
 
-    tune_run(&t, c->track[slot], &at, t.tempo, 0, SND_FRAME, play_none, NULL);
-    return at.at == 0;
+    while (tune_next(&run, &e))
+        ;
+    return run.at.at == 0;
 }
 
 bool board_cue(const struct board *b, int slot, struct board_cue *out)

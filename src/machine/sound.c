@@ -42,14 +42,14 @@ static void begin_note(const struct part_played *g, int32_t pitch, int sample)
     voices_note(&g->b->voices, rom(g->b), g->voice, &n, sample);
 }
 
-static void play_part(const struct part_played *g, const struct tune_played *p, int sample)
+static void play_part(const struct part_played *g, const struct tune_played *p)
 {
     struct voices *v = &g->b->voices;
     const int32_t pitch = p->value * (PITCH_ONE / 256) + g->pitch;
 
     switch (p->event) {
     case TUNE_NOTE:
-        begin_note(g, pitch, sample);
+        begin_note(g, pitch, p->sample);
         break;
     case TUNE_SLUR:
         voices_slur(v, rom(g->b), g->voice, pitch);
@@ -59,7 +59,7 @@ static void play_part(const struct part_played *g, const struct tune_played *p, 
         break;
     case TUNE_OFF:
     case TUNE_END:
-        voices_off(v, g->voice, sample);
+        voices_off(v, g->voice, p->sample);
         break;
     case TUNE_VOLUME:
     case TUNE_PLACE:
@@ -70,21 +70,19 @@ static void play_part(const struct part_played *g, const struct tune_played *p, 
     }
 }
 
-static void play_music(void *context, int track, const struct tune_played *p, int sample)
+static struct part_played music_part(struct board *b, int track)
 {
-    struct board *b = context;
     const struct seq *s = &b->music;
     const uint32_t at = cart_tune(&b->cart, s->tune - 1);
-    const struct part_played g = { b,
-                                   at,
-                                   track,
-                                   loud(s->volume[track + 1], 256, tune_of(rom(b) + at).volume),
-                                   s->pan[track + 1],
-                                   s->inst[track + 1],
-                                   0,
-                                   s->tempo };
 
-    play_part(&g, p, sample);
+    return (struct part_played){ b,
+                                 at,
+                                 track,
+                                 loud(s->volume[track + 1], 256, tune_of(rom(b) + at).volume),
+                                 s->pan[track + 1],
+                                 s->inst[track + 1],
+                                 0,
+                                 s->tempo };
 }
 
 static uint8_t side(int pan)
@@ -92,21 +90,19 @@ static uint8_t side(int pan)
     return (uint8_t)(pan < 0 ? 0 : pan > 2 * TUNE_PAN ? 2 * TUNE_PAN : pan);
 }
 
-static void play_cue(void *context, int slot, const struct tune_played *p, int sample)
+static struct part_played cue_part(struct board *b, int slot)
 {
-    struct board *b = context;
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(rom(b) + c->tune[slot]);
-    const struct part_played g = { b,
-                                   c->tune[slot],
-                                   VOICES_MUSIC + slot,
-                                   loud(c->volume[slot], c->loud[slot], t.volume),
-                                   side(c->pan[slot] + c->place[slot]),
-                                   c->inst[slot],
-                                   c->pitch[slot],
-                                   t.tempo };
 
-    play_part(&g, p, sample);
+    return (struct part_played){ b,
+                                 c->tune[slot],
+                                 VOICES_MUSIC + slot,
+                                 loud(c->volume[slot], c->loud[slot], t.volume),
+                                 side(c->pan[slot] + c->place[slot]),
+                                 c->inst[slot],
+                                 c->pitch[slot],
+                                 t.tempo };
 }
 
 static void cut_music(struct board *b, int sample)
@@ -240,7 +236,13 @@ static void step_music(struct board *b)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
         const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
-        first = seq_step(s, &t, first, play_music, b);
+        struct seq_run run = { .s = s, .t = &t, .first = first };
+        struct tune_played e;
+        while (seq_next(&run, &e)) {
+            const struct part_played part = music_part(b, run.slot - 1);
+            play_part(&part, &e);
+        }
+        first = run.first;
         if (first < SND_FRAME)
             change_music(b, first);
     }
@@ -251,10 +253,22 @@ void sound_begin(struct board *b)
     voices_step(&b->voices, rom(b));
 }
 
+/* A frame of the sounds. */
+static void step_cues(struct board *b)
+{
+    struct cues_run run = { 0 };
+    struct tune_played e;
+
+    while (cues_next(&b->cues, rom(b), &run, &e)) {
+        const struct part_played part = cue_part(b, run.slot);
+        play_part(&part, &e);
+    }
+}
+
 void sound_end(struct board *b)
 {
     step_music(b);
-    cues_step(&b->cues, rom(b), play_cue, b);
+    step_cues(b);
     step_duck(b);
     b->voices.gain1 = gain(b);
 }

@@ -142,87 +142,66 @@ bool seq_over(const struct seq *s)
     return true;
 }
 
-struct looking {
-    int mark;
-    bool found;
-    uint32_t *work;
-};
-
-static void look_at(void *context, const struct tune_played *p, int sample)
-{
-    struct looking *l = context;
-
-    (void)sample;
-    ++*l->work;
-    l->found = l->found || (p->event == TUNE_MARK && p->value == l->mark);
-}
-
 /* The conductor's events from where it is, without their time; after its loop's end once more. A loop has time, so a
  * run of events without any that passes its end stops before where it began. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
     struct tune_at c = { s->at[0], 0 };
-    struct looking l = { mark, false, work };
+    struct tune_played e;
+    bool found = false;
     int loops = 0;
 
     *work = 0;
-    while (c.at != 0 && loops < 2 && !l.found) {
-        const uint32_t was = c.at;
-        c.left = 0;
-        tune_run(t, -1, &c, 1, 0, 1, look_at, &l);
+    while (c.at != 0 && loops < 2 && !found) {
+        struct tune_run r = { t, -1, { c.at, 0 }, 1, 0, 1, 0 };
+        for (; tune_next(&r, &e); ++*work)
+            found = found || (e.event == TUNE_MARK && e.value == mark);
         ++*work;
-        loops += c.at <= was;
+        loops += r.at.at <= c.at;
+        c = r.at;
     }
-    return l.found;
+    return found;
 }
 
-struct playing {
-    struct seq *s;
-    int slot;
-    seq_play *play;
-    void *context;
-};
-
-/* An event of a track or of the conductor: settings are kept here, all else is the voice's. */
-static void play_music(void *context, const struct tune_played *p, int sample)
+/* Keeps what an event sets, of a track or of the conductor (slot 0). */
+static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
 {
-    const struct playing *g = context;
-    struct seq *s = g->s;
-
-    if (p->event == TUNE_INST)
-        s->inst[g->slot] = (uint8_t)p->value;
-    if (p->event == TUNE_VOLUME)
-        s->volume[g->slot] = (uint8_t)p->value;
-    if (p->event == TUNE_PLACE)
-        s->pan[g->slot] = (uint8_t)p->value;
-    if (p->event == TUNE_TEMPO)
-        s->tempo = (uint32_t)p->value;
-    if (p->event == TUNE_MARK) {
-        s->mark = (uint16_t)(p->value + 1);
+    if (e->event == TUNE_INST)
+        s->inst[slot] = (uint8_t)e->value;
+    if (e->event == TUNE_VOLUME)
+        s->volume[slot] = (uint8_t)e->value;
+    if (e->event == TUNE_PLACE)
+        s->pan[slot] = (uint8_t)e->value;
+    if (e->event == TUNE_TEMPO)
+        s->tempo = (uint32_t)e->value;
+    if (e->event == TUNE_MARK) {
+        s->mark = (uint16_t)(e->value + 1);
         s->marks++;
     }
-    if (g->slot > 0)
-        g->play(g->context, g->slot - 1, p, sample);
 }
 
-static void run_slot(struct playing *g, const struct tune *t, int slot, int first, int n, uint32_t tempo)
+/* A part of the run in which no tempo changes: slot 0 is the conductor's, the others the tracks'. */
+static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
-    struct seq *s = g->s;
-    struct tune_at c = { s->at[slot], s->left[slot] };
+    return (struct tune_run){ t, slot - 1, { s->at[slot], s->left[slot] }, s->tempo, first, n, 0 };
+}
 
-    g->slot = slot;
-    tune_run(t, slot - 1, &c, tempo, first, n, play_music, g);
-    s->at[slot] = c.at;
-    s->left[slot] = c.left;
+static void keep_place(struct seq *s, int slot, const struct tune_run *r)
+{
+    s->at[slot] = r->at.at;
+    s->left[slot] = r->at.left;
 }
 
 /* Samples until the conductor's next event, which is carried out if that is 0. */
-static int until_conductor(struct playing *g, const struct tune *t, int first)
+static int until_conductor(struct seq *s, const struct tune *t, int first)
 {
-    struct seq *s = g->s;
     const uint32_t tempo = s->tempo;
+    struct tune_run r = run_of(s, t, 0, first, 1);
+    struct tune_played e;
 
-    run_slot(g, t, 0, first, 1, tempo);
+    while (tune_next(&r, &e))
+        keep_setting(s, 0, &e);
+    keep_place(s, 0, &r);
     s->left[0] += tempo; /* what falls into this one sample has happened, but no time has passed */
     const int64_t left = s->at[0] == 0 || s->left[0] <= 0 ? SND_FRAME : (s->left[0] + s->tempo - 1) / s->tempo;
     return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
@@ -246,22 +225,40 @@ static int until_next(const struct seq *s)
     return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
 }
 
-int seq_step(struct seq *s, const struct tune *t, int first, seq_play *play, void *context)
+/* The next part begins at w->first: up to what the conductor does next. */
+static void begin_part(struct seq_run *w)
 {
-    struct playing g = { s, 0, play, context };
+    struct seq *s = w->s;
+    int n = until_conductor(s, w->t, w->first);
 
-    for (int n; first < SND_FRAME; first += n) {
-        if (until_next(s) == 0)
-            return first;
-        n = until_conductor(&g, t, first);
-        if (n > until_next(s))
-            n = until_next(s);
-        s->left[0] -= (int64_t)n * s->tempo;
-        for (int i = 1; i <= t->tracks; i++)
-            run_slot(&g, t, i, first, n, s->tempo);
-        s->pos += (uint64_t)n * s->tempo;
+    if (n > until_next(s))
+        n = until_next(s);
+    s->left[0] -= (int64_t)n * s->tempo;
+    w->slot = 1;
+    w->run = run_of(s, w->t, 1, w->first, n);
+}
+
+bool seq_next(struct seq_run *w, struct tune_played *e)
+{
+    struct seq *s = w->s;
+
+    for (;;) {
+        if (w->slot == 0) {
+            if (w->first >= SND_FRAME || until_next(s) == 0)
+                return false;
+            begin_part(w);
+        }
+        for (; w->slot <= w->t->tracks; w->run = run_of(s, w->t, w->slot, w->first, w->run.n)) {
+            if (tune_next(&w->run, e)) {
+                keep_setting(s, w->slot, e);
+                return true;
+            }
+            keep_place(s, w->slot++, &w->run);
+        }
+        s->pos += (uint64_t)w->run.n * s->tempo;
+        w->first += w->run.n;
+        w->slot = 0;
     }
-    return SND_FRAME;
 }
 
 /* ---- cues ---- */
@@ -391,39 +388,30 @@ uint32_t cues_stop(struct cues *c, uint32_t tune)
     return ended;
 }
 
-struct sounding {
-    struct cues *c;
-    int slot;
-    seq_play *play;
-    void *context;
-};
-
-static void play_cue(void *context, const struct tune_played *p, int sample)
+bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e)
 {
-    const struct sounding *g = context;
-    struct cues *c = g->c;
-
-    if (p->event == TUNE_INST)
-        c->inst[g->slot] = (uint8_t)p->value;
-    if (p->event == TUNE_VOLUME)
-        c->volume[g->slot] = (uint8_t)p->value;
-    if (p->event == TUNE_PLACE)
-        c->pan[g->slot] = (uint8_t)p->value;
-    g->play(g->context, g->slot, p, sample);
-}
-
-void cues_step(struct cues *c, const uint8_t *rom, seq_play *play, void *context)
-{
-    for (int i = 0; i < CUES; i++) {
+    for (; w->slot < CUES; w->slot++, w->begun = false) {
+        const int i = w->slot;
         if (!c->tune[i])
             continue;
-        const struct tune t = tune_of(rom + c->tune[i]);
-        struct tune_at at = { c->at[i], c->left[i] };
-        struct sounding g = { c, i, play, context };
-        tune_run(&t, c->track[i], &at, t.tempo, 0, SND_FRAME, play_cue, &g);
-        c->at[i] = at.at;
-        c->left[i] = at.left;
-        if (at.at == 0)
+        if (!w->begun) {
+            w->t = tune_of(rom + c->tune[i]);
+            w->run = (struct tune_run){ &w->t, c->track[i], { c->at[i], c->left[i] }, w->t.tempo, 0, SND_FRAME, 0 };
+            w->begun = true;
+        }
+        if (tune_next(&w->run, e)) {
+            if (e->event == TUNE_INST)
+                c->inst[i] = (uint8_t)e->value;
+            if (e->event == TUNE_VOLUME)
+                c->volume[i] = (uint8_t)e->value;
+            if (e->event == TUNE_PLACE)
+                c->pan[i] = (uint8_t)e->value;
+            return true;
+        }
+        c->at[i] = w->run.at.at;
+        c->left[i] = w->run.at.left;
+        if (c->at[i] == 0)
             end_cue(c, i);
     }
+    return false;
 }

@@ -66,9 +66,6 @@ struct cues {
 
 extern const struct chip seq_chip, cues_chip;
 
-/* What happens to a voice: track of the music, or the cue's slot; the event; at which sample. */
-typedef void seq_play(void *context, int voice, const struct tune_played *p, int sample);
-
 /* Begins tune `index` + 1 at its beginning; 0: stops. t is that tune. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 
@@ -88,8 +85,17 @@ bool seq_over(const struct seq *s);
 /* Will it come by that marker? work: events looked at. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
-/* Plays a frame of tune t from sample `first` on. Returns the sample at which `next` is to begin, or SND_FRAME. */
-int seq_step(struct seq *s, const struct tune *t, int first, seq_play *play, void *context);
+/* A frame of tune t from sample `first` on. The last two are seq_next's. */
+struct seq_run {
+    struct seq *s;
+    const struct tune *t;
+    int first; /* after the run: the sample at which `next` is to begin, or SND_FRAME */
+    int slot;  /* whose events they are: of track slot - 1 */
+    struct tune_run run;
+};
+
+/* The next event of a track; false: there is none. What it sets is kept. */
+bool seq_next(struct seq_run *w, struct tune_played *e);
 
 /* `next` is to begin at the piece's next beat; or bar, of so many beats. */
 void seq_wait(struct seq *s, int beats);
@@ -115,7 +121,15 @@ uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, u
 /* Ends the sound at that place, 0: all. Returns a bit for each slot. */
 uint32_t cues_stop(struct cues *c, uint32_t tune);
 
-/* Plays a frame of all. */
-void cues_step(struct cues *c, const uint8_t *rom, seq_play *play, void *context);
+/* A frame of all; begins as zeroes. */
+struct cues_run {
+    int slot; /* whose events they are */
+    bool begun;
+    struct tune t;
+    struct tune_run run;
+};
+
+/* The next event of a sound; false: there is none. What it sets is kept. */
+bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e);
 
 #endif

@@ -117,40 +117,46 @@ struct tune_at tune_begin(const struct tune *t, int i)
     return c;
 }
 
-/* Carries out the event at the cursor, which moves on. */
-static void play_event(const struct tune *t, int track, struct tune_at *c, int sample, tune_play *play, void *context)
+/* Reads the event at the place, which moves on. False: it was the end of a loop, which is none. */
+static bool read_event(const struct tune *t, int track, struct tune_at *c, struct tune_played *e)
 {
     const uint8_t *p = t->data + c->at;
-    struct tune_played e = { p[0], p[1], 0 };
 
-    if (e.event == TUNE_END) {
+    e->event = p[0];
+    e->value = p[1];
+    e->more = 0;
+    if (e->event == TUNE_END) {
         c->at = loops(t, track);
-        if (c->at == 0) {
-            play(context, &e, sample);
-            return;
-        }
+        if (c->at == 0)
+            return true;
         c->left += t->rest;
     } else {
-        c->at += 1u + values_of[e.event];
-        if (values_of[e.event] >= 2)
-            e.value = bytes_get16(p + 1);
-        if (values_of[e.event] == 4)
-            e.more = bytes_get16(p + 3);
-        play(context, &e, sample);
+        c->at += 1u + values_of[e->event];
+        if (values_of[e->event] >= 2)
+            e->value = bytes_get16(p + 1);
+        if (values_of[e->event] == 4)
+            e->more = bytes_get16(p + 3);
     }
     c->left += (int64_t)read_ticks(t->data, &c->at) * TUNE_TICK;
+    return p[0] != TUNE_END;
 }
 
-void tune_run(const struct tune *t, int track, struct tune_at *c, uint32_t tempo, int first, int n, tune_play *play,
-              void *context)
+bool tune_next(struct tune_run *r, struct tune_played *e)
 {
-    for (int events = 0; c->at != 0 && events < EVENTS_A_RUN; events++) {
-        const int64_t at = c->left <= 0 ? 0 : (c->left + tempo - 1) / tempo;
-        if (at >= n)
+    struct tune_at *c = &r->at;
+
+    for (; c->at != 0 && r->events < EVENTS_A_RUN; r->events++) {
+        const int64_t at = c->left <= 0 ? 0 : (c->left + r->tempo - 1) / r->tempo;
+        if (at >= r->n)
             break;
-        play_event(t, track, c, first + (int)at, play, context);
+        e->sample = r->first + (int)at;
+        if (read_event(r->t, r->track, c, e)) {
+            r->events++;
+            return true;
+        }
     }
-    c->left -= (int64_t)n * tempo;
+    c->left -= (int64_t)r->n * r->tempo;
+    return false;
 }
 
 /* ---- checks ---- */

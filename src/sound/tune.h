@@ -99,11 +99,20 @@ struct tune_at tune_begin(const struct tune *t, int i);
 struct tune_played {
     enum tune_event event;
     int32_t value, more;
+    int sample; /* of the frame */
 };
-typedef void tune_play(void *context, const struct tune_played *p, int sample);
 
-/* Plays what falls into n samples, `first` of a frame the first of them. */
-void tune_run(const struct tune *t, int track, struct tune_at *c, uint32_t tempo, int first, int n, tune_play *play,
-              void *context);
+/* The n samples from `first` of a frame on, as a track plays them. */
+struct tune_run {
+    const struct tune *t;
+    int track;
+    struct tune_at at; /* after the run: where the next one begins */
+    uint32_t tempo;
+    int first, n;
+    int events; /* tune_next's: so many so far, for a run has a limit */
+};
+
+/* The next event that falls into the run; false: there is none, and the time has passed. */
+bool tune_next(struct tune_run *r, struct tune_played *e);
 
 #endif

@@ -25,18 +25,26 @@ struct list {
     int64_t at;
 };
 
-static void write_down(void *context, const struct tune_played *p, int sample)
+static void write_down(struct list *l, const struct tune_played *p)
 {
     static const char names[] = ".nso/ivp";
-    struct list *l = context;
     const size_t n = strlen(l->text);
 
-    snprintf(l->text + n, sizeof l->text - n, "%lld%c", (long long)(l->at + sample), names[p->event]);
+    snprintf(l->text + n, sizeof l->text - n, "%lld%c", (long long)(l->at + p->sample), names[p->event]);
     if (p->event == TUNE_NOTE || p->event == TUNE_SLUR || p->event == TUNE_GLIDE)
         snprintf(l->text + strlen(l->text), 32, "%g", p->value / 256.0);
     if (p->event >= TUNE_INST)
         snprintf(l->text + strlen(l->text), 32, "%d", p->value);
     snprintf(l->text + strlen(l->text), 2, " ");
+}
+
+static void write_run(struct list *l, struct tune_run run, struct tune_at *at)
+{
+    struct tune_played e;
+
+    while (tune_next(&run, &e))
+        write_down(l, &e);
+    *at = run.at;
 }
 
 /* The events of track A, at a tempo at which a tick is a sample. */
@@ -54,7 +62,7 @@ static const char *events(const char *text)
     assert_true(tune_open(bytes, size, err, sizeof err));
     struct tune_at c = tune_begin(&t, 0);
     for (; l.at < 6000 && c.at; l.at += 1000)
-        tune_run(&t, 0, &c, TUNE_TICK, 0, 1000, write_down, &l);
+        write_run(&l, (struct tune_run){ &t, 0, c, TUNE_TICK, 0, 1000, 0 }, &c);
     free(bytes);
     return l.text;
 }
@@ -308,7 +316,7 @@ static void test_damage(void **state)
             for (int k = -1; k < t.tracks; k++) {
                 struct tune_at c = tune_begin(&t, k);
                 l.text[0] = '\0';
-                tune_run(&t, k, &c, t.tempo, 0, 800, write_down, &l);
+                write_run(&l, (struct tune_run){ &t, k, c, t.tempo, 0, 800, 0 }, &c);
             }
         }
         tune[at] = was;

@@ -570,13 +570,12 @@ struct list {
     int64_t at;
 };
 
-static void write_down(void *context, const struct tune_played *p, int sample)
+static void write_down(struct list *l, const struct tune_played *p)
 {
     static const char names[] = ".nso/ivptm";
-    struct list *l = context;
     const size_t n = strlen(l->text);
 
-    snprintf(l->text + n, sizeof l->text - n, "%lld%c%d ", (long long)(l->at + sample), names[p->event], p->value);
+    snprintf(l->text + n, sizeof l->text - n, "%lld%c%d ", (long long)(l->at + p->sample), names[p->event], p->value);
 }
 
 /* The events of a track in n samples. */
@@ -587,8 +586,13 @@ static const char *events(const uint8_t *tune, int track, int64_t n)
     struct tune_at c = tune_begin(&t, track);
 
     memset(&l, 0, sizeof l);
-    for (; l.at < n && c.at; l.at += 800)
-        tune_run(&t, track, &c, t.tempo, 0, 800, write_down, &l);
+    for (; l.at < n && c.at; l.at += 800) {
+        struct tune_run run = { &t, track, c, t.tempo, 0, 800, 0 };
+        struct tune_played e;
+        while (tune_next(&run, &e))
+            write_down(&l, &e);
+        c = run.at;
+    }
     return l.text;
 }
 

@@ -363,12 +363,10 @@ struct played {
     int64_t base;
 };
 
-static void note_down(void *context, const struct tune_played *p, int sample)
+static void note_down(struct played *d, const struct tune_played *p)
 {
-    struct played *d = context;
-
     if (d->n < 4000) {
-        d->e[d->n].at = d->base + sample;
+        d->e[d->n].at = d->base + p->sample;
         d->e[d->n].event = (int)p->event;
         d->e[d->n++].value = p->value;
     }
@@ -379,8 +377,13 @@ static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samp
     struct tune_at c = tune_begin(t, 0);
 
     d->n = 0;
-    for (d->base = 0; d->base < samples; d->base += piece)
-        tune_run(t, 0, &c, tempo, 0, (int)(samples - d->base < piece ? samples - d->base : piece), note_down, d);
+    for (d->base = 0; d->base < samples; d->base += piece) {
+        struct tune_run run = { t, 0, c, tempo, 0, (int)(samples - d->base < piece ? samples - d->base : piece), 0 };
+        struct tune_played e;
+        while (tune_next(&run, &e))
+            note_down(d, &e);
+        c = run.at;
+    }
 }
 
 /* A track read in frames, or in pieces of any length, is the same one, to the sample. */

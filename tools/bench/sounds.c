@@ -148,16 +148,15 @@ static double mean(const struct samples *s)
 }
 
 /* What its events do to voices. */
-static void play(void *context, int voice, const struct tune_played *p, int sample)
+static void play(struct voices *v, int voice, const struct tune_played *p)
 {
-    struct voices *v = context;
     const struct voice_note n = { rom.insts + INST_BYTES * (uint32_t)(1 + voice % 8), 0, p->value * (PITCH_ONE / 256),
                                   900, 64 };
 
     if (p->event == TUNE_NOTE)
-        voices_note(v, rom.bytes, voice, &n, sample);
+        voices_note(v, rom.bytes, voice, &n, p->sample);
     else if (p->event == TUNE_OFF)
-        voices_off(v, voice, sample);
+        voices_off(v, voice, p->sample);
     else if (p->event == TUNE_VOLUME)
         voices_set(v, voice, 900, 64);
 }
@@ -186,7 +185,10 @@ static void measure_seq(struct samples *s)
     for (int f = 0; f < ROUNDS * FRAMES; f++) {
         const double from = bench_now();
         voices_step(&band.v, rom.bytes);
-        seq_step(&q, &t, 0, play, &band.v);
+        struct seq_run run = { .s = &q, .t = &t };
+        struct tune_played e;
+        while (seq_next(&run, &e))
+            play(&band.v, run.slot - 1, &e);
         samples_add(s, bench_since(from));
     }
     free(band.block);

@@ -24,11 +24,8 @@ static void print_inst(const struct walk *w, int i)
     report_print("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
 }
 
-static void print_event(void *context, const struct tune_played *e, int sample)
+static void print_event(const struct walk *w, const struct tune_played *e)
 {
-    const struct walk *w = context;
-
-    (void)sample;
     if (w->quiet)
         return;
     report_print("%c %u ", w->track, (unsigned)w->tick);
@@ -73,7 +70,11 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
 
     for (w->tick = 0; c.at != 0; w->tick++) {
         const struct tune_at before = c;
-        tune_run(w->t, track, &c, TUNE_TICK, 0, 1, print_event, w);
+        struct tune_run run = { w->t, track, c, TUNE_TICK, 0, 1, 0 };
+        struct tune_played e;
+        while (tune_next(&run, &e))
+            print_event(w, &e);
+        c = run.at;
         /* One event that repeats leads to the same place again, with all its time left. */
         const bool back = c.at < before.at || (c.at == before.at && c.left > before.left);
         if (c.at == until || (c.at != 0 && back))

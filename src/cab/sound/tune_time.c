@@ -19,15 +19,6 @@ struct walk {
     uint32_t tempo;
 };
 
-static void take(void *context, const struct tune_played *p, int sample)
-{
-    struct walk *w = context;
-
-    (void)sample;
-    if (p->event == TUNE_TEMPO)
-        w->tempo = (uint32_t)p->value;
-}
-
 static struct walk begin(const struct tune *t, int track)
 {
     struct walk w = { t, track, tune_begin(t, track), 0, 0, t->tempo };
@@ -40,11 +31,15 @@ static struct walk begin(const struct tune *t, int track)
 static bool step(struct walk *w)
 {
     const uint32_t was = w->at.at;
+    struct tune_run run = { w->t, w->track, { was, 0 }, 1, 0, 1, 0 };
+    struct tune_played e;
 
-    if (w->at.at == 0)
+    if (was == 0)
         return false;
-    w->at.left = 0;
-    tune_run(w->t, w->track, &w->at, 1, 0, 1, take, w);
+    while (tune_next(&run, &e))
+        if (e.event == TUNE_TEMPO)
+            w->tempo = (uint32_t)e.value;
+    w->at = run.at;
     w->loops += w->at.at <= was;
     if (w->at.at != 0)
         w->units += w->at.left + 1;
