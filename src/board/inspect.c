@@ -476,8 +476,8 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
     out->motion = board_name(b, N_MOTION, (int)out->program);
     out->step = s->pc[i] + 1u;
     out->steps = b->motions.length[out->program];
-    if (s->mute[i] & STEP_BEGUN)
-        out->left = s->end[i] - b->core.clock;
+    if (s->step_flags[i] & STEP_BEGUN)
+        out->left = s->step_end[i] - b->core.clock;
 }
 
 static void describe_flying(const struct board *b, struct inspect_thing *out)
@@ -492,7 +492,7 @@ static void describe_flying(const struct board *b, struct inspect_thing *out)
     out->age = bullets_age(s, i, b->core.clock);
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
-    out->by = s->by[i];
+    out->by = s->owner_task[i];
     out->player = s->player[i];
     describe_motion(b, s, i, out);
 }
@@ -507,7 +507,7 @@ static void describe_laser(const struct board *b, struct inspect_thing *out)
     out->age = lasers_age(b, i);
     out->speed = s->speed[i];
     out->dir = trig_to_degrees(s->dir[i]);
-    out->by = s->by[i];
+    out->by = s->owner_task[i];
     out->player = s->player[i];
     describe_motion(b, s, i, out);
 }
@@ -520,7 +520,7 @@ static void describe_enemy(const struct board *b, struct inspect_thing *out)
     out->name = board_name(b, N_ENEMY, e->kind[i]);
     out->tag = e->tag[i] ? board_name(b, N_TAG, e->tag[i]) : NULL;
     out->age = b->core.clock - e->born[i];
-    out->by = e->by[i];
+    out->by = e->owner_task[i];
     out->hp = e->hp[i];
     out->safe = e->safe[i];
 }

@@ -37,15 +37,15 @@ static const struct column columns[] = {
     COLUMN(bullets, tag),
     COLUMN(bullets, flags),
     COLUMN(bullets, born),
-    COLUMN(bullets, by),
+    COLUMN(bullets, owner_task),
     COLUMN(bullets, player),
     COLUMN(bullets, motion),
     COLUMN(bullets, pc),
-    COLUMN(bullets, end),
-    COLUMN(bullets, from),
-    COLUMN(bullets, mute), /* flags of the step at pc, see bullets.h */
-    COLUMN(bullets, pace),
-    COLUMN(bullets, way),
+    COLUMN(bullets, step_end),
+    COLUMN(bullets, step_start),
+    COLUMN(bullets, step_flags), /* flags of the step at pc, see bullets.h */
+    COLUMN(bullets, speed_q32),
+    COLUMN(bullets, travel_q32),
     COLUMN(bullets, x_more),
     COLUMN(bullets, y_more),
     COLUMNS(bullets, rounds, MOTION_DEPTH),
@@ -53,7 +53,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(bullets, value4, GROUP_VALUE + 3),
-    GROUP_COLUMN(bullets, around, GROUP_AROUND),
+    GROUP_COLUMN(bullets, orbit_target, GROUP_AROUND),
     GROUP_COLUMN(bullets, begun1, GROUP_VALUE + 0),
     GROUP_COLUMN(bullets, begun2, GROUP_VALUE + 1),
     GROUP_COLUMN(bullets, begun3, GROUP_VALUE + 2),
@@ -65,9 +65,9 @@ static const struct column columns[] = {
     GROUP_COLUMN(bullets, kept_vy, GROUP_FROZEN),
     GROUP_COLUMN(bullets, pierce, GROUP_PIERCE),
     GROUP_COLUMNS(bullets, pierced, PIERCED, GROUP_PIERCE),
-    GROUP_COLUMNS(bullets, again, PIERCED, GROUP_PIERCE),
-    DERIVED_BLOCKS(bullets, busy, 1, "computed from motion, pc, mute and flags"),
-    DERIVED_BLOCKS(bullets, idle, 1, "computed from motion, pc, mute and flags"),
+    GROUP_COLUMNS(bullets, rehit_clock, PIERCED, GROUP_PIERCE),
+    DERIVED_BLOCKS(bullets, busy, 1, "computed from motion, pc, step_flags and flags"),
+    DERIVED_BLOCKS(bullets, idle, 1, "computed from motion, pc, step_flags and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hit tests read it"),
     DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hit tests read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "empty between frames"),
@@ -80,7 +80,7 @@ static const struct column columns[] = {
     GROUP_DERIVED(bullets, next, GROUP_MEET, "rewritten in every frame before hit tests read it"),
     GROUP_BLOCKS(bullets, met, GROUP_MEET, "rewritten in every frame before hit tests read it"),
     GROUP_BLOCKS(bullets, taken, GROUP_MEET, "rewritten in every frame before hit tests read it"),
-    DERIVED(bullets, due, "the low byte of `end`, only for idle bullets"),
+    DERIVED(bullets, due, "the low byte of `step_end`, only for idle bullets"),
     DERIVED_REGISTERS(bullets, value_start, "set only while scripts load, like names"),
     DERIVED_REGISTER(bullets, fastest, "an upper bound for the broad phase; the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, standing, "the number of standing bullets, counted from the column `stands`"),
@@ -116,10 +116,10 @@ static void open_block(struct bullets *b, uint32_t first)
         park(b, i);
 }
 
-/* Bullet i does nothing until the clock is `end`. */
+/* Bullet i does nothing until the clock is `step_end`. */
 static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
 {
-    b->end[i] = end;
+    b->step_end[i] = end;
     b->due[i] = (uint8_t)end;
     b->idle[i / SLOTS_BLOCK] |= bullets_bit(i);
 }
@@ -134,7 +134,7 @@ bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_
     while (k < PIERCED - 1 && known[k] && known[k] != thing)
         k++;
     known[k] = thing;
-    b->again[(size_t)i * PIERCED + (size_t)k] = every == PIERCE_FOREVER ? UINT32_MAX : clock + (uint32_t)every;
+    b->rehit_clock[(size_t)i * PIERCED + (size_t)k] = every == PIERCE_FOREVER ? UINT32_MAX : clock + (uint32_t)every;
     b->pierce[i] -= b->pierce[i] > 0;
     return true;
 }
@@ -160,9 +160,9 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     b->tag[i] = shape->tag;
     b->flags[i] = shape->delay ? BULLET_DELAYED : 0;
     b->born[i] = clock;
-    b->by[i] = shape->by;
+    b->owner_task[i] = shape->by;
     b->player[i] = shape->player;
-    b->pace[i] = b->way[i] = 0;
+    b->speed_q32[i] = b->travel_q32[i] = 0;
     b->x_more[i] = b->y_more[i] = 0;
     for (int k = 0; k < MAX_VALUES && bullets_value(b, k); k++) {
         bullets_value(b, k)[i] = b->value_start[k];
@@ -173,12 +173,12 @@ int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32
     if (b->pierce) {
         b->pierce[i] = shape->pierce;
         memset(b->pierced + (size_t)i * PIERCED, 0, PIERCED * sizeof *b->pierced);
-        memset(b->again + (size_t)i * PIERCED, 0, PIERCED * sizeof *b->again);
+        memset(b->rehit_clock + (size_t)i * PIERCED, 0, PIERCED * sizeof *b->rehit_clock);
     }
     if (b->frozen)
         b->frozen[i] = b->kept_vx[i] = b->kept_vy[i] = b->stands[i] = 0;
-    if (b->around)
-        b->around[i] = shape->around;
+    if (b->orbit_target)
+        b->orbit_target[i] = shape->around;
     bullets_program(b, (uint32_t)i, shape->motion, shape->fine);
     if (shape->delay)
         wait_until(b, (uint32_t)i, clock + shape->delay);
@@ -226,14 +226,14 @@ void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy)
 
 int64_t bullets_speed(const struct bullets *b, uint32_t i)
 {
-    return b->flags[i] & BULLET_FINE ? b->pace[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
+    return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
 }
 
 void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
 {
     b->speed[i] = bullets_pace_fx(speed);
     if (b->flags[i] & BULLET_FINE)
-        b->pace[i] = speed;
+        b->speed_q32[i] = speed;
     bullets_steer(b, i);
 }
 
@@ -242,7 +242,7 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
     fx x = (bullets_stands(b, i) ? b->kept_vx : b->vx)[i], y = (bullets_stands(b, i) ? b->kept_vy : b->vy)[i];
 
     if (b->flags[i] & BULLET_FINE) {
-        trig_stride(0, b->pace[i], b->dir[i], vx, vy);
+        trig_stride(0, b->speed_q32[i], b->dir[i], vx, vy);
         return;
     }
     if (b->flags[i] & BULLET_DELAYED) /* as it will fly */
@@ -310,22 +310,22 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
 {
     if (fine && !(b->flags[i] & BULLET_FINE)) {
-        b->pace[i] = bullets_speed(b, i);
+        b->speed_q32[i] = bullets_speed(b, i);
         b->flags[i] |= BULLET_FINE;
-        b->way[i] = 0;
+        b->travel_q32[i] = 0;
     } else if (!fine && b->flags[i] & BULLET_FINE) {
         b->flags[i] &= (uint8_t)~BULLET_FINE;
-        b->pace[i] = b->way[i] = 0;
+        b->speed_q32[i] = b->travel_q32[i] = 0;
         b->x_more[i] = b->y_more[i] = 0;
         bullets_steer(b, i);
     } else if (!fine)
-        b->pace[i] = b->way[i] = 0;
+        b->speed_q32[i] = b->travel_q32[i] = 0;
     b->motion[i] = motion;
     b->pc[i] = 0;
-    b->from[i] = 0;
-    b->mute[i] = 0;
+    b->step_start[i] = 0;
+    b->step_flags[i] = 0;
     if (!(b->flags[i] & BULLET_DELAYED)) { /* else it begins when that is over */
-        b->end[i] = 0;
+        b->step_end[i] = 0;
         bullets_set_busy(b, i, (motion || fine) && !bullets_stands(b, i));
     }
     memset(&b->rounds[i * MOTION_DEPTH], 0, MOTION_DEPTH * sizeof *b->rounds);
@@ -352,7 +352,7 @@ static void resume(struct bullets *b, uint32_t i)
     bullets_store_velocity(b, i, b->kept_vx[i], b->kept_vy[i]);
     b->kept_vx[i] = b->kept_vy[i] = 0;
     if (b->flags[i] & BULLET_DELAYED)
-        wait_until(b, i, b->end[i]);
+        wait_until(b, i, b->step_end[i]);
     else
         bullets_set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
 }
@@ -403,12 +403,12 @@ static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict m
     }
 }
 
-/* When it bounced stands in `pace`. */
+/* When it bounced stands in `speed_q32`. */
 static void stay_bounced(struct bullets *b, uint32_t first)
 {
     for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)
-        if (b->stands[i] & STOOD && b->pace[i] && !(b->flags[i] & BULLET_FINE))
-            b->pace[i]++;
+        if (b->stands[i] & STOOD && b->speed_q32[i] && !(b->flags[i] & BULLET_FINE))
+            b->speed_q32[i]++;
 }
 
 static bool any_paces(const int64_t *restrict pace)
@@ -425,8 +425,8 @@ void bullets_stay(struct bullets *b)
     for (uint32_t i = 0; b->standing && i < b->s.top; i += SLOTS_BLOCK) {
         if (!any_stands(b->stands + i))
             continue;
-        stay_block(b->stands + i, b->mute + i, b->flags + i, b->born + i, b->end + i);
-        if (any_paces(b->pace + i))
+        stay_block(b->stands + i, b->step_flags + i, b->flags + i, b->born + i, b->step_end + i);
+        if (any_paces(b->speed_q32 + i))
             stay_bounced(b, i);
     }
 }

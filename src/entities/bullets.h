@@ -35,9 +35,9 @@ enum {
 
     BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
-    BULLET_DELAYED = 1 << 3, /* still and harmless until the clock is `end`; its program begins then */
+    BULLET_DELAYED = 1 << 3, /* still and harmless until the clock is `step_end`; its program begins then */
 
-    /* in the column `mute` */
+    /* in the column `step_flags` */
     OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
     OVERRIDE_SPEED = 1 << 1,
     OVERRIDE_PLACE = 1 << 2, /* the place, while this step leads it */
@@ -85,41 +85,41 @@ struct bullets {
     uint8_t *bank;
     uint16_t *tag; /* 0: none */
     uint8_t *flags;
-    uint32_t *born;   /* clock of its first move; of a delayed one, at which it was fired */
-    uint32_t *by;     /* serial of the task that fired it, 0: none */
-    uint8_t *player;  /* of a shot: 1 or 2, 0: none */
-    uint16_t *motion; /* program + 1, 0: none */
-    uint16_t *pc;     /* the step it is at */
-    uint32_t *end;    /* clock at which a timed step, or the delay, is over */
-    int64_t *from;    /* speed when the step began, as pace; of steps that lead or await, the place: x << 32 | y */
-    uint8_t *mute;    /* of the step at pc: OVERRIDE_, STEP_BEGUN */
-    uint16_t *rounds; /* MOTION_DEPTH a bullet: rounds left of each open loop */
-    int64_t *pace;    /* of a fine bullet: its speed in Q32, `speed` being the nearest fx; else the clock after the last
-                    * bounce, or after the step `bounce` began, 0: there was none */
-    int64_t *way; /* of a fine bullet: how far it flew in Q32 since it became one, -2^47 .. 2^47 - 1 and round again */
+    uint32_t *born;       /* clock of its first move; of a delayed one, at which it was fired */
+    uint32_t *owner_task; /* serial of the task that fired it, 0: none */
+    uint8_t *player;      /* of a shot: 1 or 2, 0: none */
+    uint16_t *motion;     /* program + 1, 0: none */
+    uint16_t *pc;         /* the step it is at */
+    uint32_t *step_end;   /* clock at which a timed step, or the delay, is over */
+    int64_t *step_start;  /* speed_q32 when the step began; of steps that lead or await, the place: x << 32 | y */
+    uint8_t *step_flags;  /* of the step at pc: OVERRIDE_, STEP_BEGUN */
+    uint16_t *rounds;     /* MOTION_DEPTH a bullet: rounds left of each open loop */
+    int64_t *speed_q32;   /* of a fine bullet, `speed` being the nearest fx; of another the clock after its last bounce,
+                           * or after the step `bounce` began, 0: there was none */
+    int64_t *travel_q32;  /* of a fine bullet: how far it flew since it became one, modulo 2^48, from -2^47 on */
     int16_t *x_more, *y_more;
     fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
     fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
-    int64_t *around;                       /* the thing that orbits go round, 0: none; the board gives it a meaning */
+    int64_t *orbit_target;                 /* the thing that orbits go round, 0: none; the board gives it a meaning */
     fx value_start[MAX_VALUES];            /* what the values are in a new bullet */
     int32_t *hp;                           /* 0: shots pass it; HP_FOREVER; NULL: not asked for */
     int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
     uint8_t *stands;       /* STANDS, STOOD */
     fx *kept_vx, *kept_vy; /* vx, vy of one that stands, which are 0 meanwhile */
 
-    int32_t *pierce;  /* of a shot: hits left that do not use it up, or PIERCE_FOREVER; NULL, with the next two:
+    int32_t *pierce;       /* of a shot: hits left that do not use it up, or PIERCE_FOREVER; NULL, with the next two:
                             * not asked for */
-    int64_t *pierced; /* PIERCED a shot: the things it hit, 0: none */
-    uint32_t *again;  /* the clock at which it can hit each again, UINT32_MAX: never */
+    int64_t *pierced;      /* PIERCED a shot: the things it hit, 0: none */
+    uint32_t *rehit_clock; /* the clock at which it can hit each again, UINT32_MAX: never */
 
     /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
-    uint64_t *idle;    /* its program does nothing until the clock is `end` */
+    uint64_t *idle;    /* its program does nothing until the clock is `step_end` */
     uint64_t *near;    /* PADS words: may be near that player; after hit_bullets, hit or graze that player */
     uint64_t *grazes;  /* PADS words, of hit_bullets: those of near that only graze */
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
-    uint8_t *due;      /* of an idle bullet: the low byte of `end` */
+    uint8_t *due;      /* of an idle bullet: the low byte of `step_end` */
 
     /* The pairs of tags whose bullets meet; used, and there, where the game asks for it. */
     uint32_t meets;                                         /* how many */
@@ -158,8 +158,8 @@ struct motion_world {
     struct targets targets;
     uint32_t clock;
     bool shots; /* they run the programs: names of values are theirs */
-    /* Where the thing is that `around` means, or where it was in the frame before; false: it is not there. The slots of
-     * the pool that moves now have done so below `moved`; what is of that pool is always where it was. */
+    /* Where an orbit's target is, or where it was in the frame before; false: it is not there. The slots of the pool
+     * that moves now have done so below `moved`; what is of that pool is always where it was. */
     bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
     const void *context; /* of where and emit */
     struct box field;    /* its edges are walls */

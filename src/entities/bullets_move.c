@@ -46,9 +46,9 @@ static void prefetch(const struct bullets *b, uint32_t i)
 {
     slots_prefetch(&b->motion[i]);
     slots_prefetch(&b->pc[i]);
-    slots_prefetch(&b->mute[i]);
-    slots_prefetch(&b->end[i]);
-    slots_prefetch(&b->from[i]);
+    slots_prefetch(&b->step_flags[i]);
+    slots_prefetch(&b->step_end[i]);
+    slots_prefetch(&b->step_start[i]);
     slots_prefetch(&b->rounds[i * MOTION_DEPTH]);
     slots_prefetch(&b->dir[i]);
     slots_prefetch(&b->speed[i]);
@@ -77,7 +77,7 @@ struct course {
     uint32_t motion, pc; /* those of the bullets it is for, and */
     unsigned mute;
     bool fine;
-    bool is, timed;    /* there is one; it is a step's, which ends at `end` */
+    bool is, timed;    /* there is one; it is a step's, which ends at `step_end` */
     bool never;        /* nobody at this step has one */
     uint32_t st, does; /* the step, and of DOES_DRIVE what it does and is not muted */
     bool steers;       /* even if that is muted */
@@ -120,7 +120,7 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
 
     c->motion = b->motion[i];
     c->pc = b->pc[i];
-    c->mute = b->mute[i];
+    c->mute = b->step_flags[i];
     c->fine = b->flags[i] & BULLET_FINE;
     c->does = 0;
     c->steers = c->never = false;
@@ -144,7 +144,7 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
 
 static inline bool on_course(const struct bullets *b, const struct course *c, uint32_t i)
 {
-    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->mute[i] == c->mute &&
+    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->mute &&
            !(b->flags[i] & BULLET_FINE) == !c->fine;
 }
 
@@ -189,8 +189,8 @@ __attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, con
 {
     uint8_t out[SLOTS_BLOCK];
 
-    course_block(b->motion + first, b->pc + first, b->mute + first, b->flags + first, c, out);
-    return slots_gather(out) & (c->timed ? ~ends_block(b->end + first, w->clock) : UINT64_MAX);
+    course_block(b->motion + first, b->pc + first, b->step_flags + first, b->flags + first, c, out);
+    return slots_gather(out) & (c->timed ? ~ends_block(b->step_end + first, w->clock) : UINT64_MAX);
 }
 
 /* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
@@ -204,7 +204,7 @@ static uint64_t alike(const struct bullets *b, const struct motion_world *w, str
         return 0;
     if (!on_course(b, c, i))
         take_course(c, b, w, i);
-    if (!c->is || (c->timed && b->end[i] == w->clock))
+    if (!c->is || (c->timed && b->step_end[i] == w->clock))
         return 0;
     if (!has_company(b, c, first, of & (of - 1), *few)) {
         *few = 1;
@@ -297,19 +297,19 @@ static void speed_some(struct bullets *b, const struct motion_world *w, const st
 
     for (int k = 0; k < s->n; k++) {
         const uint32_t i = nth(s, k);
-        int64_t v = c->fine ? b->pace[i] : b->speed[i];
+        int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
         if (c->does & DOES_SPEED) {
-            const int64_t began = b->from[i] >> shift;
-            if (b->end[i] != end || began != from) {
+            const int64_t began = b->step_start[i] >> shift;
+            if (b->step_end[i] != end || began != from) {
                 from = began;
-                end = b->end[i];
+                end = b->step_end[i];
                 reached = motion_part_way(from, goal, over - (end - w->clock) + 1, over);
             }
             v = reached;
         }
         v = int64_clamp(c->does & DOES_ACCEL ? v + accel : v, -most, most);
         if (c->fine)
-            b->pace[i] = v;
+            b->speed_q32[i] = v;
         b->speed[i] = c->fine ? bullets_pace_fx(v) : (fx)v;
     }
 }
@@ -320,8 +320,8 @@ static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
     int64_t from[SLOTS_BLOCK], to[SLOTS_BLOCK], dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
 
     for (int k = 0; k < s->n; k++) {
-        from[k] = b->way[nth(s, k)];
-        to[k] = from[k] + b->pace[nth(s, k)];
+        from[k] = b->travel_q32[nth(s, k)];
+        to[k] = from[k] + b->speed_q32[nth(s, k)];
     }
     trig_strides(from, to, dir, dx, dy, s->n);
     for (int k = 0; k < s->n; k++)
@@ -393,7 +393,7 @@ static void keep_alone(struct bullets *b, const struct motion_world *w, const st
     const uint32_t n = w->steps->over[c->st];
 
     b->ran++;
-    if (bullets_turn_and_speed(b, w, i, c->mute, c->st, n - (b->end[i] - w->clock) + 1, n))
+    if (bullets_turn_and_speed(b, w, i, c->mute, c->st, n - (b->step_end[i] - w->clock) + 1, n))
         later->slot[later->n++] = i;
 }
 

@@ -142,17 +142,17 @@ static inline __attribute__((always_inline)) bool bullets_turn_and_speed(struct 
     const int shift = fine ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
     int64_t v = bullets_speed(b, i) >> shift;
     if (does & DOES_SPEED)
-        v = motion_part_way(b->from[i] >> shift, s->speed[st] >> shift, k, n);
+        v = motion_part_way(b->step_start[i] >> shift, s->speed[st] >> shift, k, n);
     if (does & DOES_ACCEL)
         v += s->accel[st] >> shift;
     v = bullets_clamp_pace(v * ((int64_t)1 << shift));
     b->speed[i] = bullets_pace_fx(v);
     if (fine)
-        b->pace[i] = v;
+        b->speed_q32[i] = v;
     return true;
 }
 
-/* Moves a fine bullet on to `way`, that far. vx, vy become what that is in whole units. */
+/* Moves a fine bullet on to `travel_q32`, that far. vx, vy become what that is in whole units. */
 static inline void bullets_fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64_t dy)
 {
     int64_t x, y;
@@ -160,16 +160,16 @@ static inline void bullets_fly_by(struct bullets *b, uint32_t i, int64_t way, in
     bullets_place(b, i, &x, &y);
     const fx nx = bullets_split(x + dx, &b->x_more[i]), ny = bullets_split(y + dy, &b->y_more[i]);
     bullets_store_velocity(b, i, nx - b->x[i], ny - b->y[i]);
-    b->way[i] = (int64_t)((uint64_t)way << 16) >> 16;
+    b->travel_q32[i] = (int64_t)((uint64_t)way << 16) >> 16;
 }
 
 /* Moves a fine bullet on by its pace. */
 static inline void bullets_fly(struct bullets *b, uint32_t i)
 {
-    const int64_t to = b->way[i] + b->pace[i];
+    const int64_t to = b->travel_q32[i] + b->speed_q32[i];
     int64_t dx, dy;
 
-    trig_stride(b->way[i], to, b->dir[i], &dx, &dy);
+    trig_stride(b->travel_q32[i], to, b->dir[i], &dx, &dy);
     bullets_fly_by(b, i, to, dx, dy);
 }
 
@@ -178,7 +178,7 @@ enum program_state {
     PROGRAM_NEXT,  /* the next step follows in this frame */
     PROGRAM_OVER,  /* it is over, or the bullet gone */
     PROGRAM_RUNS,  /* it runs in the next frame too */
-    PROGRAM_WAITS, /* it does nothing until the clock is `end` */
+    PROGRAM_WAITS, /* it does nothing until the clock is `step_end` */
 };
 
 /* Runs the program of bullet i, and moves it if it is fine. */
@@ -190,14 +190,14 @@ void bullets_stand(struct bullets *b);
 /* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
 static inline bool bullets_wait_over(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
-    if (b->end[i] != w->clock)
+    if (b->step_end[i] != w->clock)
         return false;
     if (b->flags[i] & BULLET_DELAYED) {
         b->flags[i] &= (uint8_t)~BULLET_DELAYED;
         if (w->kinds)
             bullets_change_kind(b, i, bullets_kind(b, w->kinds, i));
         b->born[i] = w->clock;
-        b->end[i] = 0;
+        b->step_end[i] = 0;
         bullets_steer(b, i);
     }
     return true;

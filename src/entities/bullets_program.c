@@ -124,26 +124,28 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
 
 /* ---- steps that lead a bullet ---- */
 
-/* While a step leads a bullet, `from` and `way`, which its drive and fine motion would use, keep what it found. */
+/* While a step leads a bullet, `step_start` and `travel_q32`, which its drive and fine motion would use, keep what it
+ * found. */
 static void keep_lead(struct bullets *b, uint32_t i, const struct motion_lead *l)
 {
-    b->from[i] = (int64_t)((uint64_t)(uint32_t)l->x << 32 | (uint32_t)l->y);
-    b->way[i] = (int64_t)((uint64_t)(uint32_t)l->radius << 32 | l->angle);
+    b->step_start[i] = (int64_t)((uint64_t)(uint32_t)l->x << 32 | (uint32_t)l->y);
+    b->travel_q32[i] = (int64_t)((uint64_t)(uint32_t)l->radius << 32 | l->angle);
 }
 
 static struct motion_lead kept_lead(const struct bullets *b, uint32_t i)
 {
-    return (struct motion_lead){ .x = (fx)(b->from[i] >> 32),
-                                 .y = (fx)b->from[i],
-                                 .radius = (fx)(b->way[i] >> 32),
-                                 .angle = (ang)b->way[i],
+    return (struct motion_lead){ .x = (fx)(b->step_start[i] >> 32),
+                                 .y = (fx)b->step_start[i],
+                                 .radius = (fx)(b->travel_q32[i] >> 32),
+                                 .angle = (ang)b->travel_q32[i],
                                  .speed = b->speed[i] };
 }
 
 /* Where the thing is, or was a frame before, that bullet i is to go round; false: it is not there. */
 static bool around(const struct bullets *b, const struct motion_world *w, uint32_t i, bool before, fx *x, fx *y)
 {
-    return b->around && b->around[i] && w->where(w, b->around[i], i / SLOTS_BLOCK * SLOTS_BLOCK, before, x, y);
+    return b->orbit_target && b->orbit_target[i] &&
+           w->where(w, b->orbit_target[i], i / SLOTS_BLOCK * SLOTS_BLOCK, before, x, y);
 }
 
 /* The frames that go_to takes at its speed, rounded up. */
@@ -158,7 +160,7 @@ static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
 /* The frames that a step which has begun leads bullet i. */
 static uint32_t frames_led(const struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
 {
-    return s->how[st] & HOW_SPEED ? (uint32_t)(b->way[i] >> 32) : s->over[st];
+    return s->how[st] & HOW_SPEED ? (uint32_t)(b->travel_q32[i] >> 32) : s->over[st];
 }
 
 /* Begins to lead bullet i; returns for how many frames, 0: there is nothing to go round. */
@@ -226,16 +228,16 @@ static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i,
 {
     if (mute & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_PLACE))
         return true;
-    if (lead(b, w, i, st, n - (b->end[i] - w->clock) + 1, n))
+    if (lead(b, w, i, st, n - (b->step_end[i] - w->clock) + 1, n))
         return true;
-    b->way[i] = 0;
+    b->travel_q32[i] = 0;
     return false;
 }
 
 /* What a step has led is let go. It flies on as it did in the last frame; a wave along its way. */
 static void let_go(struct bullets *b, uint32_t i, uint32_t does)
 {
-    b->way[i] = 0;
+    b->travel_q32[i] = 0;
     if (does & DOES_WAVE)
         bullets_steer(b, i);
 }
@@ -261,8 +263,8 @@ static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool 
     }
 }
 
-/* Turns bullet i back where this frame's move would lead it out. It ends the frame at the reflected place; `way` keeps
- * the velocity that it has then, till the next frame. */
+/* Turns bullet i back where this frame's move would lead it out. It ends the frame at the reflected place; `travel_q32`
+ * keeps the velocity that it has then, till the next frame. */
 static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned walls)
 {
     int64_t x = (int64_t)b->x[i] + b->vx[i], y = (int64_t)b->y[i] + b->vy[i];
@@ -276,7 +278,7 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
         b->dir[i] = 0x80000000u - b->dir[i];
     if (vy != b->vy[i])
         b->dir[i] = 0u - b->dir[i];
-    b->way[i] = (int64_t)((uint64_t)(uint32_t)vx << 32 | (uint32_t)vy);
+    b->travel_q32[i] = (int64_t)((uint64_t)(uint32_t)vx << 32 | (uint32_t)vy);
     bullets_store_velocity(b, i, (fx)(x - b->x[i]), (fx)(y - b->y[i]));
 }
 
@@ -284,22 +286,22 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
 static void bounced(struct bullets *b, uint32_t i, unsigned mute)
 {
     if (!(mute & (OVERRIDE_DIR | OVERRIDE_SPEED)))
-        bullets_store_velocity(b, i, (fx)(b->way[i] >> 32), (fx)b->way[i]);
-    b->way[i] = 0;
+        bullets_store_velocity(b, i, (fx)(b->travel_q32[i] >> 32), (fx)b->travel_q32[i]);
+    b->travel_q32[i] = 0;
 }
 
-/* A frame of bullet i on its way to a wall, since the clock before `pace`. Returns the step that it goes on with in
- * this frame; pc: none. */
+/* A frame of bullet i on its way to a wall, since the clock before `speed_q32`. Returns the step that it goes on with
+ * in this frame; pc: none. */
 static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t pc)
 {
     const struct steps *s = w->steps;
     const uint32_t st = w->motions->first[b->motion[i] - 1u] + pc;
 
-    if (b->way[i]) {
+    if (b->travel_q32[i]) {
         bounced(b, i, mute);
         return pc + 1;
     }
-    if (w->clock + 1 - (uint32_t)b->pace[i] >= s->over[st])
+    if (w->clock + 1 - (uint32_t)b->speed_q32[i] >= s->over[st])
         return s->jump[st];
     bounce(b, &w->field, i, s->how[st]);
     return pc;
@@ -320,9 +322,9 @@ static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i
 
     switch (s->how[st]) {
     case HOW_X:
-        return crossed((fx)(b->from[i] >> 32), b->x[i], s->x[st]);
+        return crossed((fx)(b->step_start[i] >> 32), b->x[i], s->x[st]);
     case HOW_Y:
-        return crossed((fx)b->from[i], b->y[i], s->y[st]);
+        return crossed((fx)b->step_start[i], b->y[i], s->y[st]);
     case HOW_NEAR: {
         const int32_t t = targets_nearest(&w->targets, b->x[i], b->y[i]);
         b->ran += bullets_target_steps(&w->targets);
@@ -336,14 +338,14 @@ static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i
 
 void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i, uint16_t tag)
 {
-    if (!b->motion[i] || !(b->mute[i] & STEP_BEGUN))
+    if (!b->motion[i] || !(b->step_flags[i] & STEP_BEGUN))
         return;
     const uint32_t st = w->motions->first[b->motion[i] - 1u] + b->pc[i];
     if (!(w->steps->does[st] & DOES_AWAIT) || w->steps->how[st] != HOW_SIGNAL)
         return;
     if (tag && w->steps->count[st] != tag)
         return;
-    b->mute[i] |= STEP_SIGNALLED;
+    b->step_flags[i] |= STEP_SIGNALLED;
     if (!bullets_stands(b, i))
         bullets_set_busy(b, i, true);
 }
@@ -362,7 +364,7 @@ static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32
     return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-/* Where a bullet's program is while it runs: `pc` and `mute`, kept when it waits for the next frame. */
+/* Where a bullet's program is while it runs: `pc` and `step_flags`, kept when it waits for the next frame. */
 struct run {
     uint32_t pc;
     unsigned mute;
@@ -371,7 +373,7 @@ struct run {
 static void keep_run(struct bullets *b, uint32_t i, const struct run *r)
 {
     b->pc[i] = (uint16_t)r->pc;
-    b->mute[i] = (uint8_t)r->mute;
+    b->step_flags[i] = (uint8_t)r->mute;
 }
 
 static enum program_state step_over(struct run *r)
@@ -390,7 +392,7 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
     if (does & (DOES_LOOP | DOES_NEXT)) {
         r->pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r->pc);
         if (does & DOES_BOUNCE)
-            b->pace[i] = (int64_t)w->clock + 1;
+            b->speed_q32[i] = (int64_t)w->clock + 1;
         return PROGRAM_NEXT;
     }
     if (does & DOES_EMIT) {
@@ -412,12 +414,12 @@ static inline uint32_t begin_step(struct bullets *b, const struct motion_world *
 {
     uint32_t n = w->steps->over[st];
 
-    b->from[i] = bullets_speed(b, i);
+    b->step_start[i] = bullets_speed(b, i);
     if (does & DOES_LEAD)
         n = begin_lead(b, w, i, st);
     else if (does & DOES_AWAIT)
-        b->from[i] = (int64_t)((uint64_t)(uint32_t)b->x[i] << 32 | (uint32_t)b->y[i]);
-    b->end[i] = w->clock + n;
+        b->step_start[i] = (int64_t)((uint64_t)(uint32_t)b->x[i] << 32 | (uint32_t)b->y[i]);
+    b->step_end[i] = w->clock + n;
     if (does & (DOES_KIND | DOES_BANK))
         restyle(b, w, i, st);
     return n;
@@ -437,16 +439,16 @@ do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st
         bullets_drop(b, i);
         return PROGRAM_OVER;
     }
-    if (n && b->end[i] != w->clock) {
+    if (n && b->step_end[i] != w->clock) {
         r->mute |= STEP_BEGUN;
         keep_run(b, i, r);
         if (does & DOES_DRIVE)
-            drive(b, w, i, r->mute, st, n - (b->end[i] - w->clock) + 1, n);
+            drive(b, w, i, r->mute, st, n - (b->step_end[i] - w->clock) + 1, n);
         else if (does & (DOES_LEAD | DOES_AWAIT)) {
             if (does & DOES_LEAD ? !lead_on(b, w, i, r->mute, st, n) : has_come(b, w, i, r->mute, st))
                 return step_over(r);
         }
-        b->due[i] = (uint8_t)b->end[i];
+        b->due[i] = (uint8_t)b->step_end[i];
         const bool acts = does & (DOES_DRIVE | DOES_LEAD) || (does & DOES_AWAIT && w->steps->how[st] != HOW_SIGNAL);
         return acts || b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_WAITS;
     }
@@ -479,7 +481,7 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
                    length = w->motions->length[program];
     const bool fine = b->flags[i] & BULLET_FINE;
-    struct run r = { b->pc[i], b->mute[i] };
+    struct run r = { b->pc[i], b->step_flags[i] };
 
     while (r.pc < length) {
         const uint32_t st = first + r.pc;

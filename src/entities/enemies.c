@@ -22,7 +22,7 @@ static const struct column columns[] = {
     COLUMN(enemies, tag),
     COLUMN(enemies, safe),
     COLUMN(enemies, born),
-    COLUMN(enemies, by),
+    COLUMN(enemies, owner_task),
     COLUMN(enemies, owner),
     COLUMN(enemies, flags),
     COLUMN(enemies, x0),
@@ -103,7 +103,7 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
     e->tag[i] = 0;
     e->safe[i] = 0;
     e->born[i] = clock;
-    e->by[i] = 0;
+    e->owner_task[i] = 0;
     e->owner[i] = 0;
     e->flags[i] = 0;
     e->made[i] = 0;

@@ -69,7 +69,7 @@ struct enemies {
     uint16_t *tag;
     int32_t *safe;  /* frames it takes no damage, or SAFE_FOREVER */
     uint32_t *born; /* clock */
-    uint32_t *by;
+    uint32_t *owner_task;
     int64_t *owner; /* it goes when that one ends, 0: none; the board gives it a meaning */
     uint8_t *flags;
     fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */

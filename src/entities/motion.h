@@ -101,9 +101,9 @@ enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
 
 /* In `how`. */
 enum {
-    HOW_EASE = 3,       /* enum ease */
-    HOW_AT = 1 << 2,    /* round (x, y); else polar goes round where it began, orbit round the bullet's `around` */
-    HOW_TO = 1 << 3,    /* an orbit's radius goes to size_to */
+    HOW_EASE = 3,    /* enum ease */
+    HOW_AT = 1 << 2, /* round (x, y); else polar goes round where it began, orbit round the bullet's `orbit_target` */
+    HOW_TO = 1 << 3, /* an orbit's radius goes to size_to */
     HOW_SPEED = 1 << 4, /* go_to flies at `speed`, for as many frames as that takes */
     HOW_BY = 1 << 5,    /* of go_to: (x, y) counts from where the bullet was when the step began */
     HOW_LEFT = 1 << 0,  /* of DOES_BOUNCE: the edges of the field that are walls */

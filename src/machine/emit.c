@@ -86,7 +86,9 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
 {
     const struct board *b = w->context;
     struct emissions *q = &b->output->emissions;
-    struct emission m = { .dir = s->dir[i], .step = st, .by = s->by[i], .player = s->player[i], .shot = w->shots };
+    struct emission m = {
+        .dir = s->dir[i], .step = st, .by = s->owner_task[i], .player = s->player[i], .shot = w->shots
+    };
     struct motion_emit e;
 
     bullets_place(s, i, &m.x, &m.y);

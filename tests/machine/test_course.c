@@ -90,8 +90,8 @@ static void disturb(struct bullets *a, struct bullets *b)
 {
     EACH_LIVE (i, &a->s) {
         const uint8_t mute = below(12) ? 0 : (uint8_t)below(4);
-        if (a->mute[i] & STEP_BEGUN)
-            a->mute[i] |= mute, b->mute[i] |= mute;
+        if (a->step_flags[i] & STEP_BEGUN)
+            a->step_flags[i] |= mute, b->step_flags[i] |= mute;
         if (below(30) == 0)
             a->dir[i] = b->dir[i] = (ang)rng_next(&rng);
     }
@@ -152,10 +152,10 @@ static void compare(const struct bullets *a, const struct bullets *b, uint32_t c
     EACH_LIVE (i, &a->s) {
         const bool same = a->x[i] == b->x[i] && a->y[i] == b->y[i] && a->vx[i] == b->vx[i] && a->vy[i] == b->vy[i] &&
                           a->dir[i] == b->dir[i] && a->speed[i] == b->speed[i] && a->bank[i] == b->bank[i] &&
-                          a->motion[i] == b->motion[i] && a->pc[i] == b->pc[i] && a->end[i] == b->end[i] &&
-                          a->from[i] == b->from[i] && a->mute[i] == b->mute[i] && a->pace[i] == b->pace[i] &&
-                          a->way[i] == b->way[i] && a->x_more[i] == b->x_more[i] && a->flags[i] == b->flags[i] &&
-                          a->y_more[i] == b->y_more[i];
+                          a->motion[i] == b->motion[i] && a->pc[i] == b->pc[i] && a->step_end[i] == b->step_end[i] &&
+                          a->step_start[i] == b->step_start[i] && a->step_flags[i] == b->step_flags[i] &&
+                          a->speed_q32[i] == b->speed_q32[i] && a->travel_q32[i] == b->travel_q32[i] &&
+                          a->x_more[i] == b->x_more[i] && a->flags[i] == b->flags[i] && a->y_more[i] == b->y_more[i];
         if (!same)
             fail_msg("clock %u: bullet %u differs", clock, i);
         assert_true(a->fastest >= fx_abs(a->vx[i]) && a->fastest >= fx_abs(a->vy[i]));

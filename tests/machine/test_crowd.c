@@ -44,7 +44,7 @@ static struct image image_of(const struct board *b, const struct bullets *s, con
 {
     const uint16_t flags = k->flags[s->kind[i]];
     const struct sprite *pic = &b->pictures[k->sprite[s->kind[i]]];
-    int64_t age = (int64_t)b->core.clock - s->born[i], delay = (int64_t)s->end[i] - s->born[i];
+    int64_t age = (int64_t)b->core.clock - s->born[i], delay = (int64_t)s->step_end[i] - s->born[i];
 
     if (s->flags[i] & BULLET_DELAYED) {
         int64_t at = age < 1 ? 0 : age > delay ? delay - 1 : age - 1;

@@ -138,12 +138,12 @@ static void test_closed_form(void **state)
         over.speed = to;
         set_off(&over, from, dir);
         fly(n + more, (__float128)from * n + (__float128)(to - from) * (n + 1) / 2 + (__float128)to * more, dir);
-        assert_true(rig.b->bullets.pace[0] == to);
+        assert_true(rig.b->bullets.speed_q32[0] == to);
 
         accel.accel = add = (to - from) / n;
         set_off(&accel, from, dir);
         fly(n + more, from * (__float128)n + add * steps + (from + (__float128)add * n) * more, dir);
-        assert_true(rig.b->bullets.pace[0] == from + add * n);
+        assert_true(rig.b->bullets.speed_q32[0] == from + add * n);
     }
     end();
 }
@@ -173,10 +173,10 @@ static void test_ends(void **state)
     /* what a program adds up stops at the greatest speed; a script's speed is the nearest fx, ties to even */
     set_off(&faster, 0, 0);
     fly(1, most, 0);
-    assert_true(s->pace[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
+    assert_true(s->speed_q32[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
     bullets_set_place(s, 0, 0, 0);
     fly(1, most, 0);
-    assert_true(s->pace[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
+    assert_true(s->speed_q32[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
     for (int64_t n = 4; n < 8; n++) {
         bullets_set_speed(s, 0, (n << PACE_BITS) + 0x8000);
         assert_int_equal(s->speed[0], n + (n & 1));
@@ -186,7 +186,8 @@ static void test_ends(void **state)
 
     /* what was fine leaves nothing behind */
     bullets_program(s, 0, 0, false);
-    assert_true(!s->pace[0] && !s->way[0] && !s->x_more[0] && !s->y_more[0] && !(s->flags[0] & BULLET_FINE));
+    assert_true(!s->speed_q32[0] && !s->travel_q32[0] && !s->x_more[0] && !s->y_more[0] &&
+                !(s->flags[0] & BULLET_FINE));
     end();
 }
 

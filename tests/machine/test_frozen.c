@@ -39,17 +39,18 @@ static struct state of_bullet(const struct board *b, const struct bullets *s, ui
     bullets_place(s, i, &v.x, &v.y);
     bullets_velocity(s, i, &v.vx, &v.vy);
     v.speed = bullets_speed(s, i);
-    v.pace = s->flags[i] & BULLET_FINE || !s->pace[i] ? s->pace[i] : b->core.clock - s->pace[i]; /* a clock */
-    v.way = s->way[i];
-    v.from = s->from[i];
+    v.pace =
+        s->flags[i] & BULLET_FINE || !s->speed_q32[i] ? s->speed_q32[i] : b->core.clock - s->speed_q32[i]; /* a clock */
+    v.way = s->travel_q32[i];
+    v.from = s->step_start[i];
     v.dir = s->dir[i];
     v.age = b->core.clock - s->born[i];
-    v.left = s->mute[i] & STEP_BEGUN && !bounces(b, s, i) ? s->end[i] - b->core.clock : 0;
+    v.left = s->step_flags[i] & STEP_BEGUN && !bounces(b, s, i) ? s->step_end[i] - b->core.clock : 0;
     v.kind = s->kind[i];
     v.bank = s->bank[i];
     v.motion = s->motion[i];
     v.pc = s->pc[i];
-    v.mute = s->mute[i];
+    v.mute = s->step_flags[i];
     memcpy(v.rounds, &s->rounds[i * MOTION_DEPTH], sizeof v.rounds);
     return v;
 }

@@ -136,7 +136,7 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
     else if (vx || vy)
         assert_true(b->dir[0] == trig_atan2(vy, vx) && b->speed[0] == fx_min(fx_hypot(vx, vy), MAX_SPEED << 16));
     move(&w);
-    assert_true(b->x[0] == x + vx && b->y[0] == y + vy && !b->motion[0] && !b->way[0]);
+    assert_true(b->x[0] == x + vx && b->y[0] == y + vy && !b->motion[0] && !b->travel_q32[0]);
 }
 
 static void test_formulas(void **state)

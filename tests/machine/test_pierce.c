@@ -35,7 +35,7 @@ static bool in_mind(const struct board *b, uint32_t i, int64_t thing, int *n)
     *n = 0;
     for (uint32_t k = 0; k < PIERCED; k++) {
         int64_t h = b->shots.pierced[i * PIERCED + k];
-        if (!h || b->shots.again[i * PIERCED + k] <= CLOCK || !board_there(b, h))
+        if (!h || b->shots.rehit_clock[i * PIERCED + k] <= CLOCK || !board_there(b, h))
             continue;
         is |= h == thing;
         ++*n;
@@ -142,7 +142,7 @@ static void draw_memory(struct board *b)
             for (uint32_t j = 0; j < k; j++)
                 twice |= b->shots.pierced[i * PIERCED + j] == h;
             b->shots.pierced[i * PIERCED + k] = twice ? 0 : h;
-            b->shots.again[i * PIERCED + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
+            b->shots.rehit_clock[i * PIERCED + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
         }
     }
 }

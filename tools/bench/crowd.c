@@ -55,7 +55,7 @@ bool crowd_take(struct crowd *c, const struct scene *s)
                                         .vx = b->bullets.vx[i],
                                         .vy = b->bullets.vy[i],
                                         .kind = b->bullets.kind[i],
-                                        .turn = (uint16_t)(b->bullets.end[i] - b->core.clock),
+                                        .turn = (uint16_t)(b->bullets.step_end[i] - b->core.clock),
                                         .grazed = b->bullets.flags[i] & BULLET_GRAZED,
                                         .slot = i };
     return true;

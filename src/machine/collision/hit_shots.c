@@ -468,7 +468,7 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 {
     int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
-    const uint32_t *again = b->shots.again + (size_t)i * PIERCED;
+    const uint32_t *again = b->shots.rehit_clock + (size_t)i * PIERCED;
 
     passed->n = 0;
     for (int k = 0; k < PIERCED; k++) {

@@ -164,7 +164,7 @@ static void corner(const struct window *t, const struct lists *l, const struct b
 static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
-    uint32_t stood = bullets_stood(s, i, clock), delay = s->end[i] - s->born[i];
+    uint32_t stood = bullets_stood(s, i, clock), delay = s->step_end[i] - s->born[i];
 
     if (!style->cloud)
         return bullets_age(s, i, clock);

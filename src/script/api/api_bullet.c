@@ -197,7 +197,7 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 
 void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
 {
-    if (v->given && !s->around)
+    if (v->given && !s->orbit_target)
         api_error(L, entry, "around: orbits around things are disabled; add `around = true` to `board` in rom.lua");
 }
 
@@ -490,8 +490,8 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
             lua_pushnil(L);
         break;
     case FLIES_AROUND:
-        if (s->around && s->around[i])
-            lua_pushinteger(L, s->around[i]);
+        if (s->orbit_target && s->orbit_target[i])
+            lua_pushinteger(L, s->orbit_target[i]);
         else
             lua_pushnil(L);
         break;
@@ -512,8 +512,8 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
 /* A script's write to dir or speed ends the running motion step's drive of it. */
 void api_override(struct bullets *s, uint32_t i, unsigned what)
 {
-    if (s->mute[i] & STEP_BEGUN)
-        s->mute[i] |= (uint8_t)what;
+    if (s->step_flags[i] & STEP_BEGUN)
+        s->step_flags[i] |= (uint8_t)what;
 }
 
 /* Sets x, y, vx or vy and leaves the other of the pair as it is. */
@@ -533,7 +533,7 @@ static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 /* A write of the place takes a bullet away from the step that leads it. */
 static void let_go(const struct board *b, struct bullets *s, uint32_t i)
 {
-    if (!s->motion[i] || !(s->mute[i] & STEP_BEGUN))
+    if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
         return;
     if (b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
         api_override(s, i, OVERRIDE_PLACE);
@@ -580,8 +580,8 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
         break;
     case FLIES_AROUND:
         api_check_around(L, s, s == &b->shots ? "shot" : s == &b->bullets ? "bullet" : "laser", v);
-        if (s->around)
-            s->around[i] = v->given ? v->i : 0;
+        if (s->orbit_target)
+            s->orbit_target[i] = v->given ? v->i : 0;
         break;
     case FLIES_MOTION:
         bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && api_motion_fine(b, (uint16_t)v->i));
@@ -604,7 +604,7 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
     const struct bullets *s = &b->bullets;
 
     if (p == FLIES_DELAY)
-        lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->end[i] - b->core.clock : 0);
+        lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->step_end[i] - b->core.clock : 0);
     else if (p == FLIES_HP)
         api_push_or_forever(L, hp_of(L, b)[i]);
     else

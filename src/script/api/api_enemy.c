@@ -238,7 +238,7 @@ int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y
         board_full(b, &b->enemies.s);
         return i;
     }
-    b->enemies.by[i] = tasks_serial(b);
+    b->enemies.owner_task[i] = tasks_serial(b);
     b->enemies.owner[i] = owner;
     lua_pushnil(L);
     events_set_death(L, (uint32_t)i);

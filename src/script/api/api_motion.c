@@ -281,7 +281,7 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
         go_to_alone(L, v, step);
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
         step_error(L, step, "`radius_to` with `over = forever` never arrives");
-    if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.around && !vm_board(L)->shots.around)
+    if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.orbit_target && !vm_board(L)->shots.orbit_target)
         step_error(L, step,
                    "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
