@@ -346,7 +346,7 @@ void board_move(struct board *b)
     const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld(b, 0)),
                                   (uint16_t)(b->input.held[1] & ~board_withheld(b, 1)) };
     struct bullets_query query[PADS];
-    const bool solid = hit_solid_possible(b), hold_all = solid || b->bullets.meets;
+    const bool solid = hit_solid_possible(b);
 
     emit_none(b);
     player_move(&b->player, &b->player_kinds, held, &b->area);
@@ -357,8 +357,7 @@ void board_move(struct board *b)
     if (b->ml_roots.s.live)
         bulletml_run(b);
     hit_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep, query, hold_all);
-    hit_bullets(b, query, hold_all);
+    bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
     if (b->items.s.top)
         move_items(b);
     if (b->lasers.s.live)

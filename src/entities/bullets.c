@@ -69,7 +69,6 @@ static const struct column columns[] = {
     DERIVED_BLOCKS(bullets, busy, 1, "computed from motion, pc, step_flags and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "computed from motion, pc, step_flags and flags"),
     DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hit tests read it"),
-    DERIVED_BLOCKS(bullets, grazes, PADS, "rewritten by every move before hit tests read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "empty between frames"),
     GROUP_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hit tests read it"),
     GROUP_REGISTER(bullets, meets, GROUP_MEET),
@@ -85,6 +84,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, fastest, "an upper bound for the broad phase; the narrow phase decides what is hit"),
     DERIVED_REGISTER(bullets, standing, "the number of standing bullets, counted from the column `stands`"),
     DERIVED_REGISTER(bullets, moved, "a count for benchmarks, rewritten by every move before it is read"),
+    DERIVED_REGISTER(bullets, holds_all, "rewritten by every move before hit tests read it"),
     DERIVED_REGISTER(bullets, ran, "a counter for the work limit, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, of_kind, "the address of the kinds' column `live`, computed from the address of RAM"),
 };
@@ -224,11 +224,6 @@ void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy)
     bullets_store_velocity(b, i, vx, vy);
 }
 
-int64_t bullets_speed(const struct bullets *b, uint32_t i)
-{
-    return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
-}
-
 void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed)
 {
     b->speed[i] = bullets_pace_fx(speed);
@@ -283,12 +278,6 @@ void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
         bullets_steer(b, i);
     } else if (!(b->flags[i] & BULLET_DELAYED))
         bullets_store_velocity(b, i, x, y);
-}
-
-void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
-{
-    *x = (int64_t)b->x[i] * (1 << PACE_BITS) + b->x_more[i];
-    *y = (int64_t)b->y[i] * (1 << PACE_BITS) + b->y_more[i];
 }
 
 void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y)

@@ -112,11 +112,10 @@ struct bullets {
     int64_t *pierced;      /* PIERCED a shot: the things it hit, 0: none */
     uint32_t *rehit_clock; /* the clock at which it can hit each again, UINT32_MAX: never */
 
-    /* Of each block of 64, a bit a slot; near and grazes are of the last move. */
+    /* Of each block of 64, a bit a slot; near is of the last move. */
     uint64_t *busy;    /* has a program to run this frame, or is fine */
     uint64_t *idle;    /* its program does nothing until the clock is `step_end` */
-    uint64_t *near;    /* PADS words: may be near that player; after hit_bullets, hit or graze that player */
-    uint64_t *grazes;  /* PADS words, of hit_bullets: those of near that only graze */
+    uint64_t *near;    /* PADS words: may be near that player; after hit_run, hit or graze that player */
     uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
     uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
     uint8_t *due;      /* of an idle bullet: the low byte of `step_end` */
@@ -132,6 +131,7 @@ struct bullets {
     fx fastest;                                             /* no |vx| or |vy| is above it */
     uint32_t standing;                                      /* how many stand */
     uint32_t moved;                                         /* bullets moved this frame */
+    bool holds_all;    /* the move held all that left the field, near a player or not */
     uint64_t ran;      /* motion steps run this frame, and targets they looked at */
     uint32_t *of_kind; /* the column `live` of their kinds, kept up to date; NULL: of laser heads, which have none */
 };
@@ -276,9 +276,16 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
  * Speed, velocity and place as scripts read and write them: in Q32, of which ordinary bullets use whole fx. Setting the
  * velocity sets dir and speed, but at speed 0 dir stays.
  */
-int64_t bullets_speed(const struct bullets *b, uint32_t i);
+static inline int64_t bullets_speed(const struct bullets *b, uint32_t i)
+{
+    return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
+}
 void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
-void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y);
+static inline void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
+{
+    *x = (int64_t)b->x[i] * (1 << PACE_BITS) + b->x_more[i];
+    *y = (int64_t)b->y[i] * (1 << PACE_BITS) + b->y_more[i];
+}
 void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed);
 void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy);
 void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y);

@@ -4,6 +4,90 @@
 #include "bullets_parts.h"
 #include <string.h>
 
+enum program_state {
+    PROGRAM_NEXT,  /* the next step follows in this frame */
+    PROGRAM_OVER,  /* it is over, or the bullet gone */
+    PROGRAM_RUNS,  /* it runs in the next frame too */
+    PROGRAM_WAITS, /* it does nothing until the clock is `step_end` */
+};
+
+/* Looking for the nearest of them takes as long as so many steps more. */
+static uint64_t steps_of_aim(const struct targets *t)
+{
+    return t->s->used ? t->s->top / (SLOTS_BLOCK / 2) : 0;
+}
+
+static ang toward(ang dir, ang goal, ang most)
+{
+    int32_t gap = trig_difference(dir, goal);
+    uint32_t angle = gap < 0 ? 0u - (uint32_t)gap : (uint32_t)gap;
+
+    if (angle <= most)
+        return goal;
+    return gap < 0 ? dir - most : dir + most;
+}
+
+enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
+
+/* What a step does to direction and speed in one of its frames: the k-th of n. True: the velocity is to follow. */
+static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets *b, const struct motion_world *w,
+                                                                 uint32_t i, unsigned mute, uint32_t st, uint32_t k,
+                                                                 uint32_t n)
+{
+    const struct steps *s = w->steps;
+    const unsigned does = s->does[st];
+
+    if (!(mute & OVERRIDE_DIR)) {
+        if (does & (DOES_AIM | DOES_HOME))
+            b->ran += steps_of_aim(&w->targets);
+        if (does & DOES_DIR)
+            b->dir[i] = s->dir[st];
+        if (does & DOES_AIM)
+            b->dir[i] = targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]);
+        if (does & DOES_TURN)
+            b->dir[i] += (ang)s->turn[st];
+        if (does & DOES_HOME)
+            b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
+    }
+    if (!(does & (DOES_SPEED | DOES_ACCEL)) || mute & OVERRIDE_SPEED)
+        return does & DOES_STEER;
+    const bool fine = b->flags[i] & BULLET_FINE;
+    const int shift = fine ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
+    int64_t v = bullets_speed(b, i) >> shift;
+    if (does & DOES_SPEED)
+        v = motion_part_way(b->step_start[i] >> shift, s->speed[st] >> shift, k, n);
+    if (does & DOES_ACCEL)
+        v += s->accel[st] >> shift;
+    v = bullets_clamp_pace(v * ((int64_t)1 << shift));
+    b->speed[i] = bullets_pace_fx(v);
+    if (fine)
+        b->speed_q32[i] = v;
+    return true;
+}
+
+/* Moves a fine bullet on to `travel_q32`, that far. vx, vy become what that is in whole units. */
+static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64_t dy)
+{
+    int64_t x, y;
+
+    bullets_place(b, i, &x, &y);
+    const fx nx = bullets_split(x + dx, &b->x_more[i]), ny = bullets_split(y + dy, &b->y_more[i]);
+    bullets_store_velocity(b, i, nx - b->x[i], ny - b->y[i]);
+    b->travel_q32[i] = (int64_t)((uint64_t)way << 16) >> 16;
+}
+
+/* Moves a fine bullet on by its pace. */
+static void fly(struct bullets *b, uint32_t i)
+{
+    const int64_t to = b->travel_q32[i] + b->speed_q32[i];
+    int64_t dx, dy;
+
+    trig_stride(b->travel_q32[i], to, b->dir[i], &dx, &dy);
+    fly_by(b, i, to, dx, dy);
+}
+
+/* A program after a step of this frame. */
+
 static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -17,7 +101,7 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
 static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
                   uint32_t n)
 {
-    if (bullets_turn_and_speed(b, w, i, mute, st, k, n))
+    if (turn_and_speed(b, w, i, mute, st, k, n))
         bullets_velocity_from_dir(b, i);
 }
 
@@ -27,62 +111,6 @@ struct own_step {
     struct steps steps;
     struct motion_world w;
 };
-
-static fx in_range(fx v, int lo, int hi)
-{
-    return fx_clamp(v, lo * FX_ONE, hi * FX_ONE);
-}
-
-static void set_lead_number(struct motion_step *p, enum step_number number, fx v)
-{
-    switch (number) {
-    case NUMBER_X:
-        p->x = in_range(v, -WORLD, WORLD);
-        break;
-    case NUMBER_Y:
-        p->y = in_range(v, -WORLD, WORLD);
-        break;
-    case NUMBER_SIZE:
-        p->size = in_range(v, p->does & DOES_WAVE ? -MAX_SPEED : 0, MAX_SPEED);
-        break;
-    case NUMBER_SIZE_TO:
-        p->size_to = in_range(v, 0, MAX_SPEED);
-        break;
-    default:
-        p->count = v < FX_ONE ? 1 : (uint16_t)(v / FX_ONE);
-    }
-}
-
-static void set_number(struct motion_step *p, enum step_number number, fx v)
-{
-    const fx pace = in_range(v, -MAX_SPEED, MAX_SPEED);
-
-    switch (number) {
-    case NUMBER_OVER:
-        p->over = v < FX_ONE ? 1 : (uint32_t)v / FX_ONE;
-        break;
-    case NUMBER_BANK:
-        p->bank = (uint8_t)(v >> 16 & 15);
-        break;
-    case NUMBER_DIR:
-        p->dir = motion_angle(v);
-        break;
-    case NUMBER_TURN:
-        p->turn = (int32_t)motion_angle(v);
-        break;
-    case NUMBER_HOME:
-        p->home = motion_angle(in_range(v, 0, 180));
-        break;
-    case NUMBER_SPEED:
-        p->speed = (int64_t)pace * (1 << PACE_BITS);
-        break;
-    case NUMBER_ACCEL:
-        p->accel = (int64_t)pace * (1 << PACE_BITS);
-        break;
-    default:
-        set_lead_number(p, number, v);
-    }
-}
 
 /* Step st for bullet i, with the values that it had when the step began: this frame's, unless it is `begun`. */
 static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, bool begun,
@@ -97,7 +125,7 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
         const int n = (int)bits_lowest(left) / NAMED_BITS;
         bool is;
         const int k = motion_named(left, n, w->shots, &is);
-        set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
+        motion_set_number(p, (enum step_number)n, k < 0 || !bullets_begun(b, k) ? 0 : bullets_begun(b, k)[i]);
         left &= ~(((uint64_t)(1 << NAMED_BITS) - 1) << n * NAMED_BITS);
     }
     own->steps = (struct steps){ .does = &p->does,
@@ -327,7 +355,7 @@ static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i
         return crossed((fx)b->step_start[i], b->y[i], s->y[st]);
     case HOW_NEAR: {
         const int32_t t = targets_nearest(&w->targets, b->x[i], b->y[i]);
-        b->ran += bullets_target_steps(&w->targets);
+        b->ran += steps_of_aim(&w->targets);
         return t != NO_SLOT && bullets_target_distance(&w->targets, (uint32_t)t, b->x[i], b->y[i]) <
                                    (uint64_t)((int64_t)s->size[st] * s->size[st]);
     }
@@ -514,13 +542,434 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     return fine ? PROGRAM_RUNS : PROGRAM_OVER;
 }
 
-enum program_state bullets_run(struct bullets *b, const struct motion_world *w, uint32_t i)
+/* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
+static inline bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    if (b->step_end[i] != w->clock)
+        return false;
+    if (b->flags[i] & BULLET_DELAYED) {
+        b->flags[i] &= (uint8_t)~BULLET_DELAYED;
+        if (w->kinds)
+            bullets_change_kind(b, i, bullets_kind(b, w->kinds, i));
+        b->born[i] = w->clock;
+        b->step_end[i] = 0;
+        bullets_steer(b, i);
+    }
+    return true;
+}
+
+/* Runs a program, and moves what is fine. */
+static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
 
     if (b->motion[i])
         state = run_program(b, w, i);
     if (b->flags[i] & BULLET_FINE)
-        bullets_fly(b, i);
+        fly(b, i);
     return state;
+}
+
+/* ---- steps that have begun ---- */
+
+/*
+ * What the bullets of one ring do in the middle of a step is the same for all; so is what those do that are fine and
+ * have no step to run: they fly. Those of a block that are alike are done together, column by column. It comes to what
+ * go_on does of each, whenever that is: what it writes no other of its block reads before the block moves.
+ */
+struct course {
+    uint32_t motion, pc; /* those of the bullets it is for, and */
+    unsigned mute;
+    bool fine;
+    bool is, timed;    /* there is one; it is a step's, which ends at `step_end` */
+    bool never;        /* nobody at this step has one */
+    uint32_t st, does; /* the step, and of DOES_DRIVE what it does and is not muted */
+    bool steers;       /* even if that is muted */
+};
+
+/* Some bullets of a block: those from slot `first` on, or else each in `slot`. */
+struct some {
+    int n;
+    bool row;
+    uint32_t first;
+    uint32_t slot[SLOTS_BLOCK];
+};
+
+static inline uint32_t nth(const struct some *s, int k)
+{
+    return s->row ? s->first + (uint32_t)k : s->slot[k];
+}
+
+/* Those of the block from slot `first` on that `who` names; it is not 0. */
+static void take_some(struct some *s, uint32_t first, uint64_t who)
+{
+    const uint32_t low = bits_lowest(who);
+    const uint64_t row = who >> low;
+
+    s->first = first + low;
+    s->row = !(row & (row + 1));
+    if (s->row) {
+        s->n = ~row ? (int)bits_lowest(~row) : SLOTS_BLOCK;
+        return;
+    }
+    for (s->n = 0; who; who &= who - 1)
+        s->slot[s->n++] = first + bits_lowest(who);
+}
+
+static void take_course(struct course *c, const struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    const struct steps *s = w->steps;
+    const uint32_t others =
+        DOES_NAMED | DOES_DIE | DOES_LEAD | DOES_AWAIT | DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT;
+
+    c->motion = b->motion[i];
+    c->pc = b->pc[i];
+    c->mute = b->step_flags[i];
+    c->fine = b->flags[i] & BULLET_FINE;
+    c->does = 0;
+    c->steers = c->never = false;
+    c->timed = c->motion && c->pc < w->motions->length[c->motion - 1];
+    c->is = c->fine;
+    if (!c->timed)
+        return;
+    const uint32_t st = w->motions->first[c->motion - 1] + c->pc, does = s->does[st];
+    c->never = does & others;
+    c->is = c->mute & STEP_BEGUN && !c->never && (c->fine || does & DOES_DRIVE);
+    if (!c->is)
+        return;
+    c->does = does & DOES_DRIVE;
+    c->steers = does & DOES_STEER;
+    if (c->mute & OVERRIDE_DIR)
+        c->does &= ~(uint32_t)DOES_STEER;
+    if (c->mute & OVERRIDE_SPEED)
+        c->does &= ~(uint32_t)(DOES_SPEED | DOES_ACCEL);
+    c->st = st;
+}
+
+static inline bool on_course(const struct bullets *b, const struct course *c, uint32_t i)
+{
+    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->mute &&
+           !(b->flags[i] & BULLET_FINE) == !c->fine;
+}
+
+/* out[k] = 1 for those of a block on that course. */
+static void course_block(const uint16_t *restrict motion, const uint16_t *restrict pc, const uint8_t *restrict mute,
+                         const uint8_t *restrict flags, const struct course *c, uint8_t *restrict out)
+{
+    const uint16_t is_motion = (uint16_t)c->motion, is_pc = (uint16_t)c->pc;
+    const uint8_t is_mute = (uint8_t)c->mute, is_fine = c->fine ? BULLET_FINE : 0;
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] = (uint8_t)((motion[k] == is_motion) & (pc[k] == is_pc));
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] &= (uint8_t)((mute[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
+}
+
+/* Where a step of theirs ends in this frame go_on has to look at them. */
+static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
+{
+    uint8_t out[SLOTS_BLOCK];
+
+    for (int k = 0; k < SLOTS_BLOCK; k++)
+        out[k] = end[k] == clock;
+    return slots_gather(out);
+}
+
+enum { WORTH = 6 /* alike in a block: if there are so many, one by one takes longer */ };
+
+/* Is one of the next few of `rest`, out of the block from slot `first` on, on that course? */
+static bool has_company(const struct bullets *b, const struct course *c, uint32_t first, uint64_t rest, int few)
+{
+    for (; rest && few > 0; few--, rest &= rest - 1)
+        if (on_course(b, c, first + bits_lowest(rest)))
+            return true;
+    return false;
+}
+
+/* Those of the block from slot `first` on that take a course. Called, so that what is done one by one stays in
+ * registers. */
+__attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, const struct motion_world *w,
+                                                    const struct course *c, uint32_t first)
+{
+    uint8_t out[SLOTS_BLOCK];
+
+    course_block(b->motion + first, b->pc + first, b->step_flags + first, b->flags + first, c, out);
+    return slots_gather(out) & (c->timed ? ~ends_block(b->step_end + first, w->clock) : UINT64_MAX);
+}
+
+/* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
+ * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
+static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
+                      int *few)
+{
+    const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
+
+    if (c->never && b->motion[i] == c->motion && b->pc[i] == c->pc)
+        return 0;
+    if (!on_course(b, c, i))
+        take_course(c, b, w, i);
+    if (!c->is || (c->timed && b->step_end[i] == w->clock))
+        return 0;
+    if (!has_company(b, c, first, of & (of - 1), *few)) {
+        *few = 1;
+        return bullets_bit(i);
+    }
+    return of & all_alike(b, w, c, first);
+}
+
+enum { FEW = 4 };
+
+/* The targets there are, FEW + 1: more than that. */
+static int few_targets(const struct targets *t, uint32_t found[FEW])
+{
+    const uint32_t end = t->s->used ? t->s->top : t->s->live;
+    int n = 0;
+
+    for (uint32_t i = 0; i < end && n <= FEW; i++) {
+        if (t->s->used && !(t->s->used[i / SLOTS_BLOCK] & bullets_bit(i))) {
+            if (!t->s->used[i / SLOTS_BLOCK])
+                i |= SLOTS_BLOCK - 1;
+        } else if (!t->in || t->in[i]) {
+            if (n < FEW)
+                found[n] = i;
+            n++;
+        }
+    }
+    return n;
+}
+
+/* targets_aim for all of them: dir, what it is without a target, becomes the direction. */
+static void aim_some(const struct bullets *b, const struct targets *t, const struct some *s, ang *dir)
+{
+    uint32_t few[FEW];
+    fx dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
+    ang to[SLOTS_BLOCK];
+    const int n = s->n > 1 ? few_targets(t, few) : FEW + 1;
+
+    for (int k = 0; n > FEW && k < s->n; k++)
+        dir[k] = targets_aim(t, b->x[nth(s, k)], b->y[nth(s, k)], dir[k]);
+    if (!n || n > FEW)
+        return;
+    for (int k = 0; n == 1 && k < s->n; k++) {
+        dx[k] = fx_sub(t->x[few[0]], b->x[nth(s, k)]);
+        dy[k] = fx_sub(t->y[few[0]], b->y[nth(s, k)]);
+    }
+    for (int k = 0; n > 1 && k < s->n; k++) {
+        const fx x = b->x[nth(s, k)], y = b->y[nth(s, k)];
+        uint32_t nearest = few[0];
+        for (int other = 1; other < n; other++)
+            if (bullets_target_distance(t, few[other], x, y) < bullets_target_distance(t, nearest, x, y))
+                nearest = few[other];
+        dx[k] = fx_sub(t->x[nearest], x);
+        dy[k] = fx_sub(t->y[nearest], y);
+    }
+    trig_atan2s(dy, dx, to, s->n);
+    for (int k = 0; k < s->n; k++)
+        dir[k] = dx[k] | dy[k] ? to[k] : dir[k];
+}
+
+static void turn_some(const struct bullets *b, const struct motion_world *w, const struct course *c,
+                      const struct some *s, ang *dir)
+{
+    ang goal[SLOTS_BLOCK];
+
+    if (c->does & DOES_DIR)
+        for (int k = 0; k < s->n; k++)
+            dir[k] = w->steps->dir[c->st];
+    if (c->does & DOES_AIM)
+        aim_some(b, &w->targets, s, dir);
+    if (c->does & DOES_TURN)
+        for (int k = 0; k < s->n; k++)
+            dir[k] += (ang)w->steps->turn[c->st];
+    if (!(c->does & DOES_HOME))
+        return;
+    memcpy(goal, dir, (size_t)s->n * sizeof *dir);
+    aim_some(b, &w->targets, s, goal);
+    for (int k = 0; k < s->n; k++)
+        dir[k] = toward(dir[k], goal[k], w->steps->home[c->st]);
+}
+
+/* Those that began alike have one speed: it is found once for them. */
+static void speed_some(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
+{
+    const int shift = c->fine ? 0 : PACE_BITS;
+    const int64_t most = (int64_t)MAX_SPEED << (c->fine ? 32 : 16);
+    const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
+    const uint32_t over = w->steps->over[c->st];
+    int64_t from = 0, reached = 0;
+    uint32_t end = w->clock; /* nobody's */
+
+    for (int k = 0; k < s->n; k++) {
+        const uint32_t i = nth(s, k);
+        int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
+        if (c->does & DOES_SPEED) {
+            const int64_t began = b->step_start[i] >> shift;
+            if (b->step_end[i] != end || began != from) {
+                from = began;
+                end = b->step_end[i];
+                reached = motion_part_way(from, goal, over - (end - w->clock) + 1, over);
+            }
+            v = reached;
+        }
+        v = int64_clamp(c->does & DOES_ACCEL ? v + accel : v, -most, most);
+        if (c->fine)
+            b->speed_q32[i] = v;
+        b->speed[i] = c->fine ? bullets_pace_fx(v) : (fx)v;
+    }
+}
+
+/* `fly` for all of them. */
+static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
+{
+    int64_t from[SLOTS_BLOCK], to[SLOTS_BLOCK], dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
+
+    for (int k = 0; k < s->n; k++) {
+        from[k] = b->travel_q32[nth(s, k)];
+        to[k] = from[k] + b->speed_q32[nth(s, k)];
+    }
+    trig_strides(from, to, dir, dx, dy, s->n);
+    for (int k = 0; k < s->n; k++)
+        fly_by(b, nth(s, k), to[k], dx[k], dy[k]);
+}
+
+/* bullets_steer for all of them. None stands, for whose program runs does not. */
+static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
+{
+    fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], most = b->fastest;
+    fx *vx = s->row ? b->vx + s->first : to_x, *vy = s->row ? b->vy + s->first : to_y;
+
+    for (int k = 0; !s->row && k < s->n; k++)
+        speed[k] = b->speed[s->slot[k]];
+    trig_polars(s->row ? b->speed + s->first : speed, dir, vx, vy, s->n);
+    for (int k = 0; !s->row && k < s->n; k++) {
+        b->vx[s->slot[k]] = vx[k];
+        b->vy[s->slot[k]] = vy[k];
+    }
+    if (s->n == SLOTS_BLOCK)
+        most = fx_max(most, bullets_fastest_block(vx, vy));
+    else
+        for (int k = 0; k < s->n; k++)
+            most = fx_max(most, fx_max(fx_abs(vx[k]), fx_abs(vy[k])));
+    b->fastest = most;
+}
+
+/* A frame of some that take a course. Called, as all_alike is. */
+__attribute__((noinline)) static void keep_course(struct bullets *b, const struct motion_world *w,
+                                                  const struct course *c, const struct some *s)
+{
+    ang gathered[SLOTS_BLOCK], *dir = s->row ? b->dir + s->first : gathered;
+
+    for (int k = 0; !s->row && k < s->n; k++)
+        dir[k] = b->dir[s->slot[k]];
+    if (c->timed)
+        b->ran += (uint64_t)s->n;
+    if (c->does & DOES_STEER) {
+        if (c->does & (DOES_AIM | DOES_HOME))
+            b->ran += (uint64_t)s->n * steps_of_aim(&w->targets);
+        turn_some(b, w, c, s, dir);
+        for (int k = 0; !s->row && k < s->n; k++)
+            b->dir[s->slot[k]] = dir[k];
+    }
+    if (c->does & (DOES_SPEED | DOES_ACCEL))
+        speed_some(b, w, c, s);
+    if (c->fine)
+        fly_some(b, s, dir);
+    else if (c->steers || c->does & (DOES_SPEED | DOES_ACCEL))
+        steer_some(b, s, dir);
+}
+
+/* The same of one that is alone in it, but for its velocity, which it gets later with others. */
+static void keep_alone(struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i,
+                       struct some *later)
+{
+    const uint32_t n = w->steps->over[c->st];
+
+    b->ran++;
+    if (turn_and_speed(b, w, i, c->mute, c->st, n - (b->step_end[i] - w->clock) + 1, n))
+        later->slot[later->n++] = i;
+}
+
+static void steer_later(struct bullets *b, struct some *later)
+{
+    ang dir[SLOTS_BLOCK];
+
+    for (int k = 0; k < later->n; k++)
+        dir[k] = b->dir[later->slot[k]];
+    steer_some(b, later, dir);
+}
+
+/* Of a block in which nobody is busy, as most are. */
+static void run_woken(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
+{
+    uint64_t busy = 0, idle = b->idle[block] & ~woken;
+
+    for (uint64_t m = woken; m; m &= m - 1) {
+        const uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+        const enum program_state state = is_over(b, w, i) ? go_on(b, w, i) : PROGRAM_WAITS;
+        busy |= state == PROGRAM_RUNS ? bullets_bit(i) : 0;
+        idle |= state == PROGRAM_WAITS ? bullets_bit(i) : 0;
+    }
+    b->busy[block] = busy;
+    b->idle[block] = idle;
+}
+
+static void run_programs(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
+{
+    const uint32_t first = block * SLOTS_BLOCK;
+    uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
+    struct course c = { .motion = UINT32_MAX }; /* nobody's */
+    struct some some, later;
+    int few = 1 + bits_count(busy) / WORTH;
+
+    later.n = 0;
+    later.row = false;
+    for (uint64_t m = busy | woken; m;) {
+        const uint32_t i = first + bits_lowest(m);
+        const uint64_t who = woken & bullets_bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
+        if (who) { /* they are busy, and stay so */
+            if (who == bullets_bit(i) && !c.fine)
+                keep_alone(b, w, &c, i, &later);
+            else {
+                take_some(&some, first, who);
+                keep_course(b, w, &c, &some);
+            }
+            m &= ~who;
+            continue;
+        }
+        enum program_state state = PROGRAM_WAITS;
+        if (!(woken & bullets_bit(i)) || is_over(b, w, i))
+            state = go_on(b, w, i);
+        busy = state == PROGRAM_RUNS ? busy | bullets_bit(i) : busy & ~bullets_bit(i);
+        idle |= state == PROGRAM_WAITS ? bullets_bit(i) : 0;
+        m &= m - 1;
+    }
+    if (later.n)
+        steer_later(b, &later);
+    b->busy[block] = busy;
+    b->idle[block] = idle;
+}
+
+void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
+{
+    if (b->busy[block])
+        run_programs(b, w, block, woken);
+    else if (woken)
+        run_woken(b, w, block, woken);
+}
+
+bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
+{
+    const uint32_t block = i / SLOTS_BLOCK;
+
+    if (b->busy[block] & bullets_bit(i) || (b->idle[block] & bullets_bit(i) && is_over(b, w, i))) {
+        enum program_state state = go_on(b, w, i);
+        if (!(b->s.used[block] & bullets_bit(i)))
+            return false;
+        bullets_set_busy(b, i, state == PROGRAM_RUNS);
+        b->idle[block] |= state == PROGRAM_WAITS ? bullets_bit(i) : 0;
+    }
+    b->x[i] += b->vx[i];
+    b->y[i] += b->vy[i];
+    b->moved++;
+    return true;
 }

@@ -308,3 +308,61 @@ void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_l
     *x = place_fx(px);
     *y = place_fx(py);
 }
+
+/* ---- numbers that stand in a value ---- */
+
+static fx in_range(fx v, int lo, int hi)
+{
+    return fx_clamp(v, lo * FX_ONE, hi * FX_ONE);
+}
+
+static void set_lead_number(struct motion_step *p, enum step_number number, fx v)
+{
+    switch (number) {
+    case NUMBER_X:
+        p->x = in_range(v, -WORLD, WORLD);
+        break;
+    case NUMBER_Y:
+        p->y = in_range(v, -WORLD, WORLD);
+        break;
+    case NUMBER_SIZE:
+        p->size = in_range(v, p->does & DOES_WAVE ? -MAX_SPEED : 0, MAX_SPEED);
+        break;
+    case NUMBER_SIZE_TO:
+        p->size_to = in_range(v, 0, MAX_SPEED);
+        break;
+    default:
+        p->count = v < FX_ONE ? 1 : (uint16_t)(v / FX_ONE);
+    }
+}
+
+void motion_set_number(struct motion_step *p, enum step_number number, fx v)
+{
+    const fx pace = in_range(v, -MAX_SPEED, MAX_SPEED);
+
+    switch (number) {
+    case NUMBER_OVER:
+        p->over = v < FX_ONE ? 1 : (uint32_t)v / FX_ONE;
+        break;
+    case NUMBER_BANK:
+        p->bank = (uint8_t)(v >> 16 & 15);
+        break;
+    case NUMBER_DIR:
+        p->dir = motion_angle(v);
+        break;
+    case NUMBER_TURN:
+        p->turn = (int32_t)motion_angle(v);
+        break;
+    case NUMBER_HOME:
+        p->home = motion_angle(in_range(v, 0, 180));
+        break;
+    case NUMBER_SPEED:
+        p->speed = (int64_t)pace * (1 << PACE_BITS);
+        break;
+    case NUMBER_ACCEL:
+        p->accel = (int64_t)pace * (1 << PACE_BITS);
+        break;
+    default:
+        set_lead_number(p, number, v);
+    }
+}

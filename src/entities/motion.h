@@ -282,4 +282,7 @@ static inline int motion_named(uint64_t named, int number, bool shots, bool *is)
     return (int)(shots ? code / NAMED_SHOTS : code % NAMED_SHOTS) - 1;
 }
 
+/* Puts v in the place of that number of the step, within what motion.def takes. */
+void motion_set_number(struct motion_step *p, enum step_number number, fx v);
+
 #endif

@@ -163,7 +163,7 @@ uint32_t engine_hits(struct board *b)
     hit_queries(b, query);
     for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++) /* all are asked */
         b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
-    hit_bullets(b, query, true);
+    b->bullets.holds_all = true;
     hit_run(b);
     return b->events.n;
 }

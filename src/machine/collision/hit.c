@@ -4,12 +4,12 @@
  * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
  * exact shape test (geom.h) looks at that whole path. A kind with swept = false is tested where it stands.
  *
- * The broad phase of bullets is in bullets_move: it finds those near a player, who has moved before. hit_bullets is the
- * narrow phase, and hit_run raises the events. `reach` covers the largest radius, the graze ring and the player's
+ * The broad phase of bullets is in bullets_move: it finds those near a player, who has moved before. hit_player is the
+ * narrow phase. `reach` covers the largest radius, the graze ring and the player's
  * movement. Shots against enemies are in hit_shots.c.
  *
  * What leaves the field is tested too, for it may touch something on its way out: bullets_move holds the bullets that
- * are near, and all shots; hit_bullets releases the bullets that touch no player, hit_shots the shots that hit no
+ * are near, and all shots; hit_run releases the bullets that touch no player, hit_shots the shots that hit no
  * enemy, events_run the others.
  */
 #include "../../base/int.h"
@@ -84,18 +84,41 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     return test_shape(b, c, i, graze, swept);
 }
 
-static void raise_bullet_hits(struct board *b, uint32_t p)
+/* The narrow phase: of the bullets that the move found near player p, those that hit or graze. near: becomes them. */
+static void hit_player(struct board *b, uint32_t p, const struct body *c)
 {
-    const struct bullets *s = &b->bullets;
+    struct bullets *s = &b->bullets;
+    int64_t reach = -1;
 
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        for (uint64_t m = s->near[block * PADS + p]; m; m &= m - 1) {
-            int64_t bullet = board_handle(b, H_BULLET, (int32_t)(block * SLOTS_BLOCK + bits_lowest(m)));
-            bool grazes = s->grazes[block * PADS + p] & m & -m;
-            b->counts.hit += !grazes;
-            b->counts.grazed += grazes;
-            board_event(b, grazes ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), bullet);
+    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
+        uint64_t *near = &s->near[block * PADS + p];
+        if (*near && reach < 0)
+            reach = reach_of(b, c, b->player_kinds.graze[b->player.kind[p]]);
+        for (uint64_t m = *near; m; m &= m - 1) {
+            const uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
+            const enum verdict v = test_bullet(b, p, c, reach, i);
+            if (v == MISS) {
+                *near &= ~(m & -m);
+                continue;
+            }
+            b->counts.hit += v == HIT;
+            b->counts.grazed += v == GRAZE;
+            board_event(b, v == GRAZE ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p),
+                        board_handle(b, H_BULLET, (int32_t)i));
         }
+    }
+}
+
+/* What left the field near a player, and touched none, is gone. */
+static void release_missed(struct bullets *s)
+{
+    for (uint32_t block = 0; block < s->s.held_top / SLOTS_BLOCK; block++) {
+        uint64_t missed = s->s.held[block];
+        for (uint32_t p = 0; p < PADS; p++)
+            missed &= ~s->near[block * PADS + p];
+        for (; missed; missed &= missed - 1)
+            bullets_release(s, block * SLOTS_BLOCK + bits_lowest(missed));
+    }
 }
 
 static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
@@ -112,38 +135,6 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
             if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
                 board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
         }
-}
-
-/* Those of a block's bullets that hit player p, or graze (*grazes). */
-static uint64_t narrow_phase(struct board *b, uint32_t p, int64_t reach, uint32_t block, uint64_t near,
-                             uint64_t *grazes)
-{
-    const struct body c = hit_player_body(b, p);
-    uint64_t found = 0;
-
-    for (uint64_t m = near; m; m &= m - 1) {
-        enum verdict v = test_bullet(b, p, &c, reach, block * SLOTS_BLOCK + bits_lowest(m));
-        found |= v != MISS ? m & -m : 0;
-        *grazes |= v == GRAZE ? m & -m : 0;
-    }
-    return found;
-}
-
-void hit_bullets(struct board *b, const struct bullets_query query[PADS], bool hold_all)
-{
-    struct bullets *s = &b->bullets;
-
-    for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        uint64_t *near = s->near + block * PADS, *grazes = s->grazes + block * PADS, touch = 0;
-        for (uint32_t p = 0; p < PADS; p++) {
-            grazes[p] = 0;
-            if (near[p])
-                near[p] = narrow_phase(b, p, query[p].reach, block, near[p], &grazes[p]);
-            touch |= near[p];
-        }
-        for (uint64_t m = hold_all || !s->s.holding ? 0 : s->s.held[block] & ~touch; m; m &= m - 1)
-            bullets_release(s, block * SLOTS_BLOCK + bits_lowest(m));
-    }
 }
 
 void hit_queries(struct board *b, struct bullets_query query[PADS])
@@ -169,11 +160,13 @@ void hit_run(struct board *b)
         struct body c = hit_player_body(b, p);
         if (!b->player.in[p])
             continue;
-        raise_bullet_hits(b, p);
+        hit_player(b, p, &c);
         if (b->lasers.s.live)
             hit_lasers(b, p, &c);
         raise_enemy_hits(b, p, &c);
     }
+    if (!b->bullets.holds_all)
+        release_missed(&b->bullets);
     hit_shots(b);
     if (b->lasers.s.live)
         hit_lasers_shoot(b);

@@ -33,10 +33,6 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
 /* The broad phase that bullets_move does: the bullets near each player. The players have moved already. */
 void hit_queries(struct board *b, struct bullets_query query[PADS]);
 
-/* The narrow phase: of the bullets that the move found near, keeps those that hit a player or graze, for hit_run.
- * hold_all as in the move; without it those that left the field and touch nobody are gone. */
-void hit_bullets(struct board *b, const struct bullets_query query[PADS], bool hold_all);
-
 /* Can a shot of this frame hit a bullet? Then what leaves the field must be held by the moves. */
 bool hit_solid_possible(const struct board *b);
 

@@ -8,23 +8,6 @@
 #include "../../base/trig.h"
 #include "api_parts.h"
 
-/* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
-static int64_t q32(double v)
-{
-    return fx_nearest(v * 4294967296.0);
-}
-
-/* A number in Q32 for what is fine; for what is not, rounded to fx. */
-int64_t api_units(bool fine, const struct api_value *v)
-{
-    return fine ? q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
-}
-
-bool api_motion_fine(const struct board *b, uint16_t motion)
-{
-    return motion && b->motions.fine[motion - 1];
-}
-
 enum {
     M_WAIT,
     M_KIND,

@@ -123,10 +123,22 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
                     int p, const struct api_value *v);
 
 /* Is the motion (index + 1, 0: none) a fine one? */
-bool api_motion_fine(const struct board *b, uint16_t motion);
+static inline bool api_motion_fine(const struct board *b, uint16_t motion)
+{
+    return motion && b->motions.fine[motion - 1];
+}
+
+/* A number of the script in Q32, nearest. It was checked against a range within +-2^15. */
+static inline int64_t api_q32(double v)
+{
+    return fx_nearest(v * 4294967296.0);
+}
 
 /* A number in Q32 for what is fine; for what is not, rounded to fx. */
-int64_t api_units(bool fine, const struct api_value *v);
+static inline int64_t api_units(bool fine, const struct api_value *v)
+{
+    return fine ? api_q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
+}
 
 /* A script's write (OVERRIDE_) ends the running motion step's drive. */
 void api_override(struct bullets *s, uint32_t i, unsigned what);
