@@ -3,7 +3,7 @@
 # Goals that start makes of their own go one after another, for these would make the same objects at the same time.
 FRONT := all null play install uninstall test torture golden asan ubsan monkey msan msan-short given valgrind \
          fuzz mutants nightly analyze accuracy sound bench bench-fx compare prove cross demos cookbook docs survive \
-         patterns library ports players web windows bulletml
+         patterns library ports players web windows bulletml walks
 ifneq ($(and $(filter $(FRONT),$(MAKECMDGOALS)),$(word 2,$(MAKECMDGOALS))),)
 
 .PHONY: $(MAKECMDGOALS) one-by-one
@@ -96,7 +96,7 @@ SAY = $(if $(V),@true,@echo)
 .SECONDARY:
 .DELETE_ON_ERROR:
 .PHONY: FORCE all null play install uninstall deps format clean help programs tools test golden demos
-.PHONY: asan ubsan monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports players web windows bulletml
+.PHONY: asan ubsan monkey msan msan-short given valgrind analyze nightly torture mutants fuzz bench bench-fx bench-fx-objects compare accuracy sound pacing prove cross cookbook docs survive patterns library ports players web windows bulletml walks
 
 # These build and install nothing: what is missing they say. play, test and deps get it.
 all: say-play
@@ -110,6 +110,7 @@ help:
 	@echo "make asan     tests under AddressSanitizer              make ubsan  ... UndefinedBehaviorSanitizer"
 	@echo "make msan     file readers under MemorySanitizer        make valgrind  ... those that use Lua, under Valgrind"
 	@echo "make monkey   random input on all screens, under both sanitizers"
+	@echo "make walks    the functions that a bullet, a button, a sound pass: docs/internals/design.md"
 	@echo "make analyze  cppcheck and gcc -fanalyzer               make nightly   all of these, fuzz, torture, mutants"
 	@echo "make torture  snapshot, overwrite RAM and restore after every frame"
 	@echo "make fuzz     60 s of each parser    make mutants  planted faults that make test must find"
@@ -488,6 +489,16 @@ UBSAN := CONFIG=ubsan SEMANTIC="-std=c11 -ffp-contract=off" \
 ubsan: deps-play-test
 	@$(MAKE) --no-print-directory -j2 $(UBSAN) programs
 	@OUT=build/ubsan tests/run.sh sanitizer
+# Every function reports when it is entered; not position-independent, so that addr2line knows the addresses.
+WALKS := CONFIG=walks OPT="-O0 -finstrument-functions" CFLAGS="-fno-pie -no-pie"
+walks: deps-play-test
+	@$(MAKE) --no-print-directory -j2 $(WALKS) build/walks/walks
+	@python3 tests/walks/walks.py build/walks/walks docs/internals/design.md
+$(OUT)/walks: tests/walks/walks.c $(CORE_OBJ) $(OUT)/platform/null.o $(OUT)/gen/no_rom.o
+	@mkdir -p $(@D)
+	$(SAY) "  LINK  $@"
+	$(Q)$(CC) $(ALL_C) -fno-instrument-functions -Wno-frame-address -Itests $^ $(LIBS) -lcmocka -o $@
+
 # A monkey in the window's screens, in several games, for thousands of frames, under both sanitizers.
 monkey: deps-play-test
 	@$(MAKE) --no-print-directory -j2 CONFIG=monkey SEMANTIC="-std=c11 -ffp-contract=off" \

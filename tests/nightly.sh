@@ -7,7 +7,7 @@
 # Exit 1: a part failed.
 set -u
 cd "$(dirname "$0")/.." || exit 2
-parts="analyze asan ubsan monkey msan valgrind torture screens browser library ports bulletml bare fuzz mutants"
+parts="analyze walks asan ubsan monkey msan valgrind torture screens browser library ports bulletml bare fuzz mutants"
 out=build/nightly
 export FUZZ_SECONDS=${FUZZ_SECONDS:-600}
 

@@ -41,6 +41,7 @@ torture   tests/nightly.sh          torture screens
 ubsan     tests/nightly.sh          asan ubsan
 uninstall tests/cli/install.sh      makes uninstall
 valgrind  tests/nightly.sh          msan valgrind
+walks     tests/nightly.sh          analyze walks
 web       platform/web/test.sh         --web -o
 windows   Makefile                  --no-print-directory windows
 END
@@ -100,5 +101,5 @@ check "make format" format
 recording=$(sed -n 's,^taskset .*/bench_fx" ,,p' tools/bench_fx/bench_fx.sh)
 # shellcheck disable=SC2086
 check "make bench-fx: its demo has enough bullets" "$OUT/bench_fx_build/bench_fx" $recording
-refuse "make nightly takes its parts alone" '"none" is none of analyze asan' tests/nightly.sh none
+refuse "make nightly takes its parts alone" '"none" is none of analyze walks' tests/nightly.sh none
 finish

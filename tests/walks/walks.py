@@ -1,0 +1,56 @@
+"""walks.py PROGRAM PAGE: runs PROGRAM (walks.c), and compares the functions of each walk with those that PAGE lists
+under its heading ("### A bullet: ..."): each is entered, in that order, in that file. Prints what is wrong, and how many
+more functions of ours each run entered."""
+import re
+import subprocess
+import sys
+
+
+def entered(program):
+    """{walk: [(file, function)], in order}"""
+    walks, out = {}, subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    for part in out.split("walk ")[1:]:
+        name, *addresses = part.split()
+        found = subprocess.run(["addr2line", "-s", "-f", "-e", program] + addresses, capture_output=True, text=True,
+                               check=True).stdout.split("\n")
+        walks[name] = [(found[i + 1].split(":")[0], found[i]) for i in range(0, len(found) - 1, 2)]
+    return walks
+
+
+def listed(page):
+    """{walk: [(path, function)], in order}"""
+    walks, name = {}, None
+    with open(page, encoding="utf-8") as f:
+        for line in f:
+            heading = re.match(r"###? (?:An? (\w+):)?", line)
+            if heading:
+                name = heading[1] and heading[1].lower()
+            item = re.match(r"\* `([\w./]+)`: (.*)", line)
+            if name and item:
+                walks.setdefault(name, []).extend((item[1], f) for f in re.findall(r"`(\w+)`", item[2]))
+    return walks
+
+
+def main(program, page):
+    runs, lists, wrong = entered(program), listed(page), []
+    if set(runs) != set(lists):
+        wrong.append("walks of the program: %s; of the page: %s" % (sorted(runs), sorted(lists)))
+    for name in sorted(set(runs) & set(lists)):
+        at = {(file, function): i for i, (file, function) in reversed(list(enumerate(runs[name])))}
+        last = -1
+        for path, function in lists[name]:
+            here = at.get((path.split("/")[-1], function))
+            if here is None:
+                wrong.append("%s: %s of %s is not entered" % (name, function, path))
+            elif here < last:
+                wrong.append("%s: %s is entered earlier than what stands before it" % (name, function))
+            last = max(last, here or 0)
+        ours = [f for f, _ in runs[name] if f not in ("walks.c", "rig.h")]
+        print("%s: %d functions in %d files listed; %d in %d files entered" % (
+            name, len(lists[name]), len({p for p, _ in lists[name]}), len(ours), len(set(ours))))
+    print("\n".join(wrong) if wrong else "every walk is as the page says")
+    return 1 if wrong or not runs else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
