@@ -2,8 +2,8 @@
  * cursor.h - a place in a Lua text, and what its scanners have in common: the kinds of characters, line ends, long
  * brackets. The rules are those of the reference manual of Lua 5.4, section 3.1, in the C locale.
  */
-#ifndef BOARD_CURSOR_H
-#define BOARD_CURSOR_H
+#ifndef BASE_CURSOR_H
+#define BASE_CURSOR_H
 
 #include <stdbool.h>
 #include <stddef.h>

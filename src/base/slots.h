@@ -18,8 +18,8 @@
  * thing that leaves the field in the frame in which it touches something, until the events of that are applied.
  * Between frames nothing is held.
  */
-#ifndef CHIPS_SLOTS_H
-#define CHIPS_SLOTS_H
+#ifndef BASE_SLOTS_H
+#define BASE_SLOTS_H
 
 #include <stdbool.h>
 #include <stddef.h>

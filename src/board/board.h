@@ -8,8 +8,8 @@
  * What the host has set (locale, rounding, flushing, traps) changes no run: board_power, board_tick and board_eval put
  * it aside and leave it as it was (host.h).
  */
-#ifndef BOARD_BOARD_H
-#define BOARD_BOARD_H
+#ifndef BOARD_H
+#define BOARD_H
 
 #include <stdbool.h>
 #include <stddef.h>

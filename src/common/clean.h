@@ -2,8 +2,8 @@
  * clean.h - text of others (names of files, what a game prints or raises, lines of a file) made fit to be shown.
  * What may be shown at all utf8.h says.
  */
-#ifndef CAB_CLEAN_H
-#define CAB_CLEAN_H
+#ifndef COMMON_CLEAN_H
+#define COMMON_CLEAN_H
 
 #include <stdint.h>
 

@@ -1,8 +1,8 @@
 /*
  * files.h - reading and writing files, with a sentence when it fails.
  */
-#ifndef CAB_FILES_H
-#define CAB_FILES_H
+#ifndef COMMON_FILES_H
+#define COMMON_FILES_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,8 +3,8 @@
  *
  * In order: of several results the greatest is the worst.
  */
-#ifndef CAB_RESULT_H
-#define CAB_RESULT_H
+#ifndef COMMON_RESULT_H
+#define COMMON_RESULT_H
 
 #include <stdbool.h>
 #include <stddef.h>

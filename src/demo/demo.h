@@ -9,8 +9,8 @@
  * part's, its checksum, so that a replay that differs is known by frame and part. A sparse demo, which a long one is,
  * has checksums of every second alone, and a whole row each minute: what differs is known by second and part.
  */
-#ifndef CAB_DEMO_H
-#define CAB_DEMO_H
+#ifndef DEMO_H
+#define DEMO_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /*
  * demo_dump.h - a recording that is not over, handed out as a demo file's bytes, also from a handler of a crash.
  */
-#ifndef CAB_DEMO_DUMP_H
-#define CAB_DEMO_DUMP_H
+#ifndef DEMO_DEMO_DUMP_H
+#define DEMO_DEMO_DUMP_H
 
 #include "demo.h"
 

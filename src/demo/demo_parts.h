@@ -2,8 +2,8 @@
  * demo_parts.h - what reading and writing a demo's file share: docs/reference/demo-format.md as constants, and room
  * that grows.
  */
-#ifndef CAB_DEMO_PARTS_H
-#define CAB_DEMO_PARTS_H
+#ifndef DEMO_DEMO_PARTS_H
+#define DEMO_DEMO_PARTS_H
 
 #include "demo.h"
 

@@ -4,8 +4,8 @@
  * The lines between DEMO_TEXT_BEGIN and DEMO_TEXT_END are the demo's bytes in base64, 72 characters a line. Lines
  * before and behind are anybody's.
  */
-#ifndef CAB_DEMO_TEXT_H
-#define CAB_DEMO_TEXT_H
+#ifndef DEMO_DEMO_TEXT_H
+#define DEMO_DEMO_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>

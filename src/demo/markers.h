@@ -1,8 +1,8 @@
 /*
  * markers.h - the markers of two recordings of one run, compared.
  */
-#ifndef CAB_MARKERS_H
-#define CAB_MARKERS_H
+#ifndef DEMO_MARKERS_H
+#define DEMO_MARKERS_H
 
 #include "demo.h"
 

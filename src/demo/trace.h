@@ -11,8 +11,8 @@
  * list has no generation (`-`), and an entry of nothing but zeroes has no line. Derived columns are not hashed and not
  * here. So two boards have the same lines exactly when they have the same state.
  */
-#ifndef CAB_TRACE_H
-#define CAB_TRACE_H
+#ifndef DEMO_TRACE_H
+#define DEMO_TRACE_H
 
 #include <stdio.h>
 #include "../board/board.h"

@@ -5,8 +5,8 @@
  * Positions are 64-bit Q16 and go on growing; the picture repeats. So nothing drifts and nothing ends: at the greatest
  * speed they would overflow after nine years.
  */
-#ifndef CHIPS_BG_H
-#define CHIPS_BG_H
+#ifndef ENTITIES_BG_H
+#define ENTITIES_BG_H
 
 #include "../base/fx.h"
 #include "../base/slots.h"

@@ -9,8 +9,8 @@
  * A bullet that has no actions has no runner. One whose actions are over, and no change of which is going on, has none
  * any more.
  */
-#ifndef CHIPS_BULLETML_H
-#define CHIPS_BULLETML_H
+#ifndef ENTITIES_BULLETML_H
+#define ENTITIES_BULLETML_H
 
 #include "../base/fx.h"
 #include "../base/slots.h"

@@ -6,11 +6,11 @@
  * still in the field's corner, so that loops need not test them.
  *
  * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more (x and y being the
- * nearest fx), of its speed in pace. Each frame it goes on by pace along dir, and vx, vy are what that comes to in
- * whole units of fx, so that the common loop moves it and hits see it as any other.
+ * nearest fx), of its speed in speed_q32. Each frame it moves by speed_q32 along dir. vx and vy are that move in whole
+ * units of fx, so that the common loop moves it and hits see it as any other.
  */
-#ifndef CHIPS_BULLETS_H
-#define CHIPS_BULLETS_H
+#ifndef ENTITIES_BULLETS_H
+#define ENTITIES_BULLETS_H
 
 #include "../base/fx.h"
 #include "../base/pads.h"

@@ -2,8 +2,8 @@
  * bullets_parts.h - what bullets.c, bullets_program.c and bullets_move.c share. All of it is inline: it runs for each
  * bullet of a frame.
  */
-#ifndef BULLETS_PARTS_H
-#define BULLETS_PARTS_H
+#ifndef ENTITIES_BULLETS_PARTS_H
+#define ENTITIES_BULLETS_PARTS_H
 
 #include "../base/int.h"
 #include "bullets.h"

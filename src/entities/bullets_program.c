@@ -31,13 +31,13 @@ enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DO
 
 /* What a step does to direction and speed in one of its frames: the k-th of n. True: the velocity is to follow. */
 static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets *b, const struct motion_world *w,
-                                                                 uint32_t i, unsigned mute, uint32_t st, uint32_t k,
-                                                                 uint32_t n)
+                                                                 uint32_t i, unsigned step_flags, uint32_t st,
+                                                                 uint32_t k, uint32_t n)
 {
     const struct steps *s = w->steps;
     const unsigned does = s->does[st];
 
-    if (!(mute & OVERRIDE_DIR)) {
+    if (!(step_flags & OVERRIDE_DIR)) {
         if (does & (DOES_AIM | DOES_HOME))
             b->ran += steps_of_aim(&w->targets);
         if (does & DOES_DIR)
@@ -49,7 +49,7 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
         if (does & DOES_HOME)
             b->dir[i] = toward(b->dir[i], targets_aim(&w->targets, b->x[i], b->y[i], b->dir[i]), s->home[st]);
     }
-    if (!(does & (DOES_SPEED | DOES_ACCEL)) || mute & OVERRIDE_SPEED)
+    if (!(does & (DOES_SPEED | DOES_ACCEL)) || step_flags & OVERRIDE_SPEED)
         return does & DOES_STEER;
     const bool fine = b->flags[i] & BULLET_FINE;
     const int shift = fine ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
@@ -98,10 +98,10 @@ static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i,
         b->bank[i] = s->bank[st];
 }
 
-static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t k,
-                  uint32_t n)
+static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st,
+                  uint32_t k, uint32_t n)
 {
-    if (turn_and_speed(b, w, i, mute, st, k, n))
+    if (turn_and_speed(b, w, i, step_flags, st, k, n))
         bullets_velocity_from_dir(b, i);
 }
 
@@ -252,9 +252,10 @@ static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, ui
 }
 
 /* A frame of a step that leads bullet i, unless a script has taken it away. False: the step is over. */
-static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st, uint32_t n)
+static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st,
+                    uint32_t n)
 {
-    if (mute & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_PLACE))
+    if (step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED | OVERRIDE_PLACE))
         return true;
     if (lead(b, w, i, st, n - (b->step_end[i] - w->clock) + 1, n))
         return true;
@@ -311,22 +312,23 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
 }
 
 /* The frame after a bounce: it has its velocity, unless a script has given it another. */
-static void bounced(struct bullets *b, uint32_t i, unsigned mute)
+static void bounced(struct bullets *b, uint32_t i, unsigned step_flags)
 {
-    if (!(mute & (OVERRIDE_DIR | OVERRIDE_SPEED)))
+    if (!(step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED)))
         bullets_store_velocity(b, i, (fx)(b->travel_q32[i] >> 32), (fx)b->travel_q32[i]);
     b->travel_q32[i] = 0;
 }
 
 /* A frame of bullet i on its way to a wall, since the clock before `speed_q32`. Returns the step that it goes on with
  * in this frame; pc: none. */
-static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t pc)
+static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags,
+                            uint32_t pc)
 {
     const struct steps *s = w->steps;
     const uint32_t st = w->motions->first[b->motion[i] - 1u] + pc;
 
     if (b->travel_q32[i]) {
-        bounced(b, i, mute);
+        bounced(b, i, step_flags);
         return pc + 1;
     }
     if (w->clock + 1 - (uint32_t)b->speed_q32[i] >= s->over[st])
@@ -344,7 +346,7 @@ static bool crossed(fx from, fx now, fx line)
 }
 
 /* Has what bullet i waits for come? */
-static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned mute, uint32_t st)
+static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st)
 {
     const struct steps *s = w->steps;
 
@@ -360,7 +362,7 @@ static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i
                                    (uint64_t)((int64_t)s->size[st] * s->size[st]);
     }
     default:
-        return mute & STEP_SIGNALLED;
+        return step_flags & STEP_SIGNALLED;
     }
 }
 
@@ -395,18 +397,18 @@ static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32
 /* Where a bullet's program is while it runs: `pc` and `step_flags`, kept when it waits for the next frame. */
 struct run {
     uint32_t pc;
-    unsigned mute;
+    unsigned step_flags;
 };
 
 static void keep_run(struct bullets *b, uint32_t i, const struct run *r)
 {
     b->pc[i] = (uint16_t)r->pc;
-    b->step_flags[i] = (uint8_t)r->mute;
+    b->step_flags[i] = (uint8_t)r->step_flags;
 }
 
 static enum program_state step_over(struct run *r)
 {
-    r->mute = 0;
+    r->step_flags = 0;
     r->pc++;
     return PROGRAM_NEXT;
 }
@@ -428,9 +430,9 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
         r->pc += EMIT_ROWS;
         return PROGRAM_NEXT;
     }
-    const uint32_t next = fly_to_wall(b, w, i, r->mute, r->pc);
+    const uint32_t next = fly_to_wall(b, w, i, r->step_flags, r->pc);
     const bool flies = next == r->pc;
-    r->mute = flies ? r->mute | STEP_BEGUN : 0;
+    r->step_flags = flies ? r->step_flags | STEP_BEGUN : 0;
     keep_run(b, i, r);
     r->pc = next;
     return flies ? PROGRAM_RUNS : PROGRAM_NEXT;
@@ -459,7 +461,7 @@ do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st
 {
     uint32_t n;
 
-    if (!(r->mute & STEP_BEGUN))
+    if (!(r->step_flags & STEP_BEGUN))
         n = begin_step(b, w, i, st, does);
     else
         n = does & DOES_LEAD ? frames_led(b, w->steps, i, st) : w->steps->over[st];
@@ -468,12 +470,12 @@ do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st
         return PROGRAM_OVER;
     }
     if (n && b->step_end[i] != w->clock) {
-        r->mute |= STEP_BEGUN;
+        r->step_flags |= STEP_BEGUN;
         keep_run(b, i, r);
         if (does & DOES_DRIVE)
-            drive(b, w, i, r->mute, st, n - (b->step_end[i] - w->clock) + 1, n);
+            drive(b, w, i, r->step_flags, st, n - (b->step_end[i] - w->clock) + 1, n);
         else if (does & (DOES_LEAD | DOES_AWAIT)) {
-            if (does & DOES_LEAD ? !lead_on(b, w, i, r->mute, st, n) : has_come(b, w, i, r->mute, st))
+            if (does & DOES_LEAD ? !lead_on(b, w, i, r->step_flags, st, n) : has_come(b, w, i, r->step_flags, st))
                 return step_over(r);
         }
         b->due[i] = (uint8_t)b->step_end[i];
@@ -481,9 +483,9 @@ do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st
         return acts || b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_WAITS;
     }
     if (!n && does & DOES_DRIVE)
-        drive(b, w, i, r->mute, st, 1, 1);
+        drive(b, w, i, r->step_flags, st, 1, 1);
     if (does & DOES_LEAD && n)
-        let_go(b, i, r->mute & OVERRIDE_PLACE ? 0 : does);
+        let_go(b, i, r->step_flags & OVERRIDE_PLACE ? 0 : does);
     return step_over(r);
 }
 
@@ -499,7 +501,7 @@ __attribute__((noinline)) static enum program_state run_named(struct bullets *b,
 {
     struct own_step own;
 
-    own_step(b, w, i, st, r->mute & STEP_BEGUN, &own);
+    own_step(b, w, i, st, r->step_flags & STEP_BEGUN, &own);
     return run_step(b, &own.w, i, 0, r);
 }
 
@@ -579,7 +581,7 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
  */
 struct course {
     uint32_t motion, pc; /* those of the bullets it is for, and */
-    unsigned mute;
+    unsigned step_flags;
     bool fine;
     bool is, timed;    /* there is one; it is a step's, which ends at `step_end` */
     bool never;        /* nobody at this step has one */
@@ -624,7 +626,7 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
 
     c->motion = b->motion[i];
     c->pc = b->pc[i];
-    c->mute = b->step_flags[i];
+    c->step_flags = b->step_flags[i];
     c->fine = b->flags[i] & BULLET_FINE;
     c->does = 0;
     c->steers = c->never = false;
@@ -634,35 +636,36 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
         return;
     const uint32_t st = w->motions->first[c->motion - 1] + c->pc, does = s->does[st];
     c->never = does & others;
-    c->is = c->mute & STEP_BEGUN && !c->never && (c->fine || does & DOES_DRIVE);
+    c->is = c->step_flags & STEP_BEGUN && !c->never && (c->fine || does & DOES_DRIVE);
     if (!c->is)
         return;
     c->does = does & DOES_DRIVE;
     c->steers = does & DOES_STEER;
-    if (c->mute & OVERRIDE_DIR)
+    if (c->step_flags & OVERRIDE_DIR)
         c->does &= ~(uint32_t)DOES_STEER;
-    if (c->mute & OVERRIDE_SPEED)
+    if (c->step_flags & OVERRIDE_SPEED)
         c->does &= ~(uint32_t)(DOES_SPEED | DOES_ACCEL);
     c->st = st;
 }
 
 static inline bool on_course(const struct bullets *b, const struct course *c, uint32_t i)
 {
-    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->mute &&
+    return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->step_flags &&
            !(b->flags[i] & BULLET_FINE) == !c->fine;
 }
 
 /* out[k] = 1 for those of a block on that course. */
-static void course_block(const uint16_t *restrict motion, const uint16_t *restrict pc, const uint8_t *restrict mute,
-                         const uint8_t *restrict flags, const struct course *c, uint8_t *restrict out)
+static void course_block(const uint16_t *restrict motion, const uint16_t *restrict pc,
+                         const uint8_t *restrict step_flags, const uint8_t *restrict flags, const struct course *c,
+                         uint8_t *restrict out)
 {
     const uint16_t is_motion = (uint16_t)c->motion, is_pc = (uint16_t)c->pc;
-    const uint8_t is_mute = (uint8_t)c->mute, is_fine = c->fine ? BULLET_FINE : 0;
+    const uint8_t is_mute = (uint8_t)c->step_flags, is_fine = c->fine ? BULLET_FINE : 0;
 
     for (int k = 0; k < SLOTS_BLOCK; k++)
         out[k] = (uint8_t)((motion[k] == is_motion) & (pc[k] == is_pc));
     for (int k = 0; k < SLOTS_BLOCK; k++)
-        out[k] &= (uint8_t)((mute[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
+        out[k] &= (uint8_t)((step_flags[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
 }
 
 /* Where a step of theirs ends in this frame go_on has to look at them. */
@@ -885,7 +888,7 @@ static void keep_alone(struct bullets *b, const struct motion_world *w, const st
     const uint32_t n = w->steps->over[c->st];
 
     b->ran++;
-    if (turn_and_speed(b, w, i, c->mute, c->st, n - (b->step_end[i] - w->clock) + 1, n))
+    if (turn_and_speed(b, w, i, c->step_flags, c->st, n - (b->step_end[i] - w->clock) + 1, n))
         later->slot[later->n++] = i;
 }
 

@@ -1,8 +1,8 @@
 /*
  * enemies.h - enemies and bosses: one pool, with the one move each may be making.
  */
-#ifndef CHIPS_ENEMIES_H
-#define CHIPS_ENEMIES_H
+#ifndef ENTITIES_ENEMIES_H
+#define ENTITIES_ENEMIES_H
 
 #include "../base/fx.h"
 #include "motion.h"

@@ -1,8 +1,8 @@
 /*
  * fix.h - the fixed text layer: a grid of 8x8 characters over the whole screen.
  */
-#ifndef CHIPS_FIX_H
-#define CHIPS_FIX_H
+#ifndef ENTITIES_FIX_H
+#define ENTITIES_FIX_H
 
 #include "../base/slots.h"
 

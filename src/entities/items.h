@@ -1,8 +1,8 @@
 /*
  * items.h - items: they fall, come to a player who attracts them, and are taken by touch.
  */
-#ifndef CHIPS_ITEMS_H
-#define CHIPS_ITEMS_H
+#ifndef ENTITIES_ITEMS_H
+#define ENTITIES_ITEMS_H
 
 #include "../base/fx.h"
 #include "../base/pads.h"

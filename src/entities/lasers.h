@@ -5,8 +5,8 @@
  * where it begins, a bolt's and a curve's is in front. A curve remembers where its head was after each of the last
  * frames, in a ring of points; a ring is made of pieces of a pool, for curves are of different lengths.
  */
-#ifndef CHIPS_LASERS_H
-#define CHIPS_LASERS_H
+#ifndef ENTITIES_LASERS_H
+#define ENTITIES_LASERS_H
 
 #include "../base/fx.h"
 #include "../base/pads.h"

@@ -4,8 +4,8 @@
  * A line holds what it says, not where its letters stand: that is found when it is drawn, so no script can depend on a
  * font's widths.
  */
-#ifndef CHIPS_LINES_H
-#define CHIPS_LINES_H
+#ifndef ENTITIES_LINES_H
+#define ENTITIES_LINES_H
 
 #include "../base/fx.h"
 #include "../base/slots.h"

@@ -5,8 +5,8 @@
  * A program is a run of steps in the `steps` list. What stands in one step happens together, in the order of struct
  * motion_step's bits, and lasts `over` frames (0: at once). After the last step the bullet flies straight on.
  */
-#ifndef CHIPS_MOTION_H
-#define CHIPS_MOTION_H
+#ifndef ENTITIES_MOTION_H
+#define ENTITIES_MOTION_H
 
 #include "../base/fx.h"
 #include "../base/slots.h"
@@ -136,6 +136,7 @@ enum step_number {
     NAMED_BITS = 5,
     NAMED_SHOTS = MAX_VALUES + 1
 };
+_Static_assert(STEP_NUMBERS *NAMED_BITS <= 64, "a step's `named` has no room for another number");
 
 /* The steps of all programs, one behind the other. */
 struct steps {

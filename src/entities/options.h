@@ -1,8 +1,8 @@
 /*
  * options.h - options: what flies with a ship, each at its place beside it.
  */
-#ifndef CHIPS_OPTIONS_H
-#define CHIPS_OPTIONS_H
+#ifndef ENTITIES_OPTIONS_H
+#define ENTITIES_OPTIONS_H
 
 #include "../base/fx.h"
 #include "../base/pads.h"

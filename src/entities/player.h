@@ -1,8 +1,8 @@
 /*
  * player.h - the two players: ship, lives, score.
  */
-#ifndef CHIPS_PLAYER_H
-#define CHIPS_PLAYER_H
+#ifndef ENTITIES_PLAYER_H
+#define ENTITIES_PLAYER_H
 
 #include "../base/fx.h"
 #include "../base/pads.h"

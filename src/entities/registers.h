@@ -5,8 +5,8 @@
  * and so are those of the run. A row has its rule and what it is for each player; of the run's, that of player 0
  * counts.
  */
-#ifndef CHIPS_REGISTERS_H
-#define CHIPS_REGISTERS_H
+#ifndef ENTITIES_REGISTERS_H
+#define ENTITIES_REGISTERS_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /*
  * sparks.h - particles: unhashed, no script can read them. They have their own random stream and their own hash.
  */
-#ifndef CHIPS_SPARKS_H
-#define CHIPS_SPARKS_H
+#ifndef ENTITIES_SPARKS_H
+#define ENTITIES_SPARKS_H
 
 #include "../base/fx.h"
 #include "../base/rng.h"

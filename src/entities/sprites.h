@@ -1,8 +1,8 @@
 /*
  * sprites.h - free sprites: pictures a script places by hand.
  */
-#ifndef CHIPS_SPRITES_H
-#define CHIPS_SPRITES_H
+#ifndef ENTITIES_SPRITES_H
+#define ENTITIES_SPRITES_H
 
 #include "../base/fx.h"
 #include "../base/slots.h"

@@ -1,8 +1,8 @@
 /*
  * lib.h - the insides of libcurtain: a board, its memory, and its past.
  */
-#ifndef LIB_LIB_H
-#define LIB_LIB_H
+#ifndef LIB_H
+#define LIB_H
 
 #include "../board/board.h"
 #include "../rom/cart.h"

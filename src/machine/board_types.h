@@ -1,8 +1,8 @@
 /*
  * board_types.h - what a host gives a board, and what a board hands out.
  */
-#ifndef BOARD_TYPES_H
-#define BOARD_TYPES_H
+#ifndef MACHINE_BOARD_TYPES_H
+#define MACHINE_BOARD_TYPES_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -127,8 +127,8 @@ struct board_out {
  * not touch the board. NULL, as after power-on and after a restore: nothing is called. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
-    PHASE_MOTION,  /* everything moves, and bullets are tested against players; what leaves the keep box is dropped */
-    PHASE_HITS,    /* all other collisions, and the events of all */
+    PHASE_MOTION,  /* everything moves; what leaves the keep box is dropped */
+    PHASE_HITS,    /* collisions, and their events */
     PHASE_EVENTS,  /* the effects of the events, and the scripts' handlers */
     PHASE_REST,    /* palette, the Lua collector */
     PHASES

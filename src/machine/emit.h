@@ -10,8 +10,8 @@
  * slots can matter, and of the others only their bullets are counted, as refused. The queue stands in Lua's heap, where
  * it grows to that size as it is needed; a game whose programs fire nothing has none.
  */
-#ifndef BOARD_EMIT_H
-#define BOARD_EMIT_H
+#ifndef MACHINE_EMIT_H
+#define MACHINE_EMIT_H
 
 #include <stdbool.h>
 #include <stdint.h>

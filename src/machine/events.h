@@ -2,14 +2,14 @@
  * events.h - what happened this frame, in the order it was found. Empty between frames. Kept as columns, for there is
  * room for several a bullet, and a struct would be 7 bytes of padding larger.
  */
-#ifndef CHIPS_EVENTS_H
-#define CHIPS_EVENTS_H
+#ifndef MACHINE_EVENTS_H
+#define MACHINE_EVENTS_H
 
 #include <stdint.h>
 #include <stdbool.h>
 
 enum event_kind {
-    EV_GRAZE, /* a: player, b: bullet handle */
+    EV_GRAZE, /* a: player, b: bullet or laser handle */
     EV_HIT,   /* a: player, b: handle of what hit it */
     EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes the shot's damage */
     EV_DEATH, /* a: player */

@@ -2,8 +2,8 @@
  * handle.h - handles: whole numbers by which scripts name things. Bits 63..62 are 01, then come 30 bits generation, 8
  * bits kind, 24 bits slot. A handle is dead when its generation is not the slot's.
  */
-#ifndef BOARD_HANDLE_H
-#define BOARD_HANDLE_H
+#ifndef MACHINE_HANDLE_H
+#define MACHINE_HANDLE_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -5,8 +5,8 @@
  * frames old. The game and the pause screen have presses of their own: a press during a pause is not the game's, and
  * the game's presses do not age during a pause.
  */
-#ifndef CHIPS_INPUT_H
-#define CHIPS_INPUT_H
+#ifndef MACHINE_INPUT_H
+#define MACHINE_INPUT_H
 
 #include "../base/pads.h"
 #include "../base/slots.h"

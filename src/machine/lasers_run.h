@@ -1,8 +1,8 @@
 /*
  * lasers_run.h - lasers on the board: their moves, which follow things and run programs, and how they end.
  */
-#ifndef BOARD_LASERS_RUN_H
-#define BOARD_LASERS_RUN_H
+#ifndef MACHINE_LASERS_RUN_H
+#define MACHINE_LASERS_RUN_H
 
 #include "machine.h"
 

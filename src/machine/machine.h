@@ -9,8 +9,8 @@
  *         script and core, which is named "board".
  *         machine_parts[] is all of them, PART_LIST in parts.c their order.
  */
-#ifndef BOARD_MACHINE_H
-#define BOARD_MACHINE_H
+#ifndef MACHINE_H
+#define MACHINE_H
 
 #include "../base/rng.h"
 #include "../entities/bg.h"

@@ -1,8 +1,8 @@
 /*
  * names.h - the names that scripts declare, by number.
  */
-#ifndef BOARD_NAMES_H
-#define BOARD_NAMES_H
+#ifndef MACHINE_NAMES_H
+#define MACHINE_NAMES_H
 
 #include <stdint.h>
 

@@ -16,8 +16,8 @@
  * Images of before, "NV01", are taken too: 32768 bytes; 256 records of 96 bytes { key[32], type, length, 2 spare,
  * value[60] }, 16 tables of 32 + 10 x 24 bytes { name[32], rows }, zeroes. An empty key or name is a free record.
  */
-#ifndef CHIPS_NVRAM_H
-#define CHIPS_NVRAM_H
+#ifndef MACHINE_NVRAM_H
+#define MACHINE_NVRAM_H
 
 #include "../base/slots.h"
 

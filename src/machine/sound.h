@@ -4,8 +4,8 @@
  * All of it is for a game that declares sounds or music; of another the parts have no room, and nothing may be called
  * but sound_cue, which does nothing then.
  */
-#ifndef BOARD_SOUND_H
-#define BOARD_SOUND_H
+#ifndef MACHINE_SOUND_H
+#define MACHINE_SOUND_H
 
 #include "machine.h"
 

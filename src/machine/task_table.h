@@ -1,8 +1,8 @@
 /*
  * task_table.h - the columns of tasks (script/tasks.h says what they are).
  */
-#ifndef BOARD_TASK_TABLE_H
-#define BOARD_TASK_TABLE_H
+#ifndef MACHINE_TASK_TABLE_H
+#define MACHINE_TASK_TABLE_H
 
 #include <stdbool.h>
 #include <stdint.h>

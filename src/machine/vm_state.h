@@ -1,8 +1,8 @@
 /*
  * vm_state.h - what the board keeps of the Lua machine (script/vm.h), and what the board's parts ask of it.
  */
-#ifndef BOARD_VM_STATE_H
-#define BOARD_VM_STATE_H
+#ifndef MACHINE_VM_STATE_H
+#define MACHINE_VM_STATE_H
 
 #include "../base/heap.h"
 #include "board_types.h"

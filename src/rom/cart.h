@@ -30,8 +30,8 @@
  *         wave/X          samples of the piece of music X, which is a stream: adpcm.h
  *         data/X          text files for rom.text
  */
-#ifndef BOARD_CART_H
-#define BOARD_CART_H
+#ifndef ROM_CART_H
+#define ROM_CART_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -8,8 +8,8 @@
  *     12  u32 CRC32 of all bytes from 16       20  u32 bytes of this file          28  u32 zero
  *     32  the ROM (base/rom.h) as an LZMA stream: lzma.h
  */
-#ifndef BOARD_COMPRESSED_H
-#define BOARD_COMPRESSED_H
+#ifndef ROM_COMPRESSED_H
+#define ROM_COMPRESSED_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -6,8 +6,8 @@
  * code, u32 where its pixels begin in the lump, u8 w h, i8 x y of its top left corner from the pen and the line's top,
  * u8 advance, 3 zero bytes; then the pixels, rows of w padded with zeros to a multiple of 8, shades 0 to 15.
  */
-#ifndef BOARD_FACE_H
-#define BOARD_FACE_H
+#ifndef ROM_FACE_H
+#define ROM_FACE_H
 
 #include <stdbool.h>
 #include <stddef.h>

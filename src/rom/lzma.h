@@ -4,8 +4,8 @@
  * A stream is what liblzma calls raw LZMA1 with lc = 0, lp = 0 and pb = 0, whose dictionary is all that came before.
  * Other programs can write and read it; tests/cli/compressed.sh has Python's do both.
  */
-#ifndef BOARD_LZMA_H
-#define BOARD_LZMA_H
+#ifndef ROM_LZMA_H
+#define ROM_LZMA_H
 
 #include <stdbool.h>
 #include <stddef.h>

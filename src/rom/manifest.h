@@ -5,8 +5,8 @@
  * and of fixed size, which manifest_unpack reads. Both ways end in manifest_check, so a struct manifest is always in
  * range.
  */
-#ifndef BOARD_MANIFEST_H
-#define BOARD_MANIFEST_H
+#ifndef ROM_MANIFEST_H
+#define ROM_MANIFEST_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -9,8 +9,8 @@
  *     32  the directory, ascending by name: u32 name offset, u32 data offset, u32 size, u32 CRC32 of the data
  *         the names, each ended by a NUL; then the data, in the directory's order, each lump 16-byte aligned
  */
-#ifndef BASE_ROM_H
-#define BASE_ROM_H
+#ifndef ROM_H
+#define ROM_H
 
 #include <stdbool.h>
 #include <stddef.h>

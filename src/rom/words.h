@@ -4,8 +4,8 @@
  * The lump "lang/NAME": u32 how many; for each, ascending by text, u32 where its text and u32 where its words begin in
  * the lump; then all these, each ended by a NUL.
  */
-#ifndef BOARD_WORDS_H
-#define BOARD_WORDS_H
+#ifndef ROM_WORDS_H
+#define ROM_WORDS_H
 
 #include <stdbool.h>
 #include <stddef.h>

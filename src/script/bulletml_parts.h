@@ -2,8 +2,8 @@
  * bulletml_parts.h - what the two halves of BulletML's run share: bulletml_run.c, which keeps the books of roots,
  * runners and bullets, and bulletml_do.c, which does the commands.
  */
-#ifndef RUN_BULLETML_PARTS_H
-#define RUN_BULLETML_PARTS_H
+#ifndef SCRIPT_BULLETML_PARTS_H
+#define SCRIPT_BULLETML_PARTS_H
 
 #include "bulletml_run.h"
 #include "tasks.h"

@@ -1,8 +1,8 @@
 /*
  * bulletml_run.h - BulletML documents on the board.
  */
-#ifndef BOARD_BULLETML_RUN_H
-#define BOARD_BULLETML_RUN_H
+#ifndef SCRIPT_BULLETML_RUN_H
+#define SCRIPT_BULLETML_RUN_H
 
 #include <lua.h>
 #include "../machine/machine.h"

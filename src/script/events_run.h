@@ -2,8 +2,8 @@
  * events_run.h - after the hits of a tick: the effects of this frame's events and the scripts' handlers, in the order
  * of the events.
  */
-#ifndef BOARD_EVENTS_RUN_H
-#define BOARD_EVENTS_RUN_H
+#ifndef SCRIPT_EVENTS_RUN_H
+#define SCRIPT_EVENTS_RUN_H
 
 #include "../machine/machine.h"
 #include "tasks.h"

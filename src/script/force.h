@@ -1,8 +1,8 @@
 /*
  * force.h - makes happen what only play brings about, so that a check reaches the scripts that wait for it.
  */
-#ifndef BOARD_FORCE_H
-#define BOARD_FORCE_H
+#ifndef SCRIPT_FORCE_H
+#define SCRIPT_FORCE_H
 
 #include <stdbool.h>
 

@@ -4,8 +4,8 @@
  * lua_next visits keys in an order that differs between runs. These walk over all of them and choose: numbers come
  * first, then false, true, other types, and then text by its bytes.
  */
-#ifndef BOARD_ROM_LUAKEYS_H
-#define BOARD_ROM_LUAKEYS_H
+#ifndef SCRIPT_LUAKEYS_H
+#define SCRIPT_LUAKEYS_H
 
 #include <lua.h>
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /*
  * options_run.h - options on the board.
  */
-#ifndef BOARD_OPTIONS_RUN_H
-#define BOARD_OPTIONS_RUN_H
+#ifndef SCRIPT_OPTIONS_RUN_H
+#define SCRIPT_OPTIONS_RUN_H
 
 #include "../machine/machine.h"
 

@@ -5,8 +5,8 @@
  * The counts stand in the host's memory, so that a run is the same with them and without: nothing in RAM that is hashed
  * knows of them. While they are taken a tick takes many times as long; while they are not, nothing asks.
  */
-#ifndef BOARD_PROFILE_H
-#define BOARD_PROFILE_H
+#ifndef SCRIPT_PROFILE_H
+#define SCRIPT_PROFILE_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,8 +1,8 @@
 /*
  * script.h - what a script must not contain, and the names in it, found in its text before it runs.
  */
-#ifndef BOARD_SCRIPT_H
-#define BOARD_SCRIPT_H
+#ifndef SCRIPT_H
+#define SCRIPT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -8,8 +8,8 @@
  * are not run when the machine starts, and are read each time sys.read asks for one. They may name what their module
  * names (or the game, where it asked for them), for they bring no module along.
  */
-#ifndef BOARD_STD_H
-#define BOARD_STD_H
+#ifndef SCRIPT_STD_H
+#define SCRIPT_STD_H
 
 #include <stddef.h>
 #include <stdint.h>

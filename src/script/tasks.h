@@ -8,8 +8,8 @@
  * its enemies, sprites, bullets and shots, and its enemies' own handlers. When it ends, they are removed. Afterwards no
  * new ones come into it.
  */
-#ifndef BOARD_TASKS_H
-#define BOARD_TASKS_H
+#ifndef SCRIPT_TASKS_H
+#define SCRIPT_TASKS_H
 
 #include <lua.h>
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /*
  * values.h - values of one Lua machine as bytes, for another one to have: nothing of a board's heap leaves it.
  */
-#ifndef BOARD_VALUES_H
-#define BOARD_VALUES_H
+#ifndef SCRIPT_VALUES_H
+#define SCRIPT_VALUES_H
 
 #include <lua.h>
 #include <stddef.h>

@@ -4,8 +4,8 @@
  * Every byte of Lua lives in the heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board:
  * it becomes a fault, the run is over, and nothing of the board's state is trusted any more.
  */
-#ifndef BOARD_VM_H
-#define BOARD_VM_H
+#ifndef SCRIPT_VM_H
+#define SCRIPT_VM_H
 
 #include <lauxlib.h>
 #include <lua.h>

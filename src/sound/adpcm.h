@@ -6,8 +6,8 @@
  * blocks of ADPCM_BYTES: i16 the first sample, u8 the step's index, a zero byte, then two samples a byte, low half
  * first, as in WAV files. A loop reaches to the last sample.
  */
-#ifndef SND_ADPCM_H
-#define SND_ADPCM_H
+#ifndef SOUND_ADPCM_H
+#define SOUND_ADPCM_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -4,8 +4,8 @@
  * A block is a function of phases and gains. So is feedback: y = sin(p + b y) is a row of a table, p its place, b the
  * row; chips take y from the last two samples, which at higher notes is as if b were less (fm_strength).
  */
-#ifndef SND_FM_H
-#define SND_FM_H
+#ifndef SOUND_FM_H
+#define SOUND_FM_H
 
 #include "wave.h"
 

@@ -10,8 +10,8 @@
  * A wave: u8 versions, 1 to WAVE_VERSIONS; a zero byte; then each, i16, INST_WAVE_LONG(v) of them and the first again.
  * Version v has the harmonics that snd_tables has in its own.
  */
-#ifndef SND_INST_H
-#define SND_INST_H
+#ifndef SOUND_INST_H
+#define SOUND_INST_H
 
 #include <stdbool.h>
 #include <stddef.h>

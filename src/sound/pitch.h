@@ -3,8 +3,8 @@
  *
  * A pitch is in 65536ths of a semitone; 69 semitones are the a of 440 Hz. All of it is integers.
  */
-#ifndef SND_PITCH_H
-#define SND_PITCH_H
+#ifndef SOUND_PITCH_H
+#define SOUND_PITCH_H
 
 #include <stdint.h>
 

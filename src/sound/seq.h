@@ -6,8 +6,8 @@
  * plays, to go on where they were, the last of them first. The cues, which are the sounds that play, no script can
  * read; they are outside the combined hash, as voices are.
  */
-#ifndef CHIPS_SEQ_H
-#define CHIPS_SEQ_H
+#ifndef SOUND_SEQ_H
+#define SOUND_SEQ_H
 
 #include "pitch.h"
 #include "tune.h"

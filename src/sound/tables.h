@@ -4,8 +4,8 @@
  * They are no part of a board's RAM, for no tick reads them. A wave is there in WAVE_MIPS versions, each with fewer
  * harmonics than the one before, so that at every pitch one has all that can be heard and nothing that folds back.
  */
-#ifndef SND_TABLES_H
-#define SND_TABLES_H
+#ifndef SOUND_TABLES_H
+#define SOUND_TABLES_H
 
 #include <stdint.h>
 

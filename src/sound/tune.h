@@ -22,8 +22,8 @@
  * the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a tick is TUNE_TICK units, a
  * sample as many as the tempo says, so nothing is rounded and nothing drifts.
  */
-#ifndef SND_TUNE_H
-#define SND_TUNE_H
+#ifndef SOUND_TUNE_H
+#define SOUND_TUNE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -10,8 +10,8 @@
  *
  * inst and wave are places in the ROM: of the note's instrument (tune.h), 0: silent; of its sample (adpcm.h), 0: none.
  */
-#ifndef CHIPS_VOICES_H
-#define CHIPS_VOICES_H
+#ifndef SOUND_VOICES_H
+#define SOUND_VOICES_H
 
 #include "wave.h"
 #include "../base/slots.h"

@@ -1,8 +1,8 @@
 /*
  * wave.h - a stretch of a wave, its level in time, and the mix of all.
  */
-#ifndef SND_WAVE_H
-#define SND_WAVE_H
+#ifndef SOUND_WAVE_H
+#define SOUND_WAVE_H
 
 #include "pitch.h"
 #include "tables.h"

@@ -17,12 +17,6 @@ static void need(bool good)
         abort();
 }
 
-static void ignore(void *context, const struct tune_played *p, int sample)
-{
-    (void)context;
-    need(p->event < TUNE_EVENTS && sample >= 0 && sample < SND_FRAME);
-}
-
 static void play(const uint8_t *bytes)
 {
     static struct snd_tables tables;
@@ -33,8 +27,13 @@ static void play(const uint8_t *bytes)
     voiced(&t, &tables);
     for (int k = -1; k < t.tracks; k++) {
         struct tune_at c = tune_begin(&t, k);
-        for (int f = 0; f < 20; f++)
-            tune_run(&t, k, &c, t.tempo, 0, SND_FRAME, ignore, NULL);
+        for (int f = 0; f < 20; f++) {
+            struct tune_run run = { &t, k, c, t.tempo, 0, SND_FRAME, 0 };
+            struct tune_played e;
+            while (tune_next(&run, &e))
+                need(e.event < TUNE_EVENTS && e.sample >= 0 && e.sample < SND_FRAME);
+            c = run.at;
+        }
     }
 }
 

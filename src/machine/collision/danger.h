@@ -5,8 +5,8 @@
  * To be called at the end of PHASE_MOTION (board_on_phase): everything has moved, and nothing has been hit yet. Nothing
  * here changes a byte of RAM, but for danger_spare.
  */
-#ifndef BOARD_DANGER_H
-#define BOARD_DANGER_H
+#ifndef MACHINE_DANGER_H
+#define MACHINE_DANGER_H
 
 #include "../../base/fx.h"
 #include "../../entities/motion.h"

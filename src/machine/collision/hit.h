@@ -11,8 +11,8 @@
  * the field, by slot; then the items by slot, each with the player that takes it. Bullets, shots, enemies and items
  * that end this frame's move outside of the field and its margin are tested as all others.
  */
-#ifndef BOARD_HIT_H
-#define BOARD_HIT_H
+#ifndef MACHINE_HIT_H
+#define MACHINE_HIT_H
 
 #include "../machine.h"
 

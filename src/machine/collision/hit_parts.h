@@ -1,8 +1,8 @@
 /*
  * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
  */
-#ifndef BOARD_HIT_PARTS_H
-#define BOARD_HIT_PARTS_H
+#ifndef MACHINE_HIT_PARTS_H
+#define MACHINE_HIT_PARTS_H
 
 #include "../../base/geom.h"
 #include "hit.h"

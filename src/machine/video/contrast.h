@@ -1,8 +1,8 @@
 /*
  * contrast.h - do bullets stand out from what lies behind them?
  */
-#ifndef BOARD_CONTRAST_H
-#define BOARD_CONTRAST_H
+#ifndef MACHINE_CONTRAST_H
+#define MACHINE_CONTRAST_H
 
 #include <stdbool.h>
 #include <stdint.h>

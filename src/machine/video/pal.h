@@ -1,8 +1,8 @@
 /*
  * pal.h - palette RAM: 256 colours in 16 banks of 16, fades and cycling.
  */
-#ifndef CHIPS_PAL_H
-#define CHIPS_PAL_H
+#ifndef MACHINE_PAL_H
+#define MACHINE_PAL_H
 
 #include "../../base/slots.h"
 

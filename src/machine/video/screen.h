@@ -5,8 +5,8 @@
  * Each is what was asked for and the clock then; what it is now follows from the clock, so nothing counts down. A dim
  * goes by the frames since power-on, which go on while a pause menu stands over it.
  */
-#ifndef CHIPS_SCREEN_H
-#define CHIPS_SCREEN_H
+#ifndef MACHINE_SCREEN_H
+#define MACHINE_SCREEN_H
 
 #include "../../base/fx.h"
 #include "../../base/slots.h"

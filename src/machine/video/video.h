@@ -1,8 +1,8 @@
 /*
  * video.h - what the makers of the picture share.
  */
-#ifndef BOARD_VIDEO_H
-#define BOARD_VIDEO_H
+#ifndef MACHINE_VIDEO_H
+#define MACHINE_VIDEO_H
 
 #include "../../../fb/stamp.h"
 #include "../machine.h"

@@ -1,8 +1,8 @@
 /*
  * view.h - what a player wants to see.
  */
-#ifndef BOARD_VIEW_H
-#define BOARD_VIEW_H
+#ifndef MACHINE_VIEW_H
+#define MACHINE_VIEW_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -2,8 +2,8 @@
  * api.h - what the functions of the Lua API share: the check of arguments against the table (api_table.h), errors, the
  * script digest, declared names.
  */
-#ifndef BOARD_API_H
-#define BOARD_API_H
+#ifndef SCRIPT_API_H
+#define SCRIPT_API_H
 
 #include <lauxlib.h>
 #include <lua.h>

@@ -1,8 +1,8 @@
 /*
  * api_enemy.h - what the functions of enemies share: api_enemy.c, and api_body.c for those with parts.
  */
-#ifndef BOARD_API_ENEMY_H
-#define BOARD_API_ENEMY_H
+#ifndef SCRIPT_API_ENEMY_H
+#define SCRIPT_API_ENEMY_H
 
 #include "api_parts.h"
 

@@ -1,8 +1,8 @@
 /*
  * api_parts.h - what the files of the API table share among themselves.
  */
-#ifndef BOARD_API_PARTS_H
-#define BOARD_API_PARTS_H
+#ifndef SCRIPT_API_PARTS_H
+#define SCRIPT_API_PARTS_H
 
 #include <string.h>
 #include "api.h"

@@ -1,8 +1,8 @@
 /*
  * api_table.h - the Lua API as data: names, arguments, units, help. Without Lua's headers: the cabinet includes it.
  */
-#ifndef BOARD_API_TABLE_H
-#define BOARD_API_TABLE_H
+#ifndef SCRIPT_API_TABLE_H
+#define SCRIPT_API_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,8 +1,8 @@
 /*
  * eval.h - a line of Lua, run in a board between two frames.
  */
-#ifndef BOARD_EVAL_H
-#define BOARD_EVAL_H
+#ifndef SCRIPT_EVAL_H
+#define SCRIPT_EVAL_H
 
 #include <stdbool.h>
 #include <stddef.h>

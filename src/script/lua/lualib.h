@@ -12,8 +12,8 @@
  * function. A text has MAX_TEXT bytes at most. pcall catches what error and assert raised and nothing else. Work in
  * C is charged with vm_charge. tests/unit/test_lua_reference.c compares the two.
  */
-#ifndef BOARD_LUALIB_H
-#define BOARD_LUALIB_H
+#ifndef SCRIPT_LUALIB_H
+#define SCRIPT_LUALIB_H
 
 #include <lua.h>
 #include <stdbool.h>

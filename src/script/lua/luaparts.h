@@ -3,8 +3,8 @@
  *
  * Each open function sets its functions in the table on top of the stack.
  */
-#ifndef BOARD_LUAPARTS_H
-#define BOARD_LUAPARTS_H
+#ifndef SCRIPT_LUAPARTS_H
+#define SCRIPT_LUAPARTS_H
 
 #include <lauxlib.h>
 #include <lua.h>
