@@ -1,10 +1,10 @@
 /*
- * blit.c - see blit.h. Eight pixels at a time, or two times eight: a row of the picture is copied into 64-bit words,
- * the mask is made from the bytes that are zero, the whole word is recoloured, and the result is written back. No step
- * moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside the
- * sprite are those that were read.
+ * blit.c - see blit.h. Processes eight pixels at a time, or twice eight: loads part of a row of the picture into a
+ * 64-bit word, makes the mask from the bytes that are zero, recolours the whole word, and writes the result back. No
+ * step moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside
+ * the sprite are unchanged.
  *
- * A word may hang over the sprite's edge by up to 7 pixels: fb.h's band and slack are there for it.
+ * A word may extend past the sprite's edge by up to 7 pixels: the band and slack of fb.h exist for that.
  */
 #include "blit.h"
 #include "paint.h"
@@ -19,17 +19,18 @@ static inline uint64_t reverse(uint64_t v)
 
 enum { TURNED = 1024 }; /* bytes */
 
-/* What is to be drawn: words of source rows, and where they go. Flipped, words go from right to left. */
+/* A drawing job: words of source rows, and their destination. In a flipped job, words are written from right to
+ * left. */
 struct job {
     uint8_t *d;
     const uint8_t *s;
-    ptrdiff_t d_row, s_row; /* bytes from a row to the next */
+    ptrdiff_t d_row, s_row; /* bytes from one row to the next */
     int words, rows;
-    uint64_t first, last; /* the bytes of a row's first and last word that are drawn: 255, else 0 */
+    uint64_t first, last; /* masks of the drawn bytes in a row's first and last word: 255, otherwise 0 */
     uint64_t add;
 };
 
-/* Whole words of one row. */
+/* Paints whole words of one row. */
 static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t add)
 {
     for (; words > 1; words -= 2, s += 16, d += 16)
@@ -38,8 +39,8 @@ static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t a
         paint_word(d, words_load(s), add);
 }
 
-/* Whole words; words a row is a constant in the calls that matter. Here and below the job is copied into locals
- * first: the pixels might alias it, and then the compiler would read it anew each time. */
+/* Paints whole words of every row; `words` is a constant in the calls that matter. Here and below the job is copied
+ * into locals first: the pixels might alias it, so the compiler would have to reload it each time. */
 static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;
@@ -77,8 +78,8 @@ static inline void paint_flipped_words(const struct job *j)
     }
 }
 
-/* Long rows are turned round first, several before the first is painted: processors are slow at loading sixteen bytes
- * that have just been stored as two words. */
+/* Reverses long rows first, several before the first is painted: processors are slow to load sixteen bytes that have
+ * just been stored as two words. */
 static void paint_turned(const struct job *j)
 {
     uint8_t turned[TURNED];
@@ -106,7 +107,7 @@ static void paint_flipped(const struct job *j)
         paint_flipped_words(j);
 }
 
-/* Word k of every row, of which `mask` is drawn. */
+/* Paints the pixels of word k of every row that `mask` selects. */
 static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
 {
     const uint8_t *s = j->s + 8 * k;
@@ -118,7 +119,7 @@ static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
         paint_word(d, flip ? reverse(words_load(s) & mask) : words_load(s) & mask, add);
 }
 
-/* As above with the first and last word of a row cut. */
+/* Paints every row with its first and last word masked. */
 static void paint_cut(struct job *j, bool flip)
 {
     if (j->words == 1) {
@@ -136,7 +137,7 @@ static void paint_cut(struct job *j, bool flip)
         paint(j);
 }
 
-/* 255 in bytes [from, 8) of a word, in the order of memory; and in [0, to). */
+/* Source of masks with 255 in bytes [from, 8) of a word, in memory order, and in [0, to). */
 static const uint8_t edge[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255 };
 
 static uint64_t bytes_from(int from)
@@ -153,16 +154,16 @@ static uint64_t bytes_to(int to)
 struct visible {
     int from, to; /* columns of the image */
     int rows;
-    const uint8_t *s; /* the first of these rows, from its column 0 */
+    const uint8_t *s; /* the first of these rows, at its column 0 */
     ptrdiff_t s_row;
-    int64_t at; /* where the whole row would begin, from fb->pix */
+    int64_t at; /* where the whole row would start, from fb->pix */
 };
 
-/* False: nothing is inside. */
+/* Computes the visible part of an image. Returns false if nothing is inside the clip. */
 static bool visible_part(struct visible *p, const struct fb *fb, const struct image *image, int64_t x, int64_t y,
                          unsigned flags)
 {
-    int64_t left = fb->x0 > x ? fb->x0 - x : 0, top = fb->y0 > y ? fb->y0 - y : 0; /* columns, rows of the sprite */
+    int64_t left = fb->x0 > x ? fb->x0 - x : 0, top = fb->y0 > y ? fb->y0 - y : 0; /* columns and rows of the sprite */
     int64_t right = fb->x1 - x < image->w ? fb->x1 - x : image->w;
     int64_t bottom = fb->y1 - y < image->h ? fb->y1 - y : image->h;
     bool flip_x = flags & BLIT_FLIP_X, flip_y = flags & BLIT_FLIP_Y;
@@ -205,13 +206,13 @@ static bool is_safe(const struct fb *fb, const struct image *image, int x, int y
     return x >= fb->sx0 && x <= fb->sx1 - image->w && y >= fb->sy0 && y <= fb->sy1 - image->h;
 }
 
-/* One opaque pixel through a blend's table. */
+/* Draws one opaque pixel through a blend table. */
 static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
 {
     *d = table[(size_t)*d << 8 | colour];
 }
 
-/* The opaque ones of eight. Written out: gcc leaves a loop as it is. */
+/* Draws the opaque pixels of eight. Unrolled by hand: gcc leaves a loop as it is. */
 static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uint8_t *table)
 {
     if (words_opaque(words_load(s)) == ~(uint64_t)0) {
@@ -243,7 +244,7 @@ static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uin
         mix(d + 7, (uint8_t)(s[7] + add), table);
 }
 
-/* n pixels of a row. */
+/* Draws n pixels of a row. */
 static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
 {
     for (; n >= 8; n -= 8, s += 8, d += 8)
@@ -254,7 +255,7 @@ static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, con
             mix(d, (uint8_t)(*s + add), table);
 }
 
-/* The same from right to left: d is where the first goes. */
+/* Draws n pixels of a row from right to left: d is the destination of the first. */
 static inline void mix_row_flipped(uint8_t *d, const uint8_t *s, int n, uint8_t add, const uint8_t *table)
 {
     for (; n >= 8; n -= 8, s += 8, d -= 8) {
@@ -298,7 +299,8 @@ void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t 
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* of the image, so it moves along */
+    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity in the image: the dots move with
+                                                                            it */
     for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_row)
         for (int k = 0; k < p.to - p.from; k++)
             if (s[k] && !(dots && (odd + row + k) & 1))
@@ -311,7 +313,7 @@ void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c)
         blit_solid(fb, image, x + k % 3 - 1, y + k / 3 - 1, c, 0);
 }
 
-/* All of an image. */
+/* Returns the job of drawing a whole image. */
 static inline struct job whole_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
                                    unsigned flags)
 {
@@ -347,7 +349,7 @@ __attribute__((always_inline)) static inline void batch_wide(const struct blit_i
         paint_wide(items[i].d, d_row, items[i].s, bank_of(&items[i]), h, mix);
 }
 
-/* One of any other width, by a rule. */
+/* Draws one image of any width by a rule. */
 __attribute__((always_inline)) static inline void mix_rows(const struct job *j, enum blit_mix rule)
 {
     const uint8_t *s = j->s;
@@ -372,7 +374,7 @@ static void mix_job(const struct job *j, enum blit_mix rule)
         mix_rows(j, BLIT_RAMP_MAX);
 }
 
-/* Any size, one by one. */
+/* Draws items of any size, one by one. */
 static void batch_others(const struct blit_item *items, size_t n, struct job j, enum blit_mix mix)
 {
     for (size_t i = 0; i < n; i++) {
@@ -386,7 +388,7 @@ static void batch_others(const struct blit_item *items, size_t n, struct job j, 
     }
 }
 
-/* The widths and heights that most bullets have are constants; so is mix where this is called. */
+/* Makes the widths and heights of most bullets constants; so is mix at the call sites. */
 __attribute__((always_inline)) static inline void batch_usual(const struct blit_item *items, size_t n, ptrdiff_t d_row,
                                                               int h, bool wide, enum blit_mix mix)
 {

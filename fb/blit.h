@@ -7,35 +7,35 @@
 #include <stdbool.h>
 #include "fb.h"
 
-/* A picture. A row holds w pixels, then zeros up to pitch, a multiple of 8 that is w or more. Pixel 0 is transparent.
- */
+/* A picture. A row has w pixels, then zeros up to pitch, a multiple of 8 and at least w. Pixel 0 is transparent. */
 struct image {
     const uint8_t *pix;
     int w, h, pitch;
 };
 
 enum {
-    BLIT_FLIP_X = 1 << 0, /* left and right change places */
-    BLIT_FLIP_Y = 1 << 1, /* top and bottom */
-    BLIT_DOTS = 1 << 2,   /* of blit_solid alone */
+    BLIT_FLIP_X = 1 << 0, /* swaps left and right */
+    BLIT_FLIP_Y = 1 << 1, /* swaps top and bottom */
+    BLIT_DOTS = 1 << 2,   /* for blit_solid only */
 };
 
-/* Draws an image with its top left corner at (x, y), clipped. Every pixel but 0 has bank * 16 added, modulo 256: it may
- * become 0, and is drawn. flags: BLIT_. Any x, y; w or h of 0 draws nothing. */
+/* Draws an image with its top left corner at (x, y), clipped. bank * 16 is added, modulo 256, to every pixel except 0;
+ * a pixel that becomes 0 is still drawn. flags: BLIT_. Any x, y; an image with w or h of 0 draws nothing. */
 void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags);
 
-/* How a pixel is mixed with what is under it: by a table, or by a rule for palettes whose banks are ramps from dark to
- * bright. A rule keeps the bank of what is drawn, and makes its shade, the place in the bank, of both shades. */
+/* How a pixel is mixed with the pixel under it: by a table, or by a rule for palettes whose banks are ramps from dark
+ * to bright. A rule keeps the bank of the drawn pixel and computes its shade, the position in the bank, from both
+ * shades. */
 enum blit_mix {
     BLIT_OPAQUE,
     BLIT_TABLE,
     BLIT_RAMP_ADD,  /* the sum, 15 at most */
-    BLIT_RAMP_HALF, /* their mean, halves up */
+    BLIT_RAMP_HALF, /* the mean, halves rounded up */
     BLIT_RAMP_MAX,  /* the greater */
     BLIT_MIXES
 };
 
-/* What a rule makes of two entries of the palette. */
+/* Returns the palette entry that a rule makes of two. */
 static inline uint8_t blit_ramp(enum blit_mix rule, uint8_t under, uint8_t over)
 {
     const unsigned u = under & 15, o = over & 15, sum = u + o;
@@ -47,30 +47,31 @@ static inline uint8_t blit_ramp(enum blit_mix rule, uint8_t under, uint8_t over)
     return (uint8_t)((over & 0xf0) | shade);
 }
 
-/* As blit_blended with the table that the rule makes, and much faster. False, and nothing is drawn: it needs clipping,
- * or is to be flipped from left to right. */
+/* Draws like blit_blended with the rule's table, but much faster. Returns false and draws nothing if the image needs
+ * clipping or is flipped left to right. */
 bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                  enum blit_mix rule);
 
-/* One of many pictures of a size, that blit_sprite would draw without clipping or flipping. */
+/* One of many pictures of the same size that blit_sprite would draw without clipping or flipping. */
 struct blit_item {
     const uint8_t *s; /* the image's first row */
-    uint8_t *d;       /* where its first pixel goes */
+    uint8_t *d;       /* destination of its first pixel */
     uint64_t bank;
 };
 
-/* Draws n of them in order: images of that size and pitch, on a surface of that pitch; opaque, or by a rule. */
+/* Draws n items in order: images of that size and pitch, on a surface of that pitch; opaque, or by a rule. */
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix);
 
-/* As blit_sprite, but a pixel becomes table[under * 256 + over]: `under` is what was there, `over` what blit_sprite
- * would have put there. */
+/* Draws like blit_sprite, but a pixel becomes table[under * 256 + over]: `under` is the surface's pixel, `over` the
+ * pixel that blit_sprite would have drawn. */
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
                   const uint8_t table[65536]);
 
-/* The same, but every pixel of it is c; with BLIT_DOTS every second, as on a chess board. */
+/* Draws like blit_sprite, but every opaque pixel in colour c; with BLIT_DOTS every second one, in a chequerboard
+ * pattern. */
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags);
 
-/* Its pixels and the eight places next to each, in c. */
+/* Draws the image's opaque pixels, and the eight pixels around each, in colour c. */
 void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * fb.c - see fb.h. Coordinates come as any int and are widened to 64 bits before they are added, so nothing overflows;
- * what is left after clipping is small.
+ * fb.c - see fb.h. Coordinates may be any int and are widened to 64 bits before they are added, so nothing overflows;
+ * values are small after clipping.
  */
 #include "fb.h"
 #include "../src/base/int.h"
@@ -51,13 +51,13 @@ void fb_clip_all(struct fb *fb)
     fb_clip(fb, 0, 0, fb->w, fb->h);
 }
 
-/* In one piece, band and all, it takes less time than row by row. */
+/* One memset, including the band, takes less time than one per row. */
 void fb_fill(struct fb *fb, uint8_t c)
 {
     memset(fb->pix, c, (size_t)(fb->h - 1) * (size_t)fb->pitch + (size_t)fb->w);
 }
 
-/* The pixels with x in [x0, x1) and y in [y0, y1). */
+/* Fills the pixels with x in [x0, x1) and y in [y0, y1). */
 static void rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t y1, uint8_t c)
 {
     x0 = x0 < fb->x0 ? fb->x0 : x0;
@@ -87,7 +87,7 @@ void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
     rect(fb, x1 - 1, y, x1, y1, c);
 }
 
-/* One axis of a line: where it starts, which way it goes, how far, and the steps that are inside the clip. */
+/* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
 struct axis {
     int64_t from, sign, length; /* 0 <= length < 2^32 */
     int64_t lo, hi;             /* inside: lo <= steps <= hi */
@@ -100,8 +100,8 @@ static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip
     return (struct axis){ from, -1, from - to, from - (clip1 - 1), from - clip0 };
 }
 
-/* Narrows the long axis' steps [lo, hi] to those inside the clip on both axes. False: none is left. Products stay below
- * 2^64, since a step count multiplied is never above its axis' length. */
+/* Narrows the long axis' steps [lo, hi] to those inside the clip on both axes. Returns false if none is left. Products
+ * stay below 2^64, since a step count that is multiplied is never above its axis' length. */
 static bool visible(struct axis *along, const struct axis *across)
 {
     uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length, half = n / 2;

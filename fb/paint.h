@@ -1,11 +1,10 @@
 /*
- * paint.h - pictures of which nothing is cut off, sixteen pixels at a time: what blit.c, stamp.c and tiles.c share. The
- * mask is made of the pixels as they go, which takes less time than to fetch it: a store to each row is what the time
- * goes to.
+ * paint.h - unclipped pictures, sixteen pixels at a time: code shared by blit.c, stamp.c and tiles.c. The mask is
+ * computed from the pixels on the fly, which is faster than loading it: most of the time is spent on one store per row.
  *
- * Sixteen pixels are a vector of the compiler's (gcc, clang), for no loop over them stays one at every level of
- * optimisation: tests/lint/levels.sh. No step moves bits from one byte to another. The rule, and mostly the height, is
- * a constant where these are called; forced, for gcc would make one loop of all calls.
+ * Sixteen pixels are a compiler vector (gcc, clang), because no loop over them stays vectorised at every optimisation
+ * level: tests/lint/levels.sh. No step moves bits from one byte to another. The rule, and usually the height, is a
+ * constant at the call sites; inlining is forced, as gcc would otherwise merge all calls into one loop.
  */
 #ifndef FB_PAINT_H
 #define FB_PAINT_H
@@ -22,7 +21,7 @@ static inline void paint_word(uint8_t *d, uint64_t s, uint64_t add)
 
 typedef int8_t sixteen __attribute__((vector_size(16)));
 
-/* Their bank added to all of them; bytes wrap. */
+/* Adds the bank to all pixels; bytes wrap around. */
 static inline sixteen paint_banked(sixteen s, uint8_t add)
 {
     typedef uint8_t bytes __attribute__((vector_size(16)));
@@ -30,13 +29,13 @@ static inline sixteen paint_banked(sixteen s, uint8_t add)
     return (sixteen)((bytes)s + add);
 }
 
-/* a where the mask has all bits, b where it has none. */
+/* Selects a where the mask has all bits set, b where it has none. */
 static inline sixteen paint_either(sixteen mask, sixteen a, sixteen b)
 {
     return (a & mask) | (b & ~mask);
 }
 
-/* The shades, 0 to 15, that a rule makes of those of two pixels. */
+/* Returns the shades, 0 to 15, that a rule makes of the shades of two pixels. */
 __attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, sixteen over, enum blit_mix rule)
 {
     const sixteen a = under & 15, b = over & 15, sum = a + b;
@@ -46,7 +45,7 @@ __attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, 
     return rule == BLIT_RAMP_HALF ? (sum + 1) >> 1 : paint_either(a > b, a, b);
 }
 
-/* What becomes of sixteen pixels where those of s are painted over them, opaque or by a rule. */
+/* Returns sixteen pixels of d with those of s painted over them, opaque or by a rule. */
 __attribute__((always_inline)) static inline sixteen paint_over(sixteen d, sixteen s, uint8_t add, enum blit_mix mix)
 {
     const sixteen over = paint_banked(s, add);
@@ -54,7 +53,7 @@ __attribute__((always_inline)) static inline sixteen paint_over(sixteen d, sixte
     return paint_either(s != 0, mix == BLIT_OPAQUE ? over : (over & -16) | paint_mixed(d, over, mix), d);
 }
 
-/* Sixteen pixels of a row. */
+/* Paints sixteen pixels of a row. */
 __attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const uint8_t *s, uint8_t add,
                                                              enum blit_mix mix)
 {
@@ -71,7 +70,7 @@ static inline void paint_cover(uint8_t *d, const uint8_t *s, uint8_t add)
     paint_pair(d, s, add, BLIT_OPAQUE);
 }
 
-/* Eight pixels: half of sixteen. */
+/* Paints eight pixels, as half of sixteen. */
 __attribute__((always_inline)) static inline void paint_eight(uint8_t *d, const uint8_t *s, uint8_t add,
                                                               enum blit_mix rule)
 {
@@ -83,7 +82,7 @@ __attribute__((always_inline)) static inline void paint_eight(uint8_t *d, const 
     memcpy(d, pair, 8);
 }
 
-/* Two rows of eight as one of sixteen. */
+/* Paints two rows of eight pixels as one of sixteen. */
 __attribute__((always_inline)) static inline void paint_two(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
                                                             enum blit_mix mix)
 {
@@ -98,7 +97,7 @@ __attribute__((always_inline)) static inline void paint_two(uint8_t *d, ptrdiff_
     words_store(d + d_row, two[1]);
 }
 
-/* Eight pixels wide, and no more from a row to the next. */
+/* Paints h rows of a picture whose pitch is eight pixels. */
 __attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdiff_t d_row, const uint8_t *s,
                                                                uint8_t add, int h, enum blit_mix mix)
 {
@@ -116,7 +115,7 @@ __attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdi
         paint_eight(d, s, add, mix);
 }
 
-/* The same of sixteen. */
+/* Paints h rows of a picture whose pitch is sixteen pixels. */
 __attribute__((always_inline)) static inline void paint_wide(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
                                                              int h, enum blit_mix mix)
 {

@@ -1,17 +1,18 @@
 /*
  * resize.c - see resize.h.
  *
- * As turned copies do, a pixel asks the part of the smooth image (turn.h) that it covers, and the majority of its area
- * decides: first whether it is opaque (half is), then the colour, the lowest of equals. Areas are whole numbers: along
- * each axis a pixel of the smooth image is as many units long as the result has pixels, and the other way round.
+ * As in turned copies, each pixel looks at the part of the smooth image (turn.h) that it covers, and the majority of
+ * the area decides: first whether the pixel is opaque (half suffices), then its colour, the lowest of equals. Areas are
+ * whole numbers: along each axis a pixel of the smooth image is as many units long as the result has pixels, and vice
+ * versa.
  */
 #include "resize.h"
 #include <assert.h>
 #include "fb.h"
 
-enum { FINE = 4 /* pixels of the smooth image a pixel, each way */ };
+enum { FINE = 4 /* pixels of the smooth image per pixel, each way */ };
 
-/* What the k-th of n equal parts and the i-th of m have in common, of a length of n * m. */
+/* Returns the length that the k-th of n equal parts and the i-th of m equal parts of a length n * m have in common. */
 static uint64_t overlap(int k, int n, int i, int m)
 {
     int64_t from = (int64_t)k * m, to = from + m, a = (int64_t)i * n, z = a + n;
@@ -21,7 +22,7 @@ static uint64_t overlap(int k, int n, int i, int m)
     return to > from ? (uint64_t)(to - from) : 0;
 }
 
-/* Pixel (x, y) of w x h. */
+/* Returns pixel (x, y) of the result, which is w x h. */
 static uint8_t vote(const struct turn *t, int x, int y, int w, int h)
 {
     const int sw = FINE * t->w, sh = FINE * t->h;

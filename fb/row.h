@@ -1,21 +1,21 @@
 /*
- * row.h - rows of pixels onto rows of the surface: what backgrounds are drawn with.
+ * row.h - draws rows of pixels onto rows of the surface, for backgrounds.
  *
- * n pixels of s; add is added to every pixel but 0, modulo 256.
+ * All functions draw n pixels of s, and add `add` to every pixel except 0, modulo 256.
  */
 #ifndef FB_ROW_H
 #define FB_ROW_H
 
 #include <stdint.h>
 
-/* All of n pixels; none of them is 0 if add is not. */
+/* Draws all n pixels; none of them may be 0 unless add is 0. */
 void row_copy(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add);
 
-/* Those that are not 0. */
+/* Draws the pixels that are not 0. */
 void row_cover(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add);
 
-/* Those that are not 0, shown as `to` says (256 entries; NULL: as they are) and mixed by `table` as blit_blended does
- * (NULL: not). */
+/* Draws the pixels that are not 0, mapped by `to` (256 entries; NULL: unchanged) and mixed by `table` as in
+ * blit_blended (NULL: opaque). */
 void row_mix(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add, const uint8_t *to,
              const uint8_t *table);
 

@@ -1,9 +1,9 @@
 /*
  * stamp.c - see stamp.h.
  *
- * Over what is there, a picture is painted from its own pixels (paint.h). In a layer a byte is what was there or, where
- * that is 0, the colour: a picture drawn later is the one below. A word may hang over the picture's edge by up to 7
- * pixels, which are 0: fb.h's band and slack are there for it. The common sizes have loops of their own.
+ * Over the surface, a picture is painted from its own pixels (paint.h). In a layer, a byte keeps its value or, if it is
+ * 0, takes the picture's colour: a picture drawn later is the one below. A word may extend past the picture's edge by
+ * up to 7 pixels, which are 0: the band and slack of fb.h exist for that. Common sizes have loops of their own.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -61,26 +61,26 @@ static inline void paint_under(uint8_t *d, ptrdiff_t pitch, const uint8_t *colou
     }
 }
 
-/* The first byte of a surface's band. */
+/* Returns the first byte of a surface's band. */
 static uint8_t *origin(const struct fb *fb)
 {
     return fb->pix - (ptrdiff_t)FB_GUARD * fb->pitch - FB_GUARD;
 }
 
-/* What destinations show instead of one image. */
+/* The pictures that destinations show instead of one image. */
 struct own {
-    const uint32_t *at;              /* where each one's pixels are, or NULL */
+    const uint32_t *at;              /* offset of each destination's picture, or NULL */
     const struct stamp_turns *turns; /* or NULL */
 };
 
-/* Where a destination is; first: that of 0. */
+/* Returns the address of a destination; first: the address of destination 0. */
 static inline uint8_t *place(uint8_t *first, uint32_t dest, uint32_t less)
 {
     return first + ((dest & (STAMP_OTHER - 1)) - less);
 }
 
-/* mix is a constant where this is called, and so are the widths and heights that most bullets have. Each
- * shows the image, or what `own` says: at, or turns. */
+/* Draws images with a pitch of 8, or of 16 if `wide`. mix, and the widths and heights of most bullets, are constants at
+ * the call sites. Each destination shows the image, or the picture that `own` selects by at or turns. */
 __attribute__((always_inline)) static inline size_t over_usual(const struct fb *fb, const struct image *image,
                                                                const struct own own, enum blit_mix mix,
                                                                const struct stamp_list *list, bool wide, int h)
@@ -129,7 +129,7 @@ static size_t own_at(const struct own *own, size_t i)
     return own->at ? own->at[i] : 0;
 }
 
-/* Any size and rule. */
+/* Draws images of any size by any rule. */
 static size_t over_others(const struct fb *fb, const struct image *image, const struct own own, enum blit_mix mix,
                           const struct stamp_list *list)
 {
@@ -165,7 +165,7 @@ __attribute__((always_inline)) static inline size_t over_all(const struct fb *fb
     return over_others(fb, image, own, mix, list);
 }
 
-/* Two rows of eight, of which masks and colours are at hand. */
+/* Draws two rows of eight pixels, given their masks and colours. */
 static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen colour)
 {
     uint64_t two[2] = { words_load(d), words_load(d + pitch) };
@@ -178,7 +178,7 @@ static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen co
     words_store(d + pitch, two[1]);
 }
 
-/* The masks and colours of 8x8 pixels in a bank: for pairs of rows, or for rows. */
+/* Masks and colours of 8x8 pixels in one bank: per pair of rows, or per row. */
 struct eight {
     sixteen keep[4], colour[4];
 };
@@ -194,13 +194,14 @@ static inline void make_eight(struct eight *e, const struct image *image, uint32
     }
 }
 
-/* Do two pictures of 8 px lie over each other, in the same rows? */
+/* Returns whether two pictures 8 px wide overlap and are in the same rows. */
 static inline bool are_beside(uint32_t dest, uint32_t other)
 {
     return dest - other + 7 < 15;
 }
 
-/* Do most of many lie over the one before, in any rows? The first of them tell. */
+/* Returns whether there are many destinations and most of them overlap the one before, in any rows, judging by the
+ * first few. */
 static bool are_stacked(const uint32_t *dests, size_t n, uint32_t pitch)
 {
     enum { MANY = 512, ASKED = 8 };
@@ -213,7 +214,7 @@ static bool are_stacked(const uint32_t *dests, size_t n, uint32_t pitch)
     return over > ASKED / 2;
 }
 
-/* A row at a time: so what was stored a moment ago can be loaded again soonest. */
+/* Draws a row at a time, so that pixels that were just stored can be loaded again as soon as possible. */
 static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
 {
     const uint8_t *keep = (const uint8_t *)e->keep, *colour = (const uint8_t *)e->colour;
@@ -223,13 +224,13 @@ static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
         words_store(d, (words_load(d) & words_load(keep + k)) | words_load(colour + k));
 }
 
-/* An opaque image of 8x8 at the destinations that are of the first one's bank, up to the first that is not: its masks
- * and colours stay in registers. What lies over the one before it, as rings do that have just been fired, waits for
- * it, and is put row by row. */
+/* Draws an opaque 8x8 image at the destinations in the first one's bank, up to the first that is not; returns how many.
+ * Its masks and colours stay in registers. A picture that overlaps the one before it, as in a ring that was just fired,
+ * has to wait for the stores of that one, so it is drawn row by row. */
 static size_t over_bank(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
     const uint32_t *dests = list->dests;
-    const uint32_t bank = dests[0] >> 27; /* and no STAMP_OTHER */
+    const uint32_t bank = dests[0] >> 27; /* includes the STAMP_OTHER bit, which is 0 */
     struct eight e;
     const ptrdiff_t pitch = fb->pitch;
     uint8_t *first = fb->pix + (ptrdiff_t)fb->sy0 * pitch + fb->sx0;
@@ -251,7 +252,7 @@ static size_t over_bank(const struct fb *fb, const struct image *image, const st
     return i;
 }
 
-/* The same of any banks, up to what is no destination, row by row. */
+/* Like over_bank, but draws all banks, up to the first STAMP_OTHER, row by row. */
 static size_t over_stacked(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
     const uint32_t *dests = list->dests;
@@ -270,7 +271,7 @@ static size_t over_stacked(const struct fb *fb, const struct image *image, const
     return i;
 }
 
-/* The same of turned copies: their masks are made as they go. */
+/* Like over_bank, but draws turned copies; masks are made on the fly. */
 static size_t over_bank_turned(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
                                const struct stamp_list *list)
 {
@@ -296,8 +297,9 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
     return i;
 }
 
-/* The same of any banks: those of a kind mostly have one. Where it changes, so many are painted as they come, for the
- * next may have another again. turns: NULL, or they are turned copies. */
+/* Draws 8x8 images in any banks: images of a kind mostly share one. When the bank changes, the next MIXED images are
+ * painted without prepared masks, because the bank may soon change again. turns: NULL, or the images are turned
+ * copies. */
 static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
                          const struct stamp_list *list)
 {
@@ -350,7 +352,7 @@ size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp
 
 /* ---- layers ---- */
 
-/* Overdraw, in times the layer's area, before the map is worth an update: the first one, and each one after. */
+/* Overdraw, in multiples of the layer's area, before the map is worth an update: the first one, and each later one. */
 enum { FIRST_OVERDRAW = 4, MORE_OVERDRAW = 3 };
 
 static size_t words_of(const struct fb *fb)
@@ -376,7 +378,7 @@ void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h)
     memset(l->full, 0, words_of(&l->fb));
 }
 
-/* 255 in the bytes of a row's word `at` that are not in the picture. */
+/* Returns 255 in the bytes of a row's word `at` that are not in the picture. */
 static uint64_t band_bytes(const struct fb *fb, int at)
 {
     uint8_t b[8];
@@ -386,13 +388,13 @@ static uint64_t band_bytes(const struct fb *fb, int at)
     return words_load(b);
 }
 
-/* Is no byte of it 0? */
+/* Returns whether no byte of s is 0. */
 static inline bool is_full(uint64_t s)
 {
     return !((s - WORDS_EACH(1)) & ~s & WORDS_EACH(0x80));
 }
 
-/* The map of a row of words, of which `below` is the map of the row under it. False: something is 0 still. */
+/* Updates the map of a row of words; `below` is the map of the next row down. Returns false if a pixel is still 0. */
 static bool map_row(uint8_t *restrict full, const uint8_t *restrict below, const uint8_t *restrict row, int words,
                     const uint64_t *restrict band)
 {
@@ -406,7 +408,7 @@ static bool map_row(uint8_t *restrict full, const uint8_t *restrict below, const
     return all;
 }
 
-/* The band is not shown: it counts as drawn. */
+/* The band is not shown and counts as drawn. */
 void stamp_layer_map(struct stamp_layer *l)
 {
     const struct fb *fb = &l->fb;
@@ -470,7 +472,8 @@ size_t stamp_cells_size(int w, int h)
     return (size_t)across * down + 1;
 }
 
-/* Is all covered in [x0, x1) x [y0, y1), counted from the band's first byte? What lies outside is not shown. */
+/* Returns whether all is covered in [x0, x1) x [y0, y1), counted from the band's first byte. Pixels outside of the band
+ * are not shown and count as covered. */
 static bool all_covered(const struct stamp_layer *l, int x0, int y0, int x1, int y1)
 {
     int words = l->fb.pitch / 8, rows = l->fb.h + 2 * FB_GUARD;

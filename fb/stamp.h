@@ -1,5 +1,5 @@
 /*
- * stamp.h - one picture drawn at very many destinations, in any of the 16 banks: back to front, over what is there; or
+ * stamp.h - one picture drawn at very many destinations, in any of the 16 banks: back to front over the surface, or
  * front to back on a layer, only where nothing is drawn yet, so that hidden pictures cost next to nothing.
  */
 #ifndef FB_STAMP_H
@@ -10,21 +10,21 @@
 #include "blit.h"
 
 enum {
-    STAMP_BYTES = 2048,   /* a picture with more, its rows filled up to multiples of 8, is no stamp */
-    STAMP_OTHER = 1 << 27 /* in a list of destinations: this is not one, but a number of the caller's, below 2^27 */
+    STAMP_BYTES = 2048,   /* a picture with more bytes, its rows padded to multiples of 8, cannot be a stamp */
+    STAMP_OTHER = 1 << 27 /* in a list of destinations: not a destination, but a number of the caller's, below 2^27 */
 };
 
-/* A picture made ready for a layer: in each bank what to put there. */
+/* A picture prepared for a layer: its pixels in each bank. */
 struct stamp {
     int w, h;
     int row, bytes;                   /* of a row, a multiple of 8; of all rows */
-    uint8_t colour[16 * STAMP_BYTES]; /* `bytes` a bank */
+    uint8_t colour[16 * STAMP_BYTES]; /* `bytes` per bank */
 };
 
-/* Makes a stamp. banks: a bit for each bank that will be drawn. False: too many bytes. */
+/* Makes a stamp. banks: a bit for each bank that will be drawn. Returns false if the picture has too many bytes. */
 bool stamp_make(struct stamp *stamp, const struct image *image, unsigned banks);
 
-/* The corners of a w x h picture, its top left pixels, that need no clipping on fb: so far to the right of and below
+/* The top left positions at which a w x h picture needs no clipping on fb: a range of offsets to the right of and below
  * (x0, y0), which is the same for all pictures. */
 struct stamp_corners {
     int x0, y0;
@@ -38,37 +38,38 @@ static inline struct stamp_corners stamp_corners(const struct fb *fb, int w, int
     return (struct stamp_corners){ fb->sx0, fb->sy0, some ? (uint32_t)wide : 0, some ? (uint32_t)high : 0 };
 }
 
-/* A destination: such a corner, x < wide and y < high counted from (x0, y0), as an offset in bytes, and in the top four
- * bits a bank, 0 to 15. */
+/* Returns a destination: a top left position, x < wide and y < high counted from (x0, y0), as an offset in bytes, and a
+ * bank, 0 to 15, in the top four bits. */
 static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, uint8_t bank)
 {
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
 }
 
-/* Destinations in the order in which they are drawn, each too large by `less`: so what is listed of a bullet need not
- * depend on its picture. With it they are still below STAMP_OTHER, their banks apart. */
+/* Destinations in drawing order, each too large by `less`, so that a bullet's entry need not depend on its picture.
+ * Including `less` they are still below STAMP_OTHER, apart from their banks. */
 struct stamp_list {
     const uint32_t *dests;
     size_t n;
     uint32_t less;
 };
 
-/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The same picture
- * as so many calls of blit_sprite or blit_ramped, but that pixels of the band may change. */
+/* Draws an image at destinations up to the first STAMP_OTHER, opaque or by a rule; returns how many. The result is that
+ * of as many calls of blit_sprite or blit_ramped, except that pixels of the band may change. */
 size_t stamp_over(struct fb *fb, const struct image *image, enum blit_mix mix, const struct stamp_list *list);
 
-/* The same with a picture for each, all of the image's size: that of destination i is at[i] bytes after the image's. */
+/* Like stamp_over, but with a picture for each destination, all of the image's size: the pixels of destination i's
+ * picture are at[i] bytes after the image's. */
 size_t stamp_each(struct fb *fb, const struct image *image, const uint32_t *at, enum blit_mix mix,
                   const struct stamp_list *list);
 
-/* Turned copies of a picture, which follow each other: destination i shows the one nearest to dir[which[i]]. */
+/* Turned copies of a picture, stored one after another: destination i shows the copy nearest to dir[which[i]]. */
 struct stamp_turns {
     const ang *dir;
     const uint32_t *which;
-    uint32_t size, rotations; /* bytes of a copy; how many there are */
+    uint32_t size, rotations; /* bytes per copy; number of copies */
 };
 
-/* The copy nearest to dir. */
+/* Returns the index of the copy nearest to dir. */
 static inline uint32_t stamp_turn(ang dir, uint32_t rotations)
 {
     const uint32_t turn = (uint32_t)(((uint64_t)dir * rotations + (1u << 31)) >> 32);
@@ -76,35 +77,36 @@ static inline uint32_t stamp_turn(ang dir, uint32_t rotations)
     return turn < rotations ? turn : 0;
 }
 
-/* The same with these copies, the first of which is the image. */
+/* Like stamp_over, but with turned copies, the first of which is the image. */
 size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp_turns *turns, enum blit_mix mix,
                     const struct stamp_list *list);
 
 /*
- * Front to back. A layer is a surface that begins all 0, with its clip the whole picture; no pixel that is drawn is 0.
- * What is drawn later shows only where the layer is still 0; a map tells the areas where nothing is.
+ * Front to back. A layer is a surface that starts all 0, with its clip the whole picture; no drawn pixel is 0. Pictures
+ * drawn later show only where the layer is still 0; a map records the areas that have no 0 left.
  */
 struct stamp_layer {
     struct fb fb;
-    uint8_t *full;   /* the map: of each word of the surface, so many words from it downwards have no 0; 255: or more */
-    size_t budget;   /* opaque pixels that may be drawn until the map is updated again */
+    uint8_t *full;   /* the map: for each word of the surface, how many words from it downwards have no 0; at most
+                        255 */
+    size_t budget;   /* opaque pixels that may be drawn before the next update of the map */
     size_t step;     /* the budget after an update */
-    bool covered;    /* nothing is 0 any more */
+    bool covered;    /* no pixel is 0 any more */
     uint64_t hidden; /* pictures skipped */
 };
 
-/* Updates the map now. */
+/* Updates the map and resets the budget. */
 void stamp_layer_map(struct stamp_layer *l);
 
-/* Bytes of memory a layer of w x h takes, as fb_size; and makes an empty one of it. */
+/* Return the bytes of memory that a layer of w x h takes, as fb_size does; and make an empty layer in mem. */
 size_t stamp_layer_size(int w, int h);
 void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h);
 
-/* Draws at destinations from the last to the first; there is no STAMP_OTHER among them. pixels: the picture's opaque
- * ones. */
+/* Draws at destinations from the last to the first; none of them is a STAMP_OTHER. pixels: the number of opaque pixels
+ * in the picture. */
 void stamp_layer_draw(struct stamp_layer *l, const struct stamp *stamp, const struct stamp_list *list, size_t pixels);
 
-/* Is all covered where a w x h picture would go? dest: without its bank. */
+/* Returns whether all is covered where a w x h picture would be drawn. dest: without its bank. */
 static inline bool stamp_layer_hides(const struct stamp_layer *l, uint32_t dest, uint32_t w, uint32_t h)
 {
     uint32_t first = dest >> 3, last = (dest + w - 1) >> 3;
@@ -118,26 +120,27 @@ static inline bool stamp_layer_hides(const struct stamp_layer *l, uint32_t dest,
 }
 
 /*
- * Visibility in 8 x 8 px cells: whether any part of a picture may be visible that lies within [x0, x1) x [y0, y1) of
- * some pixel in the cell. Pixels outside of the layer and its band have no cell: there, anything may.
+ * Visibility in 8 x 8 px cells: for a pixel in the cell, whether any part of a picture within [x0, x1) x [y0, y1) of
+ * that pixel may be visible. Pixels outside of the layer and its band have no cell and count as visible.
  */
 struct stamp_cells {
     uint32_t across, down;
-    uint8_t *seen; /* 1: something may; across * down cells, row by row, and a last one for all that have none */
+    uint8_t *seen; /* 1: may be visible; across * down cells, row by row, and a last one for all pixels without a
+                      cell */
 };
 size_t stamp_cells_size(int w, int h);
 
-/* From the map as it is. `seen` has stamp_cells_size bytes. */
+/* Computes the cells from the current map. `seen` has stamp_cells_size bytes. */
 void stamp_cells_find(const struct stamp_layer *l, struct stamp_cells *cells, uint8_t *seen, int x0, int y0, int x1,
                       int y1);
 
-/* The cells of 64 positions on the layer. */
+/* Stores the cell indices of 64 positions on the layer. */
 void stamp_cells_at(const struct stamp_cells *cells, const fx *restrict x, const fx *restrict y, uint32_t *restrict at);
 
 /* Draws one picture at a destination. */
 void stamp_layer_sprite(struct stamp_layer *l, const struct image *image, uint32_t dest, size_t pixels);
 
-/* Puts the layer on fb at (x, y); all of it is inside fb's picture. */
+/* Draws the layer on fb at (x, y); all of it must be inside fb's picture. */
 void stamp_layer_show(const struct stamp_layer *l, struct fb *fb, int x, int y);
 
 #endif

@@ -1,11 +1,11 @@
 /*
  * strip.c - see strip.h.
  *
- * Each piece of the line is the part of the plane between four edges: two along it, half the width away, and a cut at
- * either end. Where two pieces meet they share the cut, which halves the angle between them, and every pixel's middle
- * is on one side of it: so they leave no gap and do not overlap. A row of a piece is what its edges leave of the clip;
- * an edge is followed from row to row by one addition. In a piece the picture is found by two steps a pixel, one along
- * the line and one across.
+ * Each piece of the line is the part of the plane between four edges: two parallel to it, half the width away, and a
+ * cut at either end. Where two pieces meet they share the cut, which bisects the angle between them, and the centre of
+ * every pixel is on one side of it: so the pieces leave no gap and do not overlap. A row of a piece is the part of the
+ * clip between its edges; an edge is advanced from row to row by one addition. Within a piece, picture coordinates
+ * advance by two steps per pixel, one along the line and one across it.
  */
 #include "strip.h"
 #include <string.h>
@@ -13,31 +13,31 @@
 
 enum { HALF = 32768, PROFILE = 256 };
 
-/* A direction of length one, Q16. */
+/* A unit vector, Q16. */
 struct unit {
     int32_t x, y;
 };
 
-/* A straight edge, as the rows see it. */
+/* A straight edge, as used row by row. */
 struct edge {
-    int64_t x, step; /* where it is on this row's middle, and how far on the next; Q16 px */
-    bool level;      /* it lies along the rows: all of a row is on one side */
-    bool right;      /* what is kept is to its right; level: below it */
-    int32_t y;       /* of a level one, Q16 px */
+    int64_t x, step; /* its x at this row's centre, and the change per row; Q16 px */
+    bool level;      /* it is parallel to the rows: a whole row is on one side */
+    bool right;      /* keeps the pixels to its right; if level, those below it */
+    int32_t y;       /* of a level edge, Q16 px */
 };
 
-/* What the pixels need. */
+/* The state needed to draw pixels. */
 struct brush {
     struct fb *fb;
     const struct strip *s;
     const struct image *image;
-    int32_t half;             /* of the width */
-    int64_t scale;            /* from px across to rows of the picture, Q16 */
-    uint8_t profile[PROFILE]; /* of a picture one pixel wide: its colours, the bank added; 0: none */
-    bool plain;               /* it is one, opaque and not dashed */
+    int32_t half;             /* half of the width, Q16 px */
+    int64_t scale;            /* px across the line to rows of the picture, Q16 */
+    uint8_t profile[PROFILE]; /* for a picture one pixel wide: its colours with the bank added; 0: transparent */
+    bool plain;               /* the picture is one pixel wide, opaque and not dashed */
 };
 
-/* Which way an edge runs that keeps what lies in the direction n. */
+/* The slope of an edge that keeps the side in the direction n. */
 struct slope {
     struct unit n;
     int64_t step;
@@ -48,7 +48,7 @@ static struct slope slope_of(struct unit n)
     return (struct slope){ n, n.x ? -(int64_t)n.y * FX_ONE / n.x : 0 };
 }
 
-/* The edge through (x, y), from the row `row` on. */
+/* Returns the edge through (x, y), starting at `row`. */
 static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
 {
     const int64_t down = (int64_t)row * FX_ONE + HALF - y;
@@ -60,7 +60,7 @@ static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
                           .y = y };
 }
 
-/* What a piece, or an end, keeps: rows first to last, and of each a span between edges. */
+/* The area that a piece, or an end, keeps: rows first to last, and in each row a span between edges. */
 struct span {
     int first, last;
     int64_t lo, hi; /* the clip */
@@ -70,7 +70,7 @@ struct span {
 
 static void cut(struct span *s, struct edge e)
 {
-    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first whose middle is not above it */
+    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first row whose centre is not above it */
 
     if (!e.level)
         s->edge[s->n++] = e;
@@ -80,14 +80,14 @@ static void cut(struct span *s, struct edge e)
         s->last = row - 1 < s->last ? row - 1 : s->last;
 }
 
-/* The span [*lo, *hi) of a row; the edges go on to the next one. */
+/* Stores the span [*lo, *hi) of a row and advances the edges to the next row. */
 static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
 {
     *lo = s->lo;
     *hi = s->hi;
     for (int k = 0; k < s->n; k++) {
         struct edge *e = &s->edge[k];
-        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose middle is not left of it */
+        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose centre is not left of it */
         e->x += e->step;
         if (e->right)
             *lo = at > *lo ? at : *lo;
@@ -110,7 +110,7 @@ static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
         *d = b->s->blend ? b->s->blend[(size_t)*d << 8 | c] : c;
 }
 
-/* The picture's row, of one in Q32. */
+/* Returns the picture's row for a row in Q32. */
 static inline int row_of(const struct brush *b, int64_t row)
 {
     const int most = b->image->h - 1;
@@ -119,14 +119,14 @@ static inline int row_of(const struct brush *b, int64_t row)
     return row < 0 ? 0 : row > most ? most : (int)row;
 }
 
-/* v modulo n, 0 to n - 1. */
+/* Returns v modulo n, 0 to n - 1. */
 static int64_t modulo(int64_t v, int64_t n)
 {
     v %= n;
     return v < 0 ? v + n : v;
 }
 
-/* The picture's pixel, `along` Q16 px from the line's beginning. */
+/* Draws the picture's pixel that is `along` Q16 px from the start of the line. */
 static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int row)
 {
     if (b->s->dashed && (along >> 16 & 4))
@@ -135,7 +135,7 @@ static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int r
     put(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
-/* A span of a piece that is not dashed. */
+/* Draws a span of a piece that is not dashed. */
 static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
                          int64_t row_step)
 {
@@ -146,14 +146,14 @@ static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along
     along = modulo(along, all);
     for (; n > 0; n--, d++, row += row_step) {
         put(b, d, pix[row_of(b, row) * pitch + (along >> 32)]);
-        along += step; /* no further than a pixel */
+        along += step; /* by at most one pixel */
         along -= along >= all ? all : 0;
         along += along < 0 ? all : 0;
     }
 }
 
-/* A span of a piece whose picture is one pixel wide and opaque. Only what rounding carries beyond the picture's rows is
- * brought back pixel by pixel. */
+/* Draws a span of a piece whose picture is one pixel wide and opaque. Clamps rows pixel by pixel only if rounding took
+ * one beyond the picture's rows. */
 static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
 {
     const int64_t most = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
@@ -174,10 +174,10 @@ static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, in
 struct piece {
     struct strip_corner from;
     struct unit dir;
-    int64_t along; /* Q16 px of the line before it */
+    int64_t along; /* Q16 px of the line before this piece, plus the strip's `along` */
 };
 
-/* Where in the picture the first pixel of the clip's row is, Q32, and how that changes by a pixel and by a row. */
+/* The picture coordinates of the first pixel of the clip in a row, Q32, and their change per pixel and per row. */
 struct place {
     int64_t row, row_x, row_y; /* across */
     int64_t along, along_x, along_y;
@@ -210,7 +210,7 @@ static void paint_span(const struct brush *b, const struct place *at, int y, int
             paint(b, d, along >> 16, row_of(b, row));
 }
 
-/* Rows that may be within `reach` of what lies from y0 to y1, all in Q16 px. */
+/* Computes the rows that may be within `reach` of y0 to y1, all in Q16 px. */
 static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach, int *first, int *last)
 {
     int64_t top = ((y0 < y1 ? y0 : y1) - reach) >> 16, end = ((y0 < y1 ? y1 : y0) + reach) >> 16;
@@ -219,8 +219,8 @@ static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach
     *last = end < fb->y1 - 1 ? (int)end : fb->y1 - 1;
 }
 
-/* A straight piece to `to`, between its two cuts, each through a corner and keeping what lies in its direction. A cut
- * leans by a quarter of a right angle at most, so a piece reaches less than 5/12 of half the width beyond its ends. */
+/* Draws a straight piece to `to`, between its two cuts, each through a corner and keeping its direction's side. A cut
+ * leans by a quarter of a right angle at most, so a piece extends less than 5/12 of half the width beyond its ends. */
 static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
                        const struct slope *end)
 {
@@ -251,7 +251,7 @@ static void draw_piece(const struct brush *b, const struct piece *p, struct stri
 
 enum half { BEHIND, AHEAD, WHOLE };
 
-/* The half of a circle that lies behind corner c of a piece along dir, or ahead, or all of it. */
+/* Draws the half of a circle that is behind corner c of a piece along dir, or ahead of it, or the whole circle. */
 static void draw_end(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
 {
     int first, last;
@@ -285,8 +285,8 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
     }
 }
 
-/* The direction from a to b, and how far it is; false: it is nearly nothing. Squares are of Q12, so that those of all
- * places fit. */
+/* Computes the direction from a to b, and their distance. Returns false if that is nearly 0. Squares are of Q12 values,
+ * so that they fit for all corners. */
 static bool direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *far)
 {
     const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
@@ -316,7 +316,7 @@ static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
     return true;
 }
 
-/* The corners that are far enough apart, and the ways between them: of n corners n - 1. */
+/* The corners that are far enough apart, and the directions and distances between them: n - 1 for n corners. */
 struct line {
     struct strip_corner corner[STRIP_CORNERS];
     struct unit dir[STRIP_CORNERS];
@@ -333,8 +333,8 @@ static void take_line(struct line *l, const struct strip_corner *corner, int n)
             l->corner[l->n++] = corner[k];
 }
 
-/* Do two ways meet at half a right angle or less? Then the cut between them halves it, and the corner outside is at
- * most a twelfth further from the line than half the width. */
+/* Returns whether two directions meet at half a right angle or less, and stores the direction of the cut. Then the cut
+ * bisects the angle, and the outer corner is at most 13/12 of half the width from the line. */
 static bool halved(struct unit a, struct unit b, struct unit *cut_at)
 {
     *cut_at = (struct unit){ a.x + b.x, a.y + b.y };

@@ -1,9 +1,9 @@
 /*
  * strip.h - a picture laid along a line of many corners, of any width and direction, with round ends.
  *
- * Places are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
- * first guess is a double's: the caller puts the host's settings aside (host.h). No pixel is drawn twice where two
- * pieces of the line meet (but where they meet at more than half a right angle), so blended strips show no seams.
+ * Positions are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
+ * first guess is a double: the caller must have set the board's arithmetic (host.h). No pixel is drawn twice where two
+ * pieces of the line meet (unless they meet at more than half a right angle), so blended strips show no seams.
  */
 #ifndef FB_STRIP_H
 #define FB_STRIP_H
@@ -13,9 +13,10 @@
 #include "blit.h"
 
 struct strip {
-    const struct image *image; /* its rows lie along the line, the first at the left of the way; it repeats along it */
-    uint8_t bank;              /* as of blit_sprite */
-    const uint8_t *blend;      /* a table as of blit_blended, or NULL: opaque */
+    const struct image *image; /* its rows lie along the line, the first on the left of the direction of travel; it
+                                  repeats along the line */
+    uint8_t bank;              /* as in blit_sprite */
+    const uint8_t *blend;      /* a table as in blit_blended, or NULL: opaque */
     int32_t width;  /* Q16 px, 0 to 4096 px, below 1/8 nothing is drawn: the picture's height is stretched to it */
     uint16_t along; /* px by which the picture is moved along the line */
     bool dashed;    /* 4 px on, 4 px off, in the colours of the picture's first column */
@@ -28,8 +29,8 @@ struct strip_corner {
 
 enum { STRIP_CORNERS = 512 };
 
-/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped. What is within half the width of the line is drawn,
- * and the corners outside of its bends. */
+/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped: all within half the width of the line, and the outer
+ * corners of its bends. */
 void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner *corner, int n);
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * text.c - see text.h. A character is an image as any other; its rows are one word each, the blit's quickest case.
+ * text.c - see text.h. A character is an ordinary image; its rows are one word each, the fastest case of the blit.
  */
 #include "text.h"
 #include <string.h>
 #include "blit.h"
 #include "words.h"
 
-/* Does it draw a pixel? */
+/* Returns whether the glyph draws a pixel. */
 static bool any_ink(const uint8_t *glyph)
 {
     uint64_t all = 0, row;
@@ -57,7 +57,7 @@ void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t c
         text_box(fb, x, y, TEXT_SIDE - 1, TEXT_SIDE, bank);
 }
 
-/* As far to the right or down as an int goes, nothing is seen, shadow or not. */
+/* Returns v + 1, or v if that would overflow: there, nothing is visible, shadow or not. */
 static int beside(int v)
 {
     return v < INT32_MAX ? v + 1 : v;
@@ -69,7 +69,7 @@ void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
     fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
-/* A row of a rim, from d on: ten pixels, three times the mask's eight, a pixel apart. */
+/* Draws a row of a rim, from d on: ten pixels, the mask's eight drawn three times, one pixel apart. */
 static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
 {
     const uint64_t once = words_moved(mask), eight = mask | once | words_moved(once);
@@ -83,7 +83,7 @@ static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
         d[9] = rim;
 }
 
-/* A rim of which nothing is cut off, from d on. A row of it is made of three of the glyph's, one over the other. */
+/* Draws an unclipped rim, from d on. Each of its rows is the union of three of the glyph's rows. */
 static void whole_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint8_t rim)
 {
     uint64_t above = 0, on = 0;

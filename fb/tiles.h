@@ -1,5 +1,5 @@
 /*
- * tiles.h - square tiles side by side onto the surface: what the layers of a background are drawn with.
+ * tiles.h - draws square tiles side by side onto the surface, for the layers of a background.
  */
 #ifndef FB_TILES_H
 #define FB_TILES_H
@@ -8,14 +8,14 @@
 #include <stdint.h>
 
 enum tile {
-    TILE_EMPTY, /* nothing is drawn */
-    TILE_HOLES, /* the pixels that are not 0 */
-    TILE_SOLID  /* all pixels, none of which is 0 */
+    TILE_EMPTY, /* draws nothing */
+    TILE_HOLES, /* draws the pixels that are not 0 */
+    TILE_SOLID  /* draws all pixels, none of which is 0 */
 };
 
-/* So many rows of n tiles, one beside the other from d on, on a surface of that pitch. Of tile k the first of these
- * rows is at pix + at[k], side px long, and the others follow it; side: 8, 16 or 32. add is added to every pixel that
- * is drawn, modulo 256. Nothing is clipped. */
+/* Draws `rows` rows of n tiles, side by side from d on, on a surface of that pitch. The first of these rows of tile k
+ * is at pix + at[k], side px long, and the others follow it; side is 8, 16 or 32. Every drawn pixel has add added,
+ * modulo 256. Nothing is clipped. */
 void tiles_draw(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix, const uint32_t *at, const uint8_t *tile, int n,
                 int side, int rows, uint8_t add);
 

@@ -1,14 +1,13 @@
 /*
  * turn.c - see turn.h.
  *
- * Each pixel of the result asks SAMPLES x SAMPLES points of its square what colour they have in the image, made
- * smoother by Scale2x (Andrea Mazzoleni, 2001) applied twice, and the majority decides: first whether it is opaque,
- * then the colour. A pixel at the rim of the result then votes again among points at the rim of the image, so that a
- * bullet's outline stays closed. Chosen by eye among seven ways, on 12 px rice, arrow and knife bullets in 32
- * directions.
+ * Each pixel of the result looks up the image's colour at SAMPLES x SAMPLES points of its square, in the image smoothed
+ * by applying Scale2x (Andrea Mazzoleni, 2001) twice, and the majority decides: first whether the pixel is opaque, then
+ * its colour. Pixels at the rim of the result then vote again among points at the rim of the image, so that a bullet's
+ * outline stays closed. Chosen by eye among seven methods, on 12 px rice, arrow and knife bullets in 32 directions.
  *
- * The smooth image is made once for all turns. Outside the image all is transparent, also after Scale2x: no pixel there
- * has two neighbours inside that touch it at one corner.
+ * The smooth image is made once for all turns. Everything outside the image is transparent, also after Scale2x: no
+ * pixel there has two neighbours inside the image that touch it at one corner.
  */
 #include "turn.h"
 #include "fb.h"
@@ -18,10 +17,10 @@
 #include <stddef.h>
 #include <string.h>
 
-/* From the point to the farthest corner of pixel (x, y), squared, in half pixels. */
+/* Returns the distance from the point to the farthest corner of pixel (x, y), squared, in half pixels. */
 static int64_t reach_of(int64_t x, int64_t y, int64_t ox, int64_t oy)
 {
-    int64_t dx = 2 * x + 1 - ox, dy = 2 * y + 1 - oy; /* to the pixel's middle; its far corner is one more each way */
+    int64_t dx = 2 * x + 1 - ox, dy = 2 * y + 1 - oy; /* to the pixel's centre; its far corner is one more each way */
 
     dx = (dx < 0 ? -dx : dx) + 1;
     dy = (dy < 0 ? -dy : dy) + 1;
@@ -42,7 +41,7 @@ void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *
     *out_h = (int)(side + ((side ^ oy) & 1));
 }
 
-enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image a pixel, each way */ };
+enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image per pixel, each way */ };
 
 /* ---- preparing ---- */
 
@@ -51,14 +50,14 @@ static int pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, int y
     return x < 0 || y < 0 || x >= w || y >= h ? 0 : pix[y * pitch + x];
 }
 
-/* Scale2x: a corner of pixel e takes the colour of the two neighbours it touches, if these agree and their opposites do
- * not join them. */
+/* Scale2x: a corner of pixel e takes the colour of the two neighbours that it touches, if they agree and differ from
+ * the neighbours opposite them. */
 static uint8_t corner(int e, int beside, int above, int opposite, int below)
 {
     return (uint8_t)(beside == above && above != opposite && beside != below ? beside : e);
 }
 
-/* Twice as large, into rows without padding. */
+/* Scales an image to twice its size, into rows without padding. */
 static void scale2x(uint8_t *out, const uint8_t *in, int w, int h, int pitch)
 {
     for (int y = 0; y < h; y++)
@@ -74,7 +73,7 @@ static void scale2x(uint8_t *out, const uint8_t *in, int w, int h, int pitch)
         }
 }
 
-/* Opaque, with a transparent neighbour. */
+/* Returns whether the pixel is opaque and has a transparent neighbour. */
 static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
 {
     return pixel(pix, w, h, pitch, x, y) != 0 &&
@@ -82,7 +81,7 @@ static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
             pixel(pix, w, h, pitch, x, y - 1) == 0 || pixel(pix, w, h, pitch, x, y + 1) == 0);
 }
 
-/* Clears what has no vote at the rim: the inner pixels of the image. */
+/* Clears the inner pixels of the image, which have no vote at the rim. */
 static void keep_rim(const struct turn *t, uint8_t *fine)
 {
     int row = FINE * t->w;
@@ -94,7 +93,7 @@ static void keep_rim(const struct turn *t, uint8_t *fine)
                     memset(fine + (ptrdiff_t)(FINE * y + k) * row + FINE * x, 0, FINE);
 }
 
-/* The image's opaque colours, ascending. */
+/* Lists the image's opaque colours, ascending. */
 static void list_colours(struct turn *t)
 {
     bool has[256] = { false };
@@ -129,7 +128,8 @@ void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int o
 
 /* ---- turning ---- */
 
-/* From a place in the result to one in the image, in units of 2^-32 quarter pixels a sixteenth of a pixel. */
+/* Maps a position in the result to one in the image: cosine and sine in units of 2^-32 quarter pixels per sixteenth of
+ * a pixel. */
 struct transform {
     const struct turn *t;
     int64_t cos30, sin30;
@@ -141,8 +141,8 @@ static int at(const struct turn *t, int x, int y)
     return pixel(t->in, t->w, t->h, t->pitch, x, y);
 }
 
-/* The first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16; to the next in a row add (2 * cos30,
- * -2 * sin30), to the next in a column (2 * sin30, 2 * cos30). */
+/* Computes the first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16 px; add (2 * cos30, -2 * sin30)
+ * for the next in a row, (2 * sin30, 2 * cos30) for the next in a column. */
 static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t *py)
 {
     int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
@@ -151,7 +151,8 @@ static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t
     *py = a->cos30 * v - a->sin30 * u + a->t->oy * ((int64_t)1 << 33);
 }
 
-/* True: the image has one colour as far round the middle of pixel (x, y) as its points can see. */
+/* Returns whether the image has a single colour in the whole area that the points of pixel (x, y) can see; stores the
+ * colour at the pixel's centre. */
 static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
 {
     const struct turn *t = a->t;
@@ -168,7 +169,7 @@ static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
     return true;
 }
 
-/* The votes of pixel (x, y)'s points in the smooth image, a colour an entry. */
+/* Counts the votes of pixel (x, y)'s points in the smooth image, an entry per colour. */
 static void count(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
 {
     uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
@@ -182,7 +183,8 @@ static void count(const struct transform *a, const uint8_t *fine, int x, int y, 
         }
 }
 
-/* The opaque colour with the most votes, the lowest of equals; 0 without votes, or when most are for transparent. */
+/* Returns the opaque colour with the most votes, the lowest of equals; 0 without votes or, if may_clear, when most are
+ * for transparent. */
 static uint8_t vote(const struct transform *a, const uint8_t *fine, int x, int y, bool may_clear)
 {
     uint8_t votes[256], most = 0, best = 0;
@@ -210,7 +212,8 @@ static uint8_t turned_pixel(const struct transform *a, int x, int y)
     return is_flat(a, x, y, &colour) ? colour : vote(a, a->t->smooth, x, y, true);
 }
 
-/* Quarter turns map middles of pixels to middles, or all of them to edges, of which the lower pixel is then taken. */
+/* Returns a pixel after a quarter turn, which maps all pixel centres to centres, or all to edges; of an edge, the lower
+ * pixel is taken. */
 static uint8_t quarter_pixel(const struct transform *a, int x, int y)
 {
     int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;
@@ -225,13 +228,13 @@ void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out
     struct transform a = { t, trig_cos30(turn), trig_sin30(turn), out_w, out_h };
     bool quarter = (turn & 0x3fffffff) == 0;
 
-    assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate fits 64 bits */
+    assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate does not overflow 64 bits */
     for (int y = 0; y < out_h; y++)
         for (int x = 0; x < out_w; x++)
             out[(ptrdiff_t)y * out_pitch + x] = quarter ? quarter_pixel(&a, x, y) : turned_pixel(&a, x, y);
     for (int y = 0; y < out_h && !quarter; y++)
         for (int x = 0; x < out_w; x++) {
-            /* No pixel becomes transparent here. */
+            /* This pass makes no pixel transparent. */
             uint8_t colour = is_rim(out, out_w, out_h, out_pitch, x, y) ? vote(&a, t->rim, x, y, false) : 0;
             if (colour != 0)
                 out[(ptrdiff_t)y * out_pitch + x] = colour;

@@ -1,12 +1,13 @@
 /*
- * utf8.c - see utf8.h. What counts as UTF-8 is Unicode's own table: the shortest form alone, no surrogates, nothing
- * over UTF8_MAX.
+ * utf8.c - see utf8.h. Valid UTF-8 is as in Unicode's table: only the shortest form, no surrogates, nothing over
+ * UTF8_MAX.
  */
 #include "utf8.h"
 
 #include <string.h>
 
-/* The bytes of the sequence that begins with b, and what of it is the first's share; 0: none begins so. */
+/* Returns the length of the multi-byte sequence that starts with b, and stores the bits that b contributes; 0: none
+ * starts with b. */
 static int sequence(uint8_t b, uint32_t *code)
 {
     if (b >= 0xc2 && b <= 0xdf)
@@ -56,7 +57,7 @@ bool utf8_may_show(uint32_t code)
     } hidden[] = {
         { 0, 0x1f },          { 0x7f, 0x9f },     { 0x61c, 0x61c },                       /* Arabic letter mark */
         { 0x200e, 0x200f },   { 0x2028, 0x202e }, { 0x2060, 0x206f }, { 0xd800, 0xdfff }, /* marks, separators */
-        { 0xfdd0, 0xfdef },   { 0xfeff, 0xfeff }, { 0xfff9, 0xfffb },                     /* no characters, a BOM */
+        { 0xfdd0, 0xfdef },   { 0xfeff, 0xfeff }, { 0xfff9, 0xfffb },                     /* noncharacters, a BOM */
         { 0xe0000, 0xe007f },
     };
 

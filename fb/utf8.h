@@ -1,5 +1,5 @@
 /*
- * utf8.h - the code points of a text.
+ * utf8.h - the code points of text.
  */
 #ifndef FB_UTF8_H
 #define FB_UTF8_H
@@ -9,30 +9,33 @@
 #include <stdint.h>
 
 enum {
-    UTF8_MAX = 0x10ffff, /* the last code point */
-    UTF8_BYTES = 4,      /* of one, at most */
+    UTF8_MAX = 0x10ffff, /* the highest code point */
+    UTF8_BYTES = 4,      /* most bytes of a code point */
 };
 
-/* The code point at *s, which moves behind it; *s < end. False: the byte there is no part of UTF-8; *s moves behind it,
- * and its value is the code. */
+/* Reads the code point at *s, and moves *s past it; *s < end. Returns false if the byte there is not part of valid
+ * UTF-8: *s moves past that byte, and *code is its value. */
 bool utf8_read(const char **s, const char *end, uint32_t *code);
 
-/* May other people's text show this character? False for what controls instead of being seen: control characters (C0,
- * DEL, C1), line and paragraph separators, marks that turn the direction of text, annotations and tags, surrogates and
- * codes that are no character. Every place where text is shown, from the terminal to a page, asks this function. */
+/* Returns whether the code may be shown in text written by others. False for codes that control text instead of being
+ * seen: control characters (C0, DEL, C1), line and paragraph separators, marks that change the direction of text,
+ * annotations and tags, surrogates and noncharacters. Every place that shows text, from the terminal to a page, asks
+ * this function. */
 bool utf8_may_show(uint32_t code);
 
-/* Blanks in place what may not be shown, but tabs, and newlines where they are kept; a byte that is no part of UTF-8
- * becomes '?'. */
+/* Replaces characters that may not be shown with spaces, in place, except tabs and, if `newlines`, newlines; a byte
+ * that is not part of valid UTF-8 becomes '?'. */
 void utf8_blank(char *text, bool newlines);
 
-/* utf8_read; a byte that is no part of UTF-8 stands for the code of that number, as in Latin-1: 128 to 255. */
+/* Like utf8_read, but returns the code; a byte that is not part of valid UTF-8 counts as the code of that value, as in
+ * Latin-1: 128 to 255. */
 uint32_t utf8_next(const char **s, const char *end);
 
-/* How many code points the n bytes have, but at most `most`; *bytes (may be NULL): so many bytes those take. */
+/* Returns the number of code points in n bytes, but at most `most`; *bytes (may be NULL) receives the bytes they
+ * take. */
 size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes);
 
-/* Writes a code point that is no surrogate, up to UTF8_MAX; returns its bytes. */
+/* Writes a code point, at most UTF8_MAX and not a surrogate; returns the bytes written. */
 size_t utf8_put(char out[UTF8_BYTES], uint32_t code);
 
 #endif

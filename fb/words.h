@@ -1,6 +1,6 @@
 /*
- * words.h - eight pixels at a time: what a 64-bit word of them can do without a step from one byte to the next, so that
- * the byte order of the host does not matter (but to words_moved).
+ * words.h - eight pixels at a time: operations on a 64-bit word of pixels that move nothing from one byte to the next,
+ * so that the byte order of the host does not matter (except in words_moved).
  */
 #ifndef FB_WORDS_H
 #define FB_WORDS_H
@@ -23,7 +23,7 @@ static inline void words_store(uint8_t *p, uint64_t v)
     memcpy(p, &v, sizeof v);
 }
 
-/* 255 in every byte that is not 0 in s. */
+/* Returns 255 in every byte where s is not 0. */
 static inline uint64_t words_opaque(uint64_t s)
 {
     uint64_t top = (((s & WORDS_EACH(0x7f)) + WORDS_EACH(0x7f)) | s) & WORDS_EACH(0x80);
@@ -31,7 +31,7 @@ static inline uint64_t words_opaque(uint64_t s)
     return top | (top - (top >> 7));
 }
 
-/* Each byte in the next one's place; the first becomes 0 and the last is lost. */
+/* Moves each byte one place up in memory; the first becomes 0 and the last is lost. */
 static inline uint64_t words_moved(uint64_t v)
 {
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
@@ -41,7 +41,7 @@ static inline uint64_t words_moved(uint64_t v)
 #endif
 }
 
-/* s + add in each byte, modulo 256. */
+/* Returns s + add in each byte, modulo 256. */
 static inline uint64_t words_add(uint64_t s, uint64_t add)
 {
     return ((s & WORDS_EACH(0x7f)) + (add & WORDS_EACH(0x7f))) ^ ((s ^ add) & WORDS_EACH(0x80));

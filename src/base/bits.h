@@ -1,12 +1,12 @@
 /*
- * bits.h - the lowest and the highest set bit of a word, and how many are set.
+ * bits.h - the lowest and highest set bits of a word, and the number of set bits.
  */
 #ifndef BASE_BITS_H
 #define BASE_BITS_H
 
 #include <stdint.h>
 
-/* The number of the lowest set bit, v != 0. */
+/* Returns the index of the lowest set bit; v != 0. */
 static inline uint32_t bits_lowest(uint64_t v)
 {
 #ifdef __GNUC__
@@ -19,7 +19,7 @@ static inline uint32_t bits_lowest(uint64_t v)
 #endif
 }
 
-/* The number of the highest set bit, v != 0. */
+/* Returns the index of the highest set bit; v != 0. */
 static inline uint32_t bits_highest(uint32_t v)
 {
 #ifdef __GNUC__
@@ -32,7 +32,7 @@ static inline uint32_t bits_highest(uint32_t v)
 #endif
 }
 
-/* How many bits are set, counted in bytes: the processors that are compiled for have no instruction for it. */
+/* Returns the number of set bits. Adds them up within bytes: the processors compiled for have no instruction for it. */
 static inline int bits_count(uint64_t v)
 {
     v -= v >> 1 & 0x5555555555555555;

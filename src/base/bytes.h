@@ -39,7 +39,7 @@ static inline void bytes_put64(uint8_t *p, uint64_t v)
     bytes_put32(p + 4, (uint32_t)(v >> 32));
 }
 
-/* The value of a digit of base64 (RFC 4648), 0 to 63; -1: it is none. */
+/* Returns the value of a base64 digit (RFC 4648), 0 to 63, or -1 if c is not a digit. */
 static inline int bytes_digit64(uint8_t c)
 {
     if (c >= 'A' && c <= 'Z')

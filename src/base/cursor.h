@@ -1,6 +1,6 @@
 /*
- * cursor.h - a place in a Lua text, and what its scanners have in common: the kinds of characters, line ends, long
- * brackets. The rules are those of the reference manual of Lua 5.4, section 3.1, in the C locale.
+ * cursor.h - a position in Lua source text, and the code its scanners share: character classes, line ends, long
+ * brackets. The rules are those of the Lua 5.4 reference manual, section 3.1, in the C locale.
  */
 #ifndef BASE_CURSOR_H
 #define BASE_CURSOR_H
@@ -10,7 +10,7 @@
 
 struct cursor {
     const char *p, *end;
-    int line; /* from 1 on */
+    int line; /* counted from 1 */
 };
 
 static inline bool cursor_letter(char c)
@@ -28,7 +28,7 @@ static inline bool cursor_blank(char c)
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/* The value of a hexadecimal digit, or -1. */
+/* Returns the value of a hexadecimal digit, or -1. */
 static inline int cursor_hex(char c)
 {
     if (cursor_digit(c))
@@ -38,13 +38,13 @@ static inline int cursor_hex(char c)
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* The character k after this one; 0 past the end. */
+/* Returns the character k places ahead, or 0 past the end. */
 static inline char cursor_peek(const struct cursor *c, size_t k)
 {
     return k < (size_t)(c->end - c->p) ? c->p[k] : '\0';
 }
 
-/* Goes on by one character, p < end; \r\n and \n\r are one line's end. */
+/* Advances by one character, p < end; \r\n and \n\r count as one line end. */
 static inline void cursor_step(struct cursor *c)
 {
     char was = *c->p++;
@@ -56,7 +56,7 @@ static inline void cursor_step(struct cursor *c)
         c->p++;
 }
 
-/* The = signs of a long bracket that opens here, or -1. */
+/* Returns the number of = signs in the long bracket that opens here, or -1 if none does. */
 static inline int cursor_long_level(const struct cursor *c)
 {
     size_t n = 1;
@@ -66,7 +66,7 @@ static inline int cursor_long_level(const struct cursor *c)
     return cursor_peek(c, n) == '[' ? (int)n - 1 : -1;
 }
 
-/* Does a long bracket of that level close here? */
+/* Returns whether a long bracket of that level closes here. */
 static inline bool cursor_closes(const struct cursor *c, int level)
 {
     for (int i = 1; i <= level; i++)

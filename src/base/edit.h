@@ -1,14 +1,15 @@
 /*
- * edit.h - the edit distance of two words: how alike they are.
+ * edit.h - the edit distance between two words.
  */
 #ifndef BASE_EDIT_H
 #define BASE_EDIT_H
 
-enum { EDIT_FAR = 99 }; /* of two words so different that nobody meant one by the other */
+enum { EDIT_FAR = 99 }; /* the distance of words too different for one to be a typo of the other */
 
-/* Letters to add, drop, change or swap with their neighbour to make one word of the other: 1, in words of more than 3
- * letters up to 2, of more than 7 up to 3; 0 for equal words. EDIT_FAR beyond that, of a word over 32 letters,
- * and of two single letters: all of those are as near. */
+/* Returns the number of letters to add, drop, change or swap with a neighbour to turn one word into the other; 0 for
+ * equal words. Distances up to 1 count, up to 2 in words of more than 3 letters, up to 3 in words of more than 7.
+ * Returns EDIT_FAR beyond that, for a word over 32 letters, and for two different single letters, since any two of
+ * those are equally near. */
 int edit_distance(const char *a, const char *b);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * err.h - the sentence with which a loader or parser says no.
+ * err.h - error messages of loaders and parsers.
  */
 #ifndef BASE_ERR_H
 #define BASE_ERR_H
@@ -7,7 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Writes the sentence, cut to size bytes with its 0. Returns false, so that `return err_set(...)` ends a reader. */
+/* Writes the message, cut to size bytes including its NUL. Returns false, so that `return err_set(...)` ends a
+ * reader. */
 bool err_set(char *err, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 #endif

@@ -1,18 +1,19 @@
 /*
  * fx.h - Q15.16 fixed point: 65536 is one.
  *
- * The rounding law: a result is the exact value rounded once to the nearest representable one, ties to the even one,
- * and clamped to FX_MIN..FX_MAX. So the functions are odd where mathematics is (a mirrored pattern stays mirrored), and
- * their bits depend on no compiler and no processor: where a double makes the first guess, integers decide.
+ * The rounding rule: a result is the exact value rounded once to the nearest representable value, ties to even, and
+ * clamped to FX_MIN..FX_MAX. So the functions are odd where the mathematical functions are (a mirrored pattern stays
+ * mirrored), and their bits depend on no compiler and no processor: a double may make the first guess, but integers
+ * decide.
  *
- * FX_MIN is a number like any other. Its negative is one unit beyond FX_MAX, so FX_MIN / -FX_ONE, FX_MIN * -FX_ONE,
- * 0 - FX_MIN and the length of (FX_MIN, 0) are FX_MAX.
+ * FX_MIN is an ordinary value. Its negation is one unit beyond FX_MAX, so FX_MIN / -FX_ONE, FX_MIN * -FX_ONE, 0 -
+ * FX_MIN and the length of (FX_MIN, 0) are FX_MAX.
  *
- * Each such guess has a twin made of integers alone. With FX_INTEGER defined the twins are used throughout, for targets
- * whose doubles are made by software; results are the same. What comes from or goes to Lua is a double in any case.
+ * Each guess in doubles has an equivalent in integers alone. Defining FX_INTEGER uses these throughout, for targets
+ * that emulate doubles in software; results are the same. Values passed to or from Lua are doubles in any case.
  *
- * Relied upon: IEEE 754 doubles in the default rounding mode, arithmetic right shifts, conversions to signed types that
- * wrap (gcc and clang promise both).
+ * Assumes IEEE 754 doubles in the default rounding mode, arithmetic right shifts, and conversions to signed types that
+ * wrap (gcc and clang guarantee both).
  */
 #ifndef BASE_FX_H
 #define BASE_FX_H
@@ -24,29 +25,29 @@
 #include <string.h>
 #include "int.h"
 
-/* What a compiler does not tell by a macro, ieee.h finds when the program runs. */
+/* ieee.h detects at run time the flags for which compilers define no macro. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||                         \
     defined(__NO_SIGNED_ZEROS__) || defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 #error "build without -ffast-math and the flags it sets: results must be the same everywhere"
 #endif
 _Static_assert(sizeof 0.1 == sizeof(double),
                "build without -fsingle-precision-constant: results must be the same everywhere");
-/* 1 (s390x): float in double, which changes no double, and there is no float; 16: _Float16 alone. */
+/* 1 (s390x): evaluates float as double, which changes no double, and float is not used; 16: affects _Float16 only. */
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || !(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16)
 #error "doubles must be IEEE 754 binary64, evaluated without excess precision (on i386: -msse2 -mfpmath=sse)"
 #endif
 
 typedef int32_t fx;   /* Q15.16 */
-typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
+typedef uint32_t ang; /* a binary angle: 2^32 is a full turn, see trig.h */
 
 #define FX_ONE 65536
 #define FX_MAX INT32_MAX
 #define FX_MIN INT32_MIN
 
 /*
- * What hardly ever happens stands in a branch: one that is predicted costs nothing, while a choice between two values
- * (which compilers prefer) makes the result wait for both. FX_RARE(v) in such a branch, v being what it changes, keeps
- * it one. FX_USUAL(x) is x.
+ * Rare cases are handled in a branch: a predicted branch costs nothing, while a select between two values (which
+ * compilers prefer) makes the result wait for both. FX_RARE(v) inside such a branch, v being the variable that the
+ * branch changes, keeps the compiler from turning it into a select. FX_USUAL(x) is x, predicted to be true.
  */
 #if defined(__GNUC__)
 #define FX_RARE(v)  __asm__("" : "+r"(v))
@@ -58,7 +59,7 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a turn, see trig.h */
 #define FX_COLD
 #endif
 
-/* v clamped to what an fx holds. */
+/* Returns v clamped to the range of fx. */
 static inline fx fx_sat(int64_t v)
 {
     if (!FX_USUAL((fx)v == v)) {
@@ -70,7 +71,7 @@ static inline fx fx_sat(int64_t v)
 
 INT_FUNCTIONS(fx, fx)
 
-/* The high half of the 128-bit product; the low half is a * b. */
+/* Returns the high half of the 128-bit product; the low half is a * b. */
 static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 {
 #if defined(__SIZEOF_INT128__) && !defined(FX_NO_INT128)
@@ -83,8 +84,8 @@ static inline uint64_t fx_mul_high(uint64_t a, uint64_t b)
 #endif
 }
 
-/* The whole number nearest to v, ties to even, |v| < 2^51: 1.5 * 2^52 has no bits below one, so the sum is rounded
- * so. */
+/* Returns the whole number nearest to v, ties to even; |v| < 2^51. A double near 1.5 * 2^52 has no bits below one, so
+ * the addition does the rounding. */
 static inline int64_t fx_nearest(double v)
 {
     double sum = v + 6755399441055744.0;
@@ -94,13 +95,13 @@ static inline int64_t fx_nearest(double v)
     return bits - 0x4338000000000000;
 }
 
-/* sqrt(n) to about 52 bits, n <= 2^63: where exact tests start from. */
+/* Returns sqrt(n) to about 52 bits, n <= 2^63: the starting point of exact tests. */
 static inline double fx_root_guess(uint64_t n)
 {
     return sqrt((double)(int64_t)(n - (n >> 63)));
 }
 
-/* The greatest whole number that is not above sqrt(n), a bit a step: the twin. */
+/* Returns the greatest whole number not above sqrt(n), computed a bit per step: fx_root_guess in integers. */
 static inline uint64_t fx_root_bits(uint64_t n)
 {
     uint64_t r = 0;
@@ -118,8 +119,8 @@ static inline uint64_t fx_root_bits(uint64_t n)
 }
 
 /*
- * The whole number nearest to sqrt(n), n <= 2^63. (r + 1/2)^2 is never whole, so there are no ties: r is right when
- * r*r - r < n <= r*r + r. The guess is off by less than 2^-20; cut to a whole number it is r or r - 1.
+ * Returns the whole number nearest to sqrt(n), n <= 2^63. (r + 1/2)^2 is never whole, so there are no ties: r is right
+ * when r*r - r < n <= r*r + r. The guess is off by less than 2^-20; truncated, it is r or r - 1.
  */
 static inline uint64_t fx_root(uint64_t n)
 {
@@ -132,7 +133,7 @@ static inline uint64_t fx_root(uint64_t n)
     return r + (n > r * r + r);
 }
 
-/* n whole units; clamped. */
+/* Converts a whole number to fx; clamped. */
 static inline fx fx_int(int n)
 {
     fx v = (fx)((uint32_t)n << 16);
@@ -144,7 +145,7 @@ static inline fx fx_int(int n)
     return v;
 }
 
-/* The greatest whole number that is not above v. */
+/* Returns the greatest whole number not above v. */
 static inline int fx_floor(fx v)
 {
     return v >> 16;
@@ -172,7 +173,8 @@ static inline fx fx_sub(fx a, fx b)
     return diff;
 }
 
-/* p / 2^16 by p + 2^15, not clamped. Shifted, that is rounded half up; a tie that came out odd is one too many. */
+/* Returns p / 2^16 rounded, ties to even, where up is p + 2^15; not clamped. The shift rounds halves up, so a tie whose
+ * result is odd is one too high. */
 static inline int64_t fx_half_even(int64_t up)
 {
     int64_t q = up >> 16;
@@ -190,8 +192,8 @@ static inline fx fx_mul(fx a, fx b)
 }
 
 /*
- * a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A quotient that is a tie is exact in a double; any other is
- * off a tie by 1 / 2|b| or more, 2^-48 of itself, which is more than the double's 2^-53.
+ * Returns a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A quotient that is a tie is exact in a double; any
+ * other is at least 1 / 2|b| away from a tie, which is 2^-48 of the quotient and more than the double's 2^-53.
  */
 static inline fx fx_div(fx a, fx b)
 {
@@ -209,15 +211,15 @@ static inline fx fx_div(fx a, fx b)
 #endif
 }
 
-/* The square root; 0 for x < 0. */
+/* Returns the square root; 0 for x < 0. */
 static inline fx fx_sqrt(fx x)
 {
     return x > 0 ? (fx)fx_root((uint64_t)x << 16) : 0;
 }
 
 /*
- * 1/sqrt(x); FX_MAX for x = 0, and 0 for x < 0. In units: 2^24/sqrt(x), and r is right when
- * (2r - 1)^2 x < 2^50 < (2r + 1)^2 x; an odd square times x < 2^31 is never 2^50, so there are no ties.
+ * Returns 1/sqrt(x); FX_MAX for x = 0, and 0 for x < 0. In units the result is 2^24/sqrt(x), and r is right when (2r -
+ * 1)^2 x < 2^50 < (2r + 1)^2 x; an odd square times x < 2^31 is never 2^50, so there are no ties.
  */
 static inline fx fx_rsqrt(fx x)
 {
@@ -225,7 +227,7 @@ static inline fx fx_rsqrt(fx x)
         return x < 0 ? 0 : FX_MAX;
 
 #ifdef FX_INTEGER
-    uint64_t r = fx_root_bits(((uint64_t)1 << 48) / (uint32_t)x); /* the root of what is cut is the root, cut */
+    uint64_t r = fx_root_bits(((uint64_t)1 << 48) / (uint32_t)x); /* floor(sqrt(floor(v))) is floor(sqrt(v)) */
 #else
     uint64_t r = (uint64_t)(int64_t)(16777216.0 / sqrt((double)x));
 #endif
@@ -234,13 +236,13 @@ static inline fx fx_rsqrt(fx x)
     return (fx)(r + (m * m * (uint64_t)x < (uint64_t)1 << 50));
 }
 
-/* x*x + y*y in square units, exact: at most 2^63. */
+/* Returns x*x + y*y in square units, exact: at most 2^63. */
 static inline uint64_t fx_square(fx x, fx y)
 {
     return (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
 }
 
-/* The length of (x, y); clamped, for it can reach 46341. */
+/* Returns the length of (x, y); clamped, as it can reach 46341. */
 static inline fx fx_hypot(fx x, fx y)
 {
     return fx_sat((int64_t)fx_root(fx_square(x, y)));
@@ -255,7 +257,8 @@ FX_COLD static fx fx_lerp_beyond(fx a, fx b, fx t)
     return fx_sat(q + ((rest > 0x8000) | ((rest == 0x8000) & (q & 1))));
 }
 
-/* a + (b - a) * t, for any t: a at t = 0, b at t = FX_ONE, beyond them outside 0..1. Monotone in each argument. */
+/* Returns a + (b - a) * t for any t: a at t = 0, b at t = FX_ONE, extrapolated outside 0..1. Monotone in each
+ * argument. */
 static inline fx fx_lerp(fx a, fx b, fx t)
 {
     uint32_t u = (uint32_t)t;
@@ -265,7 +268,8 @@ static inline fx fx_lerp(fx a, fx b, fx t)
     return (fx)fx_half_even((int64_t)a * (FX_ONE - u) + ((int64_t)b * u + 0x8000));
 }
 
-/* The fx nearest to v into *out. False, and *out untouched, for NaN and for v that rounds outside FX_MIN..FX_MAX. */
+/* Stores the fx nearest to v in *out. Returns false, leaving *out untouched, for NaN and for v that rounds outside
+ * FX_MIN..FX_MAX. */
 static inline bool fx_from_double(double v, fx *out)
 {
     double units = v * FX_ONE; /* exact, or infinite */
@@ -276,7 +280,7 @@ static inline bool fx_from_double(double v, fx *out)
     return true;
 }
 
-/* Exact. */
+/* Converts v to a double; exact. */
 static inline double fx_to_double(fx v)
 {
     return v / 65536.0;

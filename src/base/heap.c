@@ -1,13 +1,13 @@
 /*
- * heap.c - see heap.h. Two layers. Small sizes (to 512 bytes) come in classes from 4 KiB slabs: a block has no header,
- * its slab is found by its offset, and a bitmap of pages tells slab from not. All else, slabs included, is blocks of
- * 16-byte units with an 8-byte header, coalesced at once and found by two-level segregated fit (Masmano, Ripoll,
- * Crespo, Real: TLSF, 2004), so every call is O(1) but for copying. What no block fits is cut from untouched memory
- * above `top`.
+ * heap.c - see heap.h. There are two layers. Small allocations (up to 512 bytes) are served by size class from 4 KiB
+ * slabs: such a block has no header, its slab is found from its offset, and a bitmap of pages marks the slabs. All
+ * other memory, including the slabs themselves, is blocks of 16-byte units with an 8-byte header, coalesced immediately
+ * and found by two-level segregated fit (Masmano, Ripoll, Crespo, Real: TLSF, 2004), so every call is O(1) except for
+ * copying. If no free block fits, a new one is cut from untouched memory above `top`.
  *
- * Places are unit numbers (byte offset / 16), not pointers: half the size, and the same wherever the block is.
- * A block is named by its payload's unit; its header is the 8 bytes below. So payloads are aligned, a block of n units
- * holds 16n-8 bytes, and slabs, whose payloads start at multiples of 4096, lie back to back.
+ * Positions are unit numbers (byte offset / 16), not pointers: half the size, and the same wherever the heap's memory
+ * is. A block is identified by the unit of its payload; its header is the 8 bytes below. So payloads are aligned, a
+ * block of n units has 16n-8 bytes, and slabs, whose payloads start at multiples of 4096, lie back to back.
  */
 #include "heap.h"
 
@@ -17,7 +17,7 @@
 
 enum {
     UNIT = HEAP_ALIGN,
-    SMALL = 512, /* the largest size that comes from a slab */
+    SMALL = 512, /* the largest size that is allocated from a slab */
     CLASSES = 16,
     PAGE = 4096,
     PAGE_UNITS = PAGE / UNIT,
@@ -27,7 +27,7 @@ enum {
 };
 
 struct heap {
-    size_t size; /* of the block in bytes */
+    size_t size; /* of the heap's memory, in bytes */
     size_t used;
     uint64_t work;
     uint32_t first; /* the first block */
@@ -37,9 +37,9 @@ struct heap {
     uint32_t rows;  /* bit r: row r has a free block */
     uint16_t columns[ROWS];
     uint16_t pad;
-    uint32_t partial[CLASSES]; /* slabs with room, a list a class; 0: none */
+    uint32_t partial[CLASSES]; /* slabs with free blocks, a list per class; 0: none */
     uint32_t bin[ROWS][COLUMNS_A_ROW];
-    uint32_t most;    /* used at its highest; a block is below 2^32 */
+    uint32_t most;    /* highest value of used; always below 2^32 */
     uint64_t slabs[]; /* bit p: page p is a slab */
 };
 
@@ -48,15 +48,15 @@ struct head {
     uint32_t size; /* units << 1 | free */
 };
 
-/* In a free block's payload. */
+/* At the start of a free block's payload. */
 struct link {
     uint32_t next, prev;
 };
 
-/* At a slab's start. Offsets are in bytes from there. */
+/* At the start of a slab. Offsets are in bytes from there. */
 struct slab {
     uint32_t next, prev;
-    uint16_t free;  /* a list through the blocks' first two bytes; 0: empty */
+    uint16_t free;  /* first of a list linked through the blocks' first two bytes; 0: empty */
     uint16_t fresh; /* blocks from here on were never used */
     uint16_t used;  /* live blocks */
     uint16_t class;
@@ -66,7 +66,7 @@ static const uint16_t class_bytes[CLASSES] = {
     16, 32, 48, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 384, 448, 512
 };
 
-/* By size in units, rounded up. */
+/* Class by size in units, rounded up. */
 static const uint8_t class_of[SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,  9,  9,  10, 10, 11, 11,
                                                     12, 12, 12, 12, 13, 13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
 
@@ -149,7 +149,7 @@ static void link_free(struct heap *h, uint32_t b)
     h->rows |= 1u << p.row;
 }
 
-/* Sets b's size and tells the block above. */
+/* Sets b's size, and updates its copy in the block above, or in h->last. */
 static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
 {
     head(h, b)->size = units << 1 | free;
@@ -159,7 +159,7 @@ static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
         head(h, b + units)->prev = units;
 }
 
-/* Gives back a block that is in no bin, joined with its free neighbours. */
+/* Frees a block that is in no bin, merged with its free neighbours. */
 static void free_block(struct heap *h, uint32_t b)
 {
     uint32_t units = units_of(h, b), below = head(h, b)->prev;
@@ -177,7 +177,7 @@ static void free_block(struct heap *h, uint32_t b)
     link_free(h, b);
 }
 
-/* Cuts b, in no bin, down to `units`; the rest is freed. */
+/* Shrinks b, which is in no bin, to `units`; frees the rest. */
 static void trim(struct heap *h, uint32_t b, uint32_t units)
 {
     uint32_t all = units_of(h, b);
@@ -192,7 +192,8 @@ static void trim(struct heap *h, uint32_t b, uint32_t units)
     free_block(h, b + units);
 }
 
-/* A free block of at least `units`, or 0. Any block of a bin above the size's own fits; of its own, one is tried. */
+/* Returns a free block of at least `units`, or 0. Every block in a bin above the size's own fits; of its own bin, only
+ * the first block is tried. */
 static uint32_t find(const struct heap *h, uint32_t units)
 {
     struct place own = bin_of(units), p = own;
@@ -214,7 +215,7 @@ static uint32_t find(const struct heap *h, uint32_t units)
     return b && units_of(h, b) >= units ? b : 0;
 }
 
-/* Moves top up by `units`: a block in no bin. The caller checked the limit. */
+/* Moves top up by `units` and returns the new block, which is in no bin. The caller has checked the limit. */
 static uint32_t cut(struct heap *h, uint32_t units)
 {
     uint32_t b = h->top;
@@ -225,7 +226,7 @@ static uint32_t cut(struct heap *h, uint32_t units)
     return b;
 }
 
-/* Makes the topmost block, in no bin, `units` large. False: no room. */
+/* Resizes the topmost block, which is in no bin, to `units`. Returns false if there is not enough memory. */
 static bool stretch(struct heap *h, uint32_t b, uint32_t units)
 {
     if (units > h->limit - b)
@@ -262,7 +263,7 @@ static bool holds_page(const struct heap *h, uint32_t b)
     return b && page + PAGE_UNITS <= b + units_of(h, b);
 }
 
-/* A block of exactly one page, aligned to pages, or 0. */
+/* Returns a block of exactly one page, aligned to a page, or 0. */
 static uint32_t take_page(struct heap *h)
 {
     uint32_t b = find(h, PAGE_UNITS);
@@ -369,8 +370,8 @@ static bool is_empty_slab(const struct heap *h, uint32_t page)
     return page && !((const struct slab *)at(h, page))->used;
 }
 
-/* A class with one slab that has room keeps it even when it is empty, so that one block taken and freed again does not
- * cost a slab. So an empty slab is alone in its list. */
+/* Frees a slab block. A class whose only slab with free blocks becomes empty keeps that slab, so that allocating and
+ * freeing one block repeatedly does not cost a slab each time. So an empty slab is alone in its list. */
 static void free_small(struct heap *h, char *p)
 {
     uint32_t page = (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS);
@@ -389,7 +390,7 @@ static void free_small(struct heap *h, char *p)
         drop_slab(h, page);
 }
 
-/* Gives up the empty slabs that classes keep: when nothing else is left. */
+/* Frees the empty slabs that classes keep, for when memory runs out. Returns whether there were any. */
 static bool drop_empty_slabs(struct heap *h)
 {
     bool any = false;
@@ -447,7 +448,7 @@ static void release(struct heap *h, void *p, size_t old)
         free_block(h, (uint32_t)(offset_of(h, p) / UNIT));
 }
 
-/* Makes block b hold `units` where it lies, if it can. */
+/* Resizes block b to `units` in place. Returns whether that was possible. */
 static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
 {
     uint32_t have = units_of(h, b), above = b + have;
@@ -470,7 +471,7 @@ static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
     return true;
 }
 
-/* Bytes that the slab block p can hold; 0: p is not in a slab. */
+/* Returns the capacity of the slab block p in bytes; 0: p is not in a slab. */
 static size_t small_room(const struct heap *h, const void *p, size_t old)
 {
     if (old > SMALL || !in_slab(h, p))
@@ -479,7 +480,8 @@ static size_t small_room(const struct heap *h, const void *p, size_t old)
     return class_bytes[s->class];
 }
 
-/* A slab block that would be at most half full moves to a smaller class if it can. */
+/* Resizes p in place and returns whether that was possible. A slab block that would be at most half full should move to
+ * a smaller class. */
 static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
 {
     if (room)
@@ -552,15 +554,15 @@ size_t heap_extent(const struct heap *h)
 
 /* ---- snapshots ---- */
 
-/* A piece of the heap, which stands behind it in the snapshot; bytes 0: the end. */
+/* A section of the heap, followed by its bytes in the snapshot; bytes 0: the end. */
 struct run {
     size_t from, bytes;
 };
 
-enum { HOLE = 512 /* bytes of a free block that are worth a new run */ };
+enum { HOLE = 512 /* smallest free block, in bytes, that is left out of a snapshot */ };
 
-/* The next place at or after `at` that is `from` modulo 64: copying between places that differ by a few bytes within
- * the page is up to 16 times slower on some processors. */
+/* Returns the next offset at or after `at` that equals `from` modulo 64: copying between addresses that differ by a few
+ * bytes within the page is up to 16 times slower on some processors. */
 static size_t in_step(size_t at, size_t from)
 {
     return at + ((from - at) & 63);
@@ -578,7 +580,7 @@ static size_t save_run(const struct heap *h, char *buf, size_t at, size_t from, 
     return data + run.bytes;
 }
 
-/* Of a free block, its head and link are in use. */
+/* Saves a free block's header and link, but not the rest of it. */
 size_t heap_save(const struct heap *h, void *buf)
 {
     const struct run end = { 0, 0 };

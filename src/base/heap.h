@@ -1,12 +1,12 @@
 /*
  * heap.h - a deterministic allocator inside one fixed block.
  *
- * All state lives in the block, so copying the block copies the heap. Where an allocation lands depends only on the
- * sequence of calls, never on an address, the time or what the memory held before. The interface is Lua's lua_Alloc:
- * the caller knows the size of what it gives back.
+ * All state lives in the block, so copying the block copies the heap. The position of an allocation depends only on the
+ * sequence of calls, never on an address, the time or the previous contents of the memory. The interface is Lua's
+ * lua_Alloc: the caller knows the size of the memory it frees.
  *
- * Snapshots: heap_save copies away what is in use, heap_restore puts it back to the same place, whatever stands there
- * by then. What a free block holds, and bytes at or beyond the extent, are not read.
+ * Snapshots: heap_save copies the memory in use, heap_restore copies it back to the same position, whatever is there by
+ * then. The contents of free blocks, and bytes at or beyond the extent, are not read.
  */
 #ifndef BASE_HEAP_H
 #define BASE_HEAP_H
@@ -19,30 +19,32 @@ enum { HEAP_ALIGN = 16, HEAP_MIN = 16384 };
 
 struct heap;
 
-/* Makes an empty heap of the block; the struct is at its start. The block is 16-byte aligned, HEAP_MIN bytes to 2^32.
- * Writes only below heap_extent. */
+/* Makes an empty heap of the block; struct heap is at its start. The block must be 16-byte aligned and HEAP_MIN to 2^32
+ * bytes long. Writes only below heap_extent. */
 struct heap *heap_init(void *block, size_t size);
 
-/* lua_Alloc: p NULL allocates (old is ignored), size 0 frees, else resizes. `old` is the size p was last given.
- * Results are 16-byte aligned; NULL when there is no room, and then p is untouched. Shrinking never fails. */
+/* Implements lua_Alloc: p NULL allocates (old is ignored), size 0 frees, otherwise resizes. `old` is the size last
+ * requested for p. Results are 16-byte aligned. Returns NULL when memory is full, and then p is untouched. Shrinking
+ * never fails. */
 void *heap_realloc(struct heap *h, void *p, size_t old, size_t size);
 
-/* Bytes handed out now, at most at one time, and in all (resizing to no less counts the new size; for guards). */
+/* Return the bytes allocated now, the most allocated at one time, and the bytes allocated in total (a resize to the
+ * same size or more adds the new size; used by guards). */
 size_t heap_used(const struct heap *h);
 size_t heap_most(const struct heap *h);
 uint64_t heap_work(const struct heap *h);
 
-/* Bytes from the block's start that were ever written. Never shrinks but by restoring a snapshot. */
+/* Returns the bytes from the block's start that were ever written. Shrinks only when a snapshot is restored. */
 size_t heap_extent(const struct heap *h);
 
-/* Copies what is in use into buf; returns bytes. buf NULL only counts. Places in buf and block that belong together are
- * the same modulo 64, counted from the start of each. */
+/* Copies the memory in use into buf and returns the bytes written. With buf NULL, only counts them. Corresponding
+ * positions in buf and block, each counted from its start, are equal modulo 64. */
 size_t heap_save(const struct heap *h, void *buf);
 
-/* Puts back what heap_save wrote, into the same block; returns bytes. */
+/* Restores what heap_save wrote, into the same block; returns the bytes read. */
 size_t heap_restore(struct heap *h, const void *buf);
 
-/* Walks everything; false when anything disagrees. For tests. */
+/* Checks the whole heap; returns false if anything is inconsistent. For tests. */
 bool heap_check(const struct heap *h);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * host.c - see host.h.
  *
- * The process's locale is left alone, for other threads use it. In glibc and musl the C locale is a constant: newlocale
- * returns it without allocating, and freelocale does nothing with it.
+ * The process's locale is left alone because other threads use it. In glibc and musl the C locale is a constant:
+ * newlocale returns it without allocating, and freelocale ignores it.
  */
 #include "host.h"
 
@@ -31,7 +31,7 @@ static void restore_locale(const struct host *h)
 }
 #endif
 
-/* fesetenv does not set all bits: with glibc on arm64, not the one by which all NaNs are the default NaN. */
+/* fesetenv does not set all bits: with glibc on arm64 it leaves out the bit that makes every NaN the default NaN. */
 static void set_control(struct host *h)
 {
 #ifdef HOST_FPCR
@@ -51,7 +51,7 @@ static void restore_control(const struct host *h)
 #endif
 }
 
-/* All of the thread's arithmetic. */
+/* Saves all of the thread's arithmetic settings and sets the defaults. */
 static void set_arithmetic(struct host *h)
 {
     fegetenv(&h->arithmetic);
@@ -66,8 +66,8 @@ static void restore_arithmetic(const struct host *h)
 }
 
 #ifdef HOST_SSE
-/* There are two units, and most of the time goes to the older one, the 387, which hardly anybody sets: only where it is
- * not as it should be, or has raised a flag, is it saved and loaded. */
+/* There are two floating-point units. Saving and loading the older one, the 387, takes most of the time, yet hardly any
+ * program changes its settings: do so only if its settings are not the defaults or it has raised a flag. */
 enum { SSE_DEFAULT = 0x1f80, DEFAULT_387 = 0x37f, FLAGS_387 = 0x3f };
 
 static unsigned flags_387(void)

@@ -1,12 +1,12 @@
 /*
- * host.h - the thread's settings that arithmetic and texts depend on: set for the board, and restored after.
+ * host.h - the thread's settings that affect arithmetic and text: set for the board, and restored afterwards.
  *
- * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding,
- * flushing of small numbers and traps. Every call of the board that runs Lua or may compute in doubles stands between
- * host_enter and host_leave: it works in the C locale, rounds to nearest, keeps what is smaller than DBL_MIN and traps
- * nothing, and leaves all as it was, flags that were raised included. Both together take less than a tenth of a
- * microsecond, or a quarter where the 387 is set otherwise, and, with glibc and musl, no memory. The locale of a host
- * without POSIX's thread locales has to be C.
+ * Lua reads and writes numbers and compares strings by the thread's locale, and all doubles obey the thread's rounding
+ * mode, flushing of denormals and traps. Every call into the board that runs Lua or may compute in doubles is enclosed
+ * by host_enter and host_leave: it runs in the C locale, rounds to nearest, keeps numbers smaller than DBL_MIN and
+ * traps nothing, and leaves all settings as they were, including raised flags. Both calls together take less than a
+ * tenth of a microsecond (a quarter where the 387 has other settings) and, with glibc and musl, allocate no memory. On
+ * a host without POSIX thread locales, the locale must be C.
  */
 #ifndef BASE_HOST_H
 #define BASE_HOST_H
@@ -32,20 +32,20 @@ struct host {
     fenv_t arithmetic;
 #ifdef HOST_SSE
     uint32_t sse;
-    bool plain_387; /* nothing was set or raised there, and `arithmetic` is not in use */
+    bool plain_387; /* the 387 had default settings and no flag raised; `arithmetic` is unused */
 #endif
 #ifdef HOST_FPCR
     uint64_t control;
 #endif
 #ifdef HOST_LOCALES
-    locale_t locale, c_locale; /* the thread's, and the one set instead */
+    locale_t locale, c_locale; /* the thread's, and the one that replaces it */
 #endif
 };
 
-/* Saves the thread's settings, and sets the board's. */
+/* Saves the thread's settings and sets the board's. */
 void host_enter(struct host *h);
 
-/* Restores the settings; on the thread that called host_enter. */
+/* Restores the settings. Call it on the thread that called host_enter. */
 void host_leave(const struct host *h);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * ieee.c - see ieee.h.
  *
- * Each sum stands in the form in which a flag lets the compiler compute another one, of operands it cannot know (they
- * are volatile), and is compared bit for bit, for constants may be what a flag changes.
+ * Each expression has the form that a flag lets the compiler compute differently. Its operands are volatile, so that
+ * the compiler cannot know them, and the result is compared bit for bit, because a flag may also change constants.
  */
 #include "ieee.h"
 #include "fx.h"
@@ -15,7 +15,7 @@ static bool is(double v, uint64_t bits)
     return has == bits;
 }
 
-/* A product with 1 / 3 or 1 / 49, made once for all, is not the quotient. */
+/* Returns whether divisions are divisions: the product with a precomputed 1 / 3 or 1 / 49 is not the quotient. */
 static bool divides(void)
 {
     volatile double five = 5, forty_nine = 49;
@@ -25,7 +25,8 @@ static bool divides(void)
            is(c, 0x3fc2492492492492) && is(n / 3.0, 0x3ffaaaaaaaaaaaab);
 }
 
-/* From the left to the right; what a sum rounds off stays away. 9007199254740992 is 2^53. */
+/* Returns whether sums are evaluated from left to right, and what a sum rounds off is lost. 9007199254740992 is
+ * 2^53. */
 static bool adds(void)
 {
     volatile double small = 0.25, wide = 9007199254740992.0;
@@ -35,8 +36,8 @@ static bool adds(void)
            is((w + 1.0) + 1.0, 0x4340000000000000) && is((w + (v + v)) + (v + v), 0x4340000000000000);
 }
 
-/* A product is rounded before it is added to: (1 + 2^-27)^2 is 1 + 2^-26 and 2^-54 more. One use each, for a product of
- * two uses may be left alone. */
+/* Returns whether a product is rounded before it is added: (1 + 2^-27)^2 is 1 + 2^-26 + 2^-54. Each product is used
+ * only once, because the compiler may not fuse a product that is used twice. */
 static bool multiplies(void)
 {
     volatile double odd = 1 + 1.0 / 134217728, square = 1 + 1.0 / 67108864;
@@ -46,7 +47,7 @@ static bool multiplies(void)
     return is(left, 0) && is(right, 0);
 }
 
-/* No sum is rounded twice: 1 + 2^-53 + 2^-78 is more than halfway to the next double. */
+/* Returns whether sums are rounded only once: 1 + 2^-53 + 2^-78 is more than halfway to the next double. */
 static bool rounds_once(void)
 {
     volatile double one = 1, half = (1 + 1.0 / 33554432) / 9007199254740992.0;
@@ -55,7 +56,7 @@ static bool rounds_once(void)
     return is(v, 0x3ff0000000000001);
 }
 
-/* 0 has a sign; what is no number equals nothing, and infinity is more than all others. */
+/* Returns whether 0 has a sign, NaN equals nothing, and infinity is greater than all numbers. */
 static bool knows_zero_and_beyond(void)
 {
     volatile double zero = 0, none = -zero;
@@ -66,7 +67,7 @@ static bool knows_zero_and_beyond(void)
            endless == (double)INFINITY && !isfinite(endless);
 }
 
-/* What is smaller than DBL_MIN is not 0, not even when the compiler computes it. */
+/* Returns whether numbers smaller than DBL_MIN stay other than 0, even when the compiler computes them. */
 static bool keeps_small(void)
 {
     volatile double smallest = DBL_MIN;

@@ -1,12 +1,12 @@
 /*
- * ieee.h - does this build compute as IEEE 754 says? Some flags of compilers change results and leave no macro by which
- * fx.h could refuse them.
+ * ieee.h - checks that this build computes as IEEE 754 requires. Some compiler flags change results and define no macro
+ * by which fx.h could reject them.
  */
 #ifndef BASE_IEEE_H
 #define BASE_IEEE_H
 
-/* NULL: it does. Else one sentence: what it does otherwise, and flags that make it do so. Takes less than a
- * microsecond. The thread has to round to nearest and to keep small numbers (host.h). */
+/* Returns NULL if the build conforms, otherwise one sentence that names the deviation and the flags that cause it.
+ * Takes less than a microsecond. The thread must round to nearest and keep denormals (host.h). */
 const char *ieee_fault(void);
 
 #endif

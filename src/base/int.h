@@ -1,5 +1,5 @@
 /*
- * int.h - the smaller, the larger and the absolute value of whole numbers, and values clamped to a range.
+ * int.h - minimum, maximum, absolute value and clamping of integers.
  */
 #ifndef BASE_INT_H
 #define BASE_INT_H
@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 /*
- * For a type: NAME_min(a, b), NAME_max(a, b); NAME_abs(v), v not the least there is; NAME_clamp(v, lo, hi), which is v
- * clamped to lo..hi, lo <= hi.
+ * Defines for a type: NAME_min(a, b), NAME_max(a, b); NAME_abs(v), v not the type's least value; NAME_clamp(v, lo, hi),
+ * which clamps v to lo..hi, lo <= hi.
  */
 #define INT_FUNCTIONS(name, type)                                                                                      \
     static inline type name##_min(type a, type b)                                                                      \

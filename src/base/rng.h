@@ -1,5 +1,5 @@
 /*
- * rng.h - random streams. A stream is a struct that its owner keeps; there is no global one.
+ * rng.h - random streams. A stream is a struct in its owner's state; there is no global stream.
  *
  * xoshiro256** 1.0 (Blackman and Vigna, 2018) seeded by splitmix64, integers only: the same numbers on every host.
  */
@@ -17,7 +17,7 @@ static inline uint64_t rng_rotate(uint64_t v, int by)
     return v << by | v >> (64 - by);
 }
 
-/* Any seed is good, 0 included. */
+/* Seeds the stream; any seed is good, 0 included. */
 static inline void rng_seed(struct rng *r, uint64_t seed)
 {
     for (int i = 0; i < 4; i++) {
@@ -28,7 +28,7 @@ static inline void rng_seed(struct rng *r, uint64_t seed)
     }
 }
 
-/* The next 64 random bits. */
+/* Returns the next 64 random bits. */
 static inline uint64_t rng_next(struct rng *r)
 {
     uint64_t *s = r->s, out = rng_rotate(s[1] * 5, 7) * 9, t = s[1] << 17;
@@ -42,12 +42,12 @@ static inline uint64_t rng_next(struct rng *r)
     return out;
 }
 
-/* Uniform in [0, n), n >= 1. Draws again (rarely) rather than favour small numbers. */
+/* Returns a uniform number in [0, n), n >= 1. Draws again (rarely) rather than favour small numbers. */
 static inline uint64_t rng_below(struct rng *r, uint64_t n)
 {
     uint64_t limit = 0 - n, v;
 
-    limit %= n; /* 2^64 mod n: that many values would be one too often */
+    limit %= n; /* 2^64 mod n: the number of values that would be drawn too often */
     do
         v = rng_next(r);
     while (v < limit);

@@ -7,9 +7,9 @@
 #include "hash.h"
 
 enum {
-    MOST_COLUMNS = 64, /* of a chip */
+    MOST_COLUMNS = 64, /* columns of a chip, at most */
     ALIGN = 64,        /* a cache line, so that columns do not share one */
-    LONG = 1024        /* bytes of a piece of a snapshot */
+    LONG = 1024        /* bytes from which a section of a snapshot is aligned */
 };
 
 static uint32_t blocks(uint32_t n)
@@ -22,13 +22,13 @@ static uint64_t aligned(uint64_t n)
     return (n + ALIGN - 1) / ALIGN * ALIGN;
 }
 
-/* Values a column holds for so many slots, a multiple of SLOTS_BLOCK (a list has no blocks). */
+/* Returns the number of values in a column for that many slots, a multiple of SLOTS_BLOCK (a list has no blocks). */
 static uint64_t values(const struct column *c, uint64_t slots)
 {
     return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
-/* Slots there are columns for: of a pool whole blocks, of a list no more than can live. */
+/* Returns the slots that columns have space for: whole blocks in a pool, in a list no more than can be live. */
 static uint32_t room_for(const struct chip *chip, uint32_t cap)
 {
     return chip->list ? cap : blocks(cap);
@@ -90,7 +90,8 @@ static bool grow_high(struct slots *s)
     return true;
 }
 
-/* The slots of a block that are free and not held, a bit each, from the first one on that has a generation left. */
+/* Returns the slots of a block that are free and not held, a bit each, without the retired ones that come before the
+ * first usable one. */
 static uint64_t room_in(const struct slots *s, uint32_t block)
 {
     uint64_t room = ~s->used[block];
@@ -132,7 +133,7 @@ int32_t slots_append(struct slots *s)
     return (int32_t)s->live++;
 }
 
-/* Slot i is free for its next tenant. */
+/* Makes slot i free for its next entity. */
 static void vacate(struct slots *s, uint32_t i)
 {
     s->gen[i]++;
@@ -179,7 +180,7 @@ void slots_trim(struct slots *s)
         s->top -= SLOTS_BLOCK;
 }
 
-/* The first slot from i on whose bit is set, or top. */
+/* Returns the first slot from i on whose bit is set, or top. */
 static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
 {
     while (i < top) {
@@ -244,7 +245,7 @@ static bool hashed_register(const struct column *c, uint32_t groups)
     return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
 }
 
-/* The columns that are hashed, found once for all slots. */
+/* The hashed columns, found once for all slots. */
 struct hashed {
     const struct column *column[MOST_COLUMNS];
     const uint8_t *at[MOST_COLUMNS];
@@ -303,7 +304,7 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
     return h;
 }
 
-/* The values of one column of a slot, or of one register, at p. */
+/* Visits the values of one column of a slot, or of one register, at p. */
 static void visit_values(const struct column *c, const uint8_t *p, struct slots_value v, slots_visit *visit,
                          void *context)
 {
@@ -348,8 +349,8 @@ void slots_values(const struct chip *chip, const void *self, slots_visit *visit,
     }
 }
 
-/* One walk serves save, restore and counting. Long pieces start at cache lines, as they do in RAM: copying between
- * places that differ by a few bytes within the page is up to 16 times slower on some processors. */
+/* Saves, restores or only counts. Long sections start at cache lines, as they do in RAM: copying between addresses that
+ * differ by a few bytes within the page is up to 16 times slower on some processors. */
 static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
 {
     const struct slots *s = self;

@@ -2,21 +2,23 @@
  * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code
  * that works on it; a slot is a numbered row of the columns.
  *
- * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers stand in the struct
- * itself. The column table lays the chip out, hashes it, saves and restores it; tests and docs walk the same table.
+ * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers are members of the
+ * struct. The column table is used to lay the chip out, to hash it, and to save and restore it; tests and docs walk the
+ * same table.
  *
- * A pool (`used` is not NULL): a live thing keeps its slot, a new one takes the lowest free slot, and a slot's
- * generation goes up when its tenant dies. A slot whose generation has reached the last one, after 2^30 - 2 tenants, is
- * retired: no tenant ever has that generation, so no handle can come to mean another thing, and the pool is full one
- * slot earlier. A list (`used` is NULL): entries [0, live) are in use, in the order they were added.
+ * In a pool (`used` is not NULL) a live entity keeps its slot, a new one takes the lowest free slot, and a slot's
+ * generation is incremented when its entity is dropped. A slot whose generation has reached the last one, after 2^30 -
+ * 2 entities, is retired: no entity ever has that generation, so no handle can come to mean another entity, and the
+ * pool is full one slot earlier. In a list (`used` is NULL) entries [0, live) are in use, in the order in which they
+ * were added.
  *
- * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used hold below high,
- * and nothing at or beyond top is read, so a snapshot copies [0, top) of the columns and [0, high) of gen
- * and used.
+ * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used are valid below
+ * high, and nothing at or beyond top is read, so a snapshot copies [0, top) of the columns and [0, high) of gen and
+ * used.
  *
- * A held slot's tenant is not live any more, but its columns and generation stay, and no new tenant gets the slot: a
- * thing that leaves the field in the frame in which it touches something, until the events of that are applied.
- * Between frames nothing is held.
+ * The entity in a held slot is no longer live, but its columns and generation stay, and no new entity gets the slot.
+ * Slots are held for entities that leave the field in the frame in which they touch something, until the resulting
+ * events are applied. Between frames nothing is held.
  */
 #ifndef BASE_SLOTS_H
 #define BASE_SLOTS_H
@@ -29,32 +31,32 @@
 
 enum column_kind {
     COL_GAME,    /* hashed */
-    COL_DERIVED, /* follows from game columns or lasts less than a frame; `why` says which */
+    COL_DERIVED, /* follows from game columns or lasts less than a frame; `why` states which */
 };
 
 struct column {
     const char *name;
-    uint16_t at;   /* offset in the chip's struct: of the pointer, or of the register itself */
+    uint16_t at;   /* offset in the chip's struct of the pointer, or of the register itself */
     uint8_t width; /* bytes of one value: 1, 2, 4 or 8 */
-    uint16_t n;    /* values a slot; a register's count of values */
+    uint16_t n;    /* values per slot; of a register: number of values */
     bool reg;      /* a register of the chip, not a column */
-    bool block;    /* n values a block of SLOTS_BLOCK slots, not a slot */
+    bool block;    /* n values per block of SLOTS_BLOCK slots, not per slot */
     enum column_kind kind;
     const char *why; /* of a derived column */
-    uint8_t group;   /* 0: always there; g: in chips laid out with SLOTS_GROUP(g) alone */
+    uint8_t group;   /* 0: always present; g: present only in chips laid out with SLOTS_GROUP(g) */
 };
 
-/* Some columns are there only where a game's manifest asks for their group; else their pointer is NULL, and they take
- * no bytes, no hash and no snapshot. */
+/* Some columns are present only if a game's manifest asks for their group. Otherwise their pointer is NULL, and they
+ * take up no RAM, are not hashed and are not in snapshots. */
 #define SLOTS_GROUP(g) (1u << ((g)-1))
 
-/* Entries of a column table, named as the fields of the chip's struct. */
+/* Entries of a column table, named like the fields of the chip's struct. */
 /* clang-format off */
 #define COLUMN_ENTRY(chip, name, width, n, reg, block, kind, why)                                                      \
     { #name, offsetof(struct chip, name), width, n, reg, block, kind, why, 0 }
 #define COLUMN_FIELD(chip, name) (((struct chip *)0)->name)
 
-/* A column, with one value a slot or n. */
+/* A column with one value per slot, or with n. */
 #define COLUMN(chip, name)                                                                                             \
     COLUMNS(chip, name, 1)
 #define COLUMNS(chip, name, n)                                                                                         \
@@ -66,15 +68,15 @@ struct column {
 #define DERIVED_BLOCKS(chip, name, n, why)                                                                             \
     COLUMN_ENTRY(chip, name, sizeof *COLUMN_FIELD(chip, name), n, false, true, COL_DERIVED, why)
 
-/* A column of a group: there if the manifest asks for the group. */
+/* A column of a group: present if the manifest asks for the group. */
 #define GROUP_COLUMN(chip, name, group)                                                                                \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_GAME, NULL, group }
 
-/* The same with n values a slot. */
+/* A column of a group with n values per slot. */
 #define GROUP_COLUMNS(chip, name, n, group)                                                                            \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL, group }
 
-/* A derived column of a group, with a value a slot, and with one a block. */
+/* A derived column of a group, with one value per slot, and with one per block. */
 #define GROUP_DERIVED(chip, name, group, why)                                                                          \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why, group }
 #define GROUP_BLOCKS(chip, name, group, why)                                                                           \
@@ -92,7 +94,7 @@ struct column {
 #define DERIVED_REGISTER(chip, name, why)                                                                              \
     COLUMN_ENTRY(chip, name, sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_DERIVED, why)
 
-/* Registers of a group: they stand in the struct, but are hashed only where the manifest asks for the group. */
+/* Registers of a group: always in the struct, but hashed only if the manifest asks for the group. */
 #define GROUP_REGISTER(chip, name, group)                                                                              \
     { #name, offsetof(struct chip, name), sizeof COLUMN_FIELD(chip, name), 1, true, false, COL_GAME, NULL, group }
 #define GROUP_REGISTERS(chip, name, group)                                                                             \
@@ -101,20 +103,20 @@ struct column {
 /* clang-format on */
 
 struct slots {
-    uint32_t cap;  /* most that can live at once */
-    uint32_t top;  /* every live slot is below */
+    uint32_t cap;  /* most slots that can be live at once */
+    uint32_t top;  /* every live slot is below this */
     uint32_t high; /* slots ever used */
     uint32_t live;
-    uint32_t refused;           /* how often there was no room; scripts can read it */
-    uint32_t low;               /* no word of `used` before this one has a slot that slots_take can give */
-    uint64_t *used;             /* a bit a slot; NULL: a list */
+    uint32_t refused;           /* how often the chip was full; scripts can read it */
+    uint32_t low;               /* no word of `used` before this one has a slot that slots_take can return */
+    uint64_t *used;             /* a bit per slot; NULL: a list */
     uint32_t *gen;              /* 1 .. GENERATIONS; GENERATIONS: retired */
-    uint64_t *held;             /* a bit a slot below held_top */
+    uint64_t *held;             /* a bit per slot below held_top */
     uint32_t held_top, holding; /* 0, 0 when nothing is held */
-    uint32_t groups;            /* SLOTS_GROUP bits: the groups of columns that are there */
+    uint32_t groups;            /* SLOTS_GROUP bits of the groups of columns that are present */
 };
 
-/* What a chip is: its name in hashes and reports, and its columns. */
+/* A chip's description: its name in hashes and reports, and its columns. */
 struct chip {
     const char *name;
     const struct column *columns;
@@ -125,40 +127,41 @@ struct chip {
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
 
-/* Bytes of RAM a chip of this capacity, with these groups of columns, takes. */
+/* Returns the bytes of RAM that a chip of this capacity, with these groups of columns, takes. */
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
 
-/* Points the chip's columns into RAM from *next on and empties it; *next moves past them. `self` is the chip's struct.
- */
+/* Points the chip's columns into RAM from *next on, advances *next past them, and empties the chip. `self` is the
+ * chip's struct. */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
 
-/* Is this column in RAM, and this register in use? */
+/* Returns whether this column is in RAM, or this register is in use. */
 static inline bool slots_column_there(const struct column *c, uint32_t groups)
 {
     return c->group == 0 || groups & SLOTS_GROUP(c->group);
 }
 
-/* The lowest free slot of a pool that is not retired, or NO_SLOT (refused counts up). If top grew, the caller
- * must park the new slots: set their columns so that loops over the chip pass them without effect. */
+/* Takes and returns the lowest free slot of a pool that is not retired, or returns NO_SLOT and increments refused.
+ * If top grew, the caller must park the new slots: set their columns so that loops over the chip pass them without
+ * effect. */
 int32_t slots_take(struct slots *s);
 
-/* The next entry of a list, or NO_SLOT. */
+/* Adds and returns the next entry of a list, or returns NO_SLOT and increments refused. */
 int32_t slots_append(struct slots *s);
 
-/* The tenant of slot i dies. */
+/* Drops the entity in slot i; the slot is free again. */
 void slots_drop(struct slots *s, uint32_t i);
 
-/* The tenant of slot i is not live any more, but keeps the slot until slots_release. `words` has room for a bit a slot
- * below top; the caller gives the same for all that are held at a time. */
+/* Makes the entity in slot i no longer live, but keeps the slot until slots_release. `words` has space for a bit per
+ * slot below top; the caller passes the same array for all slots held at the same time. */
 void slots_hold(struct slots *s, uint64_t *words, uint32_t i);
 
-/* The tenant of the held slot i dies. */
+/* Drops the entity in the held slot i; the slot is free again. */
 void slots_release(struct slots *s, uint32_t i);
 
-/* Lowers top to the last block with a live slot, unless slots are held. */
+/* Lowers top to the end of the last block with a live slot. Does nothing while slots are held. */
 void slots_trim(struct slots *s);
 
-/* The first live slot at or after i, or top (a list: live) when there is none. */
+/* Returns the first live slot at or after i, or top (a list: live) if there is none. */
 uint32_t slots_next(const struct slots *s, uint32_t i);
 
 static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
@@ -166,45 +169,46 @@ static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
     return slot < s->top && (s->used[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
 
-/* The same of a held slot. */
+/* Like slots_has, but of a held slot. */
 static inline bool slots_has_held(const struct slots *s, uint32_t slot, uint32_t gen)
 {
     return slot < s->held_top && (s->held[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
 
-/* The slots of a block that are live or held, a bit each. */
+/* Returns the slots of a block that are live or held, a bit each. */
 static inline uint64_t slots_live_or_held(const struct slots *s, uint32_t block)
 {
     return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
 }
 
-/* The first held slot at or after i, or held_top when there is none. */
+/* Returns the first held slot at or after i, or held_top if there is none. */
 uint32_t slots_next_held(const struct slots *s, uint32_t i);
 
-/* Visits the held slots of a pool in slot order; the body may release the one it is at. */
+/* Visits the held slots of a pool in slot order; the body may release the current one. */
 #define EACH_HELD(i, s) for (uint32_t i = slots_next_held(s, 0); i < (s)->held_top; i = slots_next_held(s, i + 1))
 
-/* Visits the live slots of a pool in slot order; the body may drop the one it is at. */
+/* Visits the live slots of a pool in slot order; the body may drop the current one. */
 #define EACH_LIVE(i, s) for (uint32_t i = slots_next(s, 0); i < (s)->top; i = slots_next(s, i + 1))
 
-/* Are all registers that are hashed 0? */
+/* Returns whether all hashed registers are 0. */
 bool slots_blank(const struct chip *chip, const void *self);
 
-/* The state hash: registers, then for each live slot in slot order the slot, its generation and its game columns. */
+/* Returns the state hash: of the live and refused counts and the registers, then for each live slot, in slot order, of
+ * the slot, its generation and its game columns. */
 uint64_t slots_hash(const struct chip *chip, const void *self);
 
-/* One value that is hashed. */
+/* One hashed value. */
 struct slots_value {
-    const char *column; /* or register; "live" and "refused" come first */
+    const char *column; /* or of the register; "live" and "refused" come first */
     int64_t slot;       /* NO_SLOT: a register */
-    uint32_t gen;       /* of the slot's tenant; 0: a register, or an entry of a list */
-    uint16_t i, n;      /* the i-th of n of this slot and column */
+    uint32_t gen;       /* of the slot's entity; 0: a register, or an entry of a list */
+    uint16_t i, n;      /* the i-th of n values in this slot and column */
     uint8_t width;      /* bytes */
     uint64_t value;
 };
 typedef void slots_visit(void *context, const struct slots_value *v);
 
-/* Visits all that slots_hash folds, in its order. */
+/* Visits all values that slots_hash folds, in its order. */
 void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
 
 /* Prefetches the cache line at p. */
@@ -217,7 +221,7 @@ static inline void slots_prefetch(const void *p)
 #endif
 }
 
-/* A bit for each byte of a block, each of which is 0 or 1: a vectorised loop writes bytes. */
+/* Packs the bytes of a block, each 0 or 1, into a bit each: vectorised loops write bytes. */
 static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
 {
     uint64_t m = 0;
@@ -227,8 +231,8 @@ static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
     return m;
 }
 
-/* Snapshots of the columns (the struct itself is copied with the board). Returns bytes, a multiple of 64;
- * buf NULL only counts. */
+/* Save and restore snapshots of the columns (the struct itself is copied with the board). Return the snapshot's bytes,
+ * a multiple of 64. With buf NULL, slots_save only counts them. */
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf);
 size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf);
 

@@ -1,34 +1,36 @@
 /*
- * trig.c - a first guess by polynomials, and when it is in doubt an exact decision.
+ * trig.c - a first guess by polynomials and, when the guess is in doubt, an exact decision.
  *
- * Sines in Q15.16 come from quadratics by table (trig_tables.h). What these leave in doubt, and sines in Q30, come from
- * a series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
+ * Sines in Q15.16 come from table-driven quadratics (trig_tables.h). Those left in doubt, and sines in Q30, come from a
+ * series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
  * 2^-62 of one. The polynomials in t = (u / 2^29)^2 interpolate sin(x)/x and (1 - cos x)/x^2 at the Chebyshev nodes,
- * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few lie near enough to a
+ * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few are near enough to a
  * tie to be in doubt, and each of those was checked.
  *
- * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides unless it is near halfway between
- * two; then the side of the halfway ray on which the vector lies is computed with 128 bits. The rays' slopes are
- * irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h), what that
- * leaves in doubt by the series to 2^-29, and decided likewise. Strides start from tables (way_of).
+ * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides, unless the guess is near halfway
+ * between two angs; then 128-bit arithmetic computes on which side of the halfway ray the vector lies. The rays' slopes
+ * are irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h); those left
+ * in doubt are computed to 2^-29 from tables and short series (way_of), and decided likewise. Strides start from
+ * way_of, too.
  */
 #include "trig.h"
 #include "trig_guess.h"
 #include "trig_tables.h"
 
-/* A step of Horner's rule. Terms are in units of 2^-(64 + n), to keep 64 bits busy; n falls by `shift` a step. */
+/* Returns one step of Horner's rule. Terms are in units of 2^-(64 + n), to use all 64 bits; n falls by `shift` per
+ * step. */
 static inline uint64_t less(uint64_t term, uint64_t t, uint64_t sum, int shift)
 {
     return term - (fx_mul_high(t, sum) >> shift);
 }
 
-/* t in Q64, where one is 2^64 - 1. */
+/* Returns t in Q64, where one is 2^64 - 1. */
 static inline uint64_t squared(uint32_t u)
 {
     return ((uint64_t)u * u << 6) - (u >> 29);
 }
 
-/* The sine of u < 2^29, an eighth of a turn, in Q64. */
+/* Returns the sine of u < 2^29, an eighth of a turn, in Q64. */
 static uint64_t eighth_sine(uint32_t u)
 {
     uint64_t t = squared(u), sum;
@@ -43,7 +45,7 @@ static uint64_t eighth_sine(uint32_t u)
     return fx_mul_high((uint64_t)u << 35, sum);
 }
 
-/* The cosine of u <= 2^29 in Q64; one is 2^64 - 1. */
+/* Returns the cosine of u <= 2^29 in Q64; one is 2^64 - 1. */
 static uint64_t eighth_cosine(uint32_t u)
 {
     uint64_t t = squared(u), sum;
@@ -58,7 +60,7 @@ static uint64_t eighth_cosine(uint32_t u)
     return ~(fx_mul_high(t, sum) >> 1);
 }
 
-/* |sin a| in Q64. */
+/* Returns |sin a| in Q64. */
 static uint64_t sine(ang a)
 {
     uint32_t u = a & 0x7fffffff;
@@ -67,19 +69,19 @@ static uint64_t sine(ang a)
     return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(0x40000000 - u);
 }
 
-/* -v if so asked, without a branch: signs of angles are hard to predict. */
+/* Returns -v if so, otherwise v, without a branch: signs of angles are hard to predict. */
 static inline int64_t negate_if(bool so, int64_t v)
 {
     return (v ^ -(int64_t)so) + so;
 }
 
-/* The magnitude q in Q64 rounded to so many bits, with the sign of sin a. */
+/* Returns the magnitude q, in Q64, rounded to that many bits, with the sign of sin a. */
 static int32_t rounded(uint64_t q, int bits, ang a)
 {
     return (int32_t)negate_if(a >> 31, (int64_t)((q >> (64 - bits)) + (q >> (63 - bits) & 1)));
 }
 
-/* |v|, without a branch. */
+/* Returns |v|, without a branch. */
 static inline uint32_t magnitude(fx v)
 {
     const uint32_t sign = (uint32_t)(v >> 31);
@@ -97,7 +99,7 @@ int32_t trig_cos30(ang a)
     return trig_sin30(a + 0x40000000);
 }
 
-/* The sine in Q56 by a quadratic, off by less than 2^29.4; and half an fx, so that cut it is rounded. */
+/* Returns the sine in Q56 by a quadratic, off by less than 2^29.4, plus half an fx, so that truncating it rounds. */
 static inline int64_t sine_guess(ang a)
 {
     const uint32_t i = a >> 23;
@@ -119,7 +121,7 @@ FX_COLD static fx sine_by_series(ang a)
     return rounded(sine(a), 16, a);
 }
 
-/* The quadratics are off by less than 2^29.4 / 2^40: what that leaves in doubt, one in 700, the series decides. */
+/* The quadratics are off by less than 2^29.4 / 2^40; the series decides the cases this leaves in doubt, one in 700. */
 fx trig_sin(ang a)
 {
     const uint64_t doubt = 800000000;
@@ -152,19 +154,19 @@ static struct wide wide_sub(struct wide a, struct wide b)
     return (struct wide){ a.hi - b.hi - (a.lo < b.lo), a.lo - b.lo };
 }
 
-/* a * m / 2^64, less at most 2^-128. */
+/* Returns a * m / 2^64, too low by at most 2^-128. */
 static struct wide wide_scale(struct wide a, uint64_t m)
 {
     return wide_add((struct wide){ fx_mul_high(a.hi, m), a.hi * m }, (struct wide){ 0, fx_mul_high(a.lo, m) });
 }
 
-/* a * b, less at most 3 * 2^-128. */
+/* Returns a * b, too low by at most 3 * 2^-128. */
 static struct wide wide_mul(struct wide a, struct wide b)
 {
     return wide_add(wide_scale(a, b.hi), (struct wide){ 0, fx_mul_high(a.hi, b.lo) });
 }
 
-/* a / n, rounded down, n < 2^32. */
+/* Returns a / n, rounded down, n < 2^32. */
 static struct wide wide_div(struct wide a, uint32_t n)
 {
     uint64_t high = a.hi % n << 32 | a.lo >> 32, low = high % n << 32 | (a.lo & 0xffffffffu);
@@ -172,7 +174,7 @@ static struct wide wide_div(struct wide a, uint32_t n)
     return (struct wide){ a.hi / n, (high / n << 32) + low / n };
 }
 
-/* Cosine and sine of u > 0 half angs, u <= 2^30: an eighth of a turn. By Taylor's series, to 2^-120. */
+/* Stores cosine and sine of u > 0 half angs, u <= 2^30 (an eighth of a turn). Uses Taylor series, to 2^-120. */
 static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 {
     static const struct wide EIGHTH_TURN = { 0xc90fdaa22168c234, 0xc4c6628b80dc1cd1 }; /* pi / 4 */
@@ -188,17 +190,17 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 }
 
 /*
- * Cosine and sine of u <= 2^30 half angs, an eighth of a turn, in Q64: those of the last of 513 directions
- * (trig_tables.h), turned on by r < 2^-9.3. The sine of that is r (1 - r^2 (1 - r^2 / 20) / 6), and one less its cosine
- * is r^2 / 2 (1 - r^2 / 12); what is left out is below 2^-65. Each is off by less than 2^3, and `scaled` asks for less
- * than 2^4; the series take twice the time.
+ * Stores cosine and sine of u <= 2^30 half angs, an eighth of a turn, in Q64. They are those of the last of 513
+ * directions (trig_tables.h) not beyond u, rotated by the rest, r < 2^-9.3. The sine of r is r (1 - r^2 (1 - r^2 / 20)
+ * / 6), and 1 minus its cosine is r^2 / 2 (1 - r^2 / 12); the omitted terms are below 2^-65. Each result is off by less
+ * than 2^3, and `scaled` needs less than 2^4; the series would take twice the time.
  */
 static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
 {
     const uint64_t *way = WAY[u >> 21];
     const uint64_t r = fx_mul_high((uint64_t)(u & 0x1fffff) << 43, 0x6487ed5110b461);           /* 2 pi 2^52 */
-    const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* of r, times 2^18 */
-    const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* and 1 / 120 */
+    const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* r^2, times 2^18 */
+    const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* 1 / 6 - r^2 / 120 */
     const uint64_t aside = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
     const uint64_t back =
         square - (fx_mul_high(square, fx_mul_high(square, 0x1555555555555555)) >> 18); /* times 2^19 */
@@ -208,8 +210,8 @@ static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
 }
 
 /*
- * Is n/d above the tangent of k + 1/2 angs, k < 2^29? Of all the vectors of 32-bit coordinates none is nearer to such a
- * ray than 2^-90 of its length (make prove), so the 120 bits decide.
+ * Returns whether n/d is above the tangent of k + 1/2 angs, k < 2^29. No vector with 32-bit coordinates is nearer to
+ * such a ray than 2^-90 of its length (make prove), so the 120 bits decide.
  */
 FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
 {
@@ -221,7 +223,8 @@ FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
     return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
 }
 
-/* The same. The ray of tables is off by less than 2^3 in either part, and decides unless the vector is next to it. */
+/* Like above_near_ray, but with the ray from the tables. Each of its components is off by less than 2^3, which decides
+ * unless the vector is next to the ray. */
 FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
     uint64_t c, s;
@@ -245,8 +248,8 @@ static const uint64_t ATAN[33] = {
 };
 
 /*
- * atan(n / d) in 2^-64 turns, give or take 20 of them; n <= d <= 2^31, d > 0.
- * atan(n/d) = atan(i/32) + atan(q), q = (32n - id) / (32d + in), |q| <= 1/64: five terms of the series do.
+ * Returns atan(n / d) in 2^-64 turns, within 20 of them; n <= d <= 2^31, d > 0. atan(n/d) = atan(i/32) + atan(q), q =
+ * (32n - id) / (32d + in), |q| <= 1/64: five terms of the series suffice.
  */
 static uint64_t atan_guess(uint32_t n, uint32_t d)
 {
@@ -269,7 +272,7 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
     return high < low ? ATAN[i] - q : ATAN[i] + q;
 }
 
-/* atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. */
+/* Returns atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
     const uint32_t doubt = 64;
@@ -282,9 +285,10 @@ static ang atan_eighth(uint32_t n, uint32_t d)
 }
 #else
 /*
- * atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is 1/64:
- * that gives the cell of the table and, taken off again, h without error. The polynomials are off by less than 4173 /
- * 2^24 of an ang, the quotient and their evaluation by less than 8 more, for no term is above 2^53.
+ * Returns atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is
+ * 1/64: the sum gives the cell of the table and, once 1.5 * 2^46 is subtracted again, h without error. The polynomials
+ * are off by less than 4173 / 2^24 of an ang, the quotient and their evaluation by less than 8 more, because no term is
+ * above 2^53.
  */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
@@ -308,7 +312,7 @@ static ang atan_eighth(uint32_t n, uint32_t d)
 }
 #endif
 
-/* a if not so, else the angle on the other side of a mirror, axis/2 being the mirror's direction. */
+/* Returns a if not so, otherwise the mirror image of a about the direction axis/2. */
 static inline ang mirror_if(bool so, ang axis, ang a)
 {
     return (ang)negate_if(so, a) + (axis & (0 - (ang)so));
@@ -327,8 +331,9 @@ ang trig_atan2(fx y, fx x)
 }
 
 /*
- * Is the fraction of m times the sine, or cosine, of v <= 2^29 above one half? Asked when the estimate cannot tell. No
- * such product of m <= 2^31 is nearer to a half than 2^-66 (make prove); the series is off by 2^-89 of a unit at most.
+ * Returns whether the fraction of m times the sine, or cosine, of v <= 2^29 is above one half. Called when the estimate
+ * cannot decide. No such product with m <= 2^31 is nearer to a half than 2^-66 (make prove); the series is off by 2^-89
+ * of a unit at most.
  */
 FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
@@ -340,7 +345,7 @@ FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
     return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
 }
 
-/* A direction: cosine and sine as magnitudes in Q64, signs, and the angle v <= 2^29 that they belong to. */
+/* A direction: cosine and sine as magnitudes in Q64, their signs, and the angle v <= 2^29 that they belong to. */
 struct heading {
     uint64_t c, s;
     uint32_t v;
@@ -350,7 +355,7 @@ struct heading {
 static inline struct heading heading_of(ang dir)
 {
     uint32_t u = dir & 0x3fffffff;
-    bool past = u >= 0x20000000; /* the middle of the quarter: measured from its end, sine and cosine change places */
+    bool past = u >= 0x20000000; /* past the middle of the quarter: measured from its end, sine and cosine swap */
     uint32_t v = past ? 0x40000000 - u : u;
     bool swap = past != (dir >> 30 & 1);
     uint64_t c, s;
@@ -362,7 +367,7 @@ static inline struct heading heading_of(ang dir)
     return (struct heading){ c ^ change, s ^ change, v, swap, (dir + 0x40000000) >> 31, dir >> 31 };
 }
 
-/* length * q, q being about the sine or cosine of v; the other way if `back`. */
+/* Returns length * q, rounded, where q is about the sine or cosine of v; negated if `back`. */
 static inline int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
 {
     const uint64_t half = (uint64_t)1 << 63;
@@ -397,7 +402,8 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
     polar_by_series(speed, dir, vx, vy);
 }
 #else
-/* The whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below 2^-10. */
+/* Returns the whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below
+ * 2^-10. */
 static inline uint64_t in_steps(double v)
 {
     double sum = v + 6597069766656.5;
@@ -408,10 +414,10 @@ static inline uint64_t in_steps(double v)
 }
 
 /*
- * The guess is off by less than 2.56 / 2^44, so the product by less than a third of a step of 2^-10, its rounding
- * included, and the step nearest to it by less than one. So unless that is a whole number of units, nothing whole lies
- * between it and the exact value, and it is right when cut to units; one time in 512 it is, and the series decides.
- * Only from FX_MIN can more come than an fx holds.
+ * The guess is off by less than 2.56 / 2^44, so the product, including its rounding, by less than a third of a step of
+ * 2^-10, and the step nearest to it by less than one. So unless that step is a whole number of units, no whole number
+ * lies between it and the exact value, and truncating it to units is right; one time in 512 it is a whole number, and
+ * polar_by_series decides. Only a speed of FX_MIN can give more than an fx holds.
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
@@ -440,7 +446,7 @@ void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
 }
 
 #ifdef FX_INTEGER
-/* x / sqrt(square): t^2 <= 2^34 x^2 / square, the greatest t, is twice that, cut. */
+/* Returns x / sqrt(square), rounded: the greatest t with t^2 <= 2^34 x^2 / square is twice its magnitude, truncated. */
 static fx unit_part(fx x, uint64_t square)
 {
     uint64_t xx = (uint64_t)((int64_t)x * x), high = xx >> 30, low = xx << 34, t = 0;
@@ -463,9 +469,9 @@ void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 }
 #else
 /*
- * |x| / sqrt(square) is within 2^-20 units of r + 1/2: is it above? That is x^2 * 2^34 > (2r + 1)^2 * square, and being
- * so near they differ by less than square * (2r + 1) * 2^-18 < 2^62: 64 bits of the difference suffice. There are no
- * ties: that would take two odd squares that add up to 2^34 squares.
+ * Returns whether |x| / sqrt(square), which is within 2^-20 units of r + 1/2, is above it. That is the case if x^2 *
+ * 2^34 > (2r + 1)^2 * square; being so near, the two sides differ by less than square * (2r + 1) * 2^-18 < 2^62, so 64
+ * bits of the difference suffice. There are no ties: a tie would need two odd squares that add up to 2^34 squares.
  */
 static bool above_middle(int32_t r, fx x, uint64_t square)
 {
@@ -474,7 +480,7 @@ static bool above_middle(int32_t r, fx x, uint64_t square)
     return (int64_t)((xx << 34) - odd * odd * square) > 0;
 }
 
-/* x / sqrt(square), given 2^16 / sqrt(square) to 50 bits: 2^-30 of a unit in the product. */
+/* Returns x / sqrt(square), given 2^16 / sqrt(square) to 50 bits, which is 2^-30 of a unit in the product. */
 static fx unit_part(fx x, uint64_t square, double scale)
 {
     double guess = x * scale;
@@ -499,9 +505,9 @@ void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 #endif
 
 /*
- * The quotient by 45 is rounded to 53 bits before it is rounded to a whole number, which is harmless: a numerator whose
- * last bit is worth u gives a quotient that is a tie or at least u/45 off it, and the first rounding moves it by u/64
- * at most.
+ * The quotient by 45 is rounded to 53 bits before it is rounded to a whole number. That is harmless: a numerator whose
+ * last bit is worth u gives a quotient that is a tie or at least u/45 away from one, and the first rounding moves it by
+ * u/64 at most.
  */
 bool trig_from_degrees(double deg, ang *out)
 {
@@ -550,9 +556,9 @@ void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_
 }
 #else
 /*
- * The guesses are those above, taken apart into loops that gcc and clang vectorise at -O2 without flags: restrict
- * parameters, a constant trip count, no branch; what looks something up has loops of its own. A guess in doubt is left
- * to the functions that do one at a time. What is over after whole LANES goes with some of those before once more, or
+ * The guesses are those above, split into loops that gcc and clang vectorise at -O2 without flags: restrict parameters,
+ * a constant trip count, no branch; table lookups are in separate loops. A guess in doubt is left to the functions that
+ * compute one at a time. The rest after whole LANES is computed together with some of the preceding elements again, or
  * one by one.
  */
 enum { LANES = 16 };
@@ -575,7 +581,7 @@ static inline double double_of(uint64_t bits)
 
 /* ---- directions ---- */
 
-/* |v|, but 0 for FX_MIN. */
+/* Returns |v|, but 0 for FX_MIN. */
 static inline int32_t size_of(fx v)
 {
     const uint32_t sign = (uint32_t)(v >> 31);
@@ -583,7 +589,8 @@ static inline int32_t size_of(fx v)
     return (int32_t)((((uint32_t)v ^ sign) - sign) & FX_MAX);
 }
 
-/* t = the shorter part by the longer. Returns 0 if some vector has none that is longer than 0, or FX_MIN for one. */
+/* Stores t = the shorter component divided by the longer. Returns 0 if both components of some vector are 0, or one of
+ * them is FX_MIN. */
 static int32_t slopes(const fx *restrict y, const fx *restrict x, double *restrict t)
 {
     int32_t odd = 0;
@@ -609,8 +616,8 @@ static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
 }
 
 /*
- * Guesses, in 2^-24 of an ang, become whole angs; doubtful: those within 5000 of another, as trig.c has it, and 8 more,
- * for they are looked at in steps of 4. Returns 0 if none is.
+ * Rounds guesses, in 2^-24 of an ang, to whole angs. A guess is doubtful if it is within 5000 of another ang, as in
+ * atan_eighth, plus 8, since guesses are examined in steps of 4. Returns 0 if none is doubtful.
  */
 static int32_t cut(const double *restrict guess, ang *restrict a, int32_t *restrict doubtful)
 {
@@ -620,7 +627,7 @@ static int32_t cut(const double *restrict guess, ang *restrict a, int32_t *restr
     for (int i = 0; i < LANES; i++) {
         const uint64_t steps = bits_of(guess[i] + 27021597764222976.0); /* 1.5 * 2^54: its last bit is 4 */
         const uint32_t rest = ((uint32_t)steps << 10) + (doubt << 10);
-        a[i] = (ang)(steps >> 22) - 0x60000000; /* what 1.5 * 2^54 is in these bits */
+        a[i] = (ang)(steps >> 22) - 0x60000000; /* 1.5 * 2^54 in these bits */
         doubtful[i] = -((int32_t)(rest ^ 0x80000000) <= (int32_t)(doubt << 11 ^ 0x80000000));
         any |= doubtful[i];
     }
@@ -656,7 +663,7 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
 
     for (; i + LANES <= n; i += LANES)
         turns(y + i, x + i, a + i);
-    if (i && n - i >= LANES / 2) { /* some of them again */
+    if (i && n - i >= LANES / 2) { /* recomputes some of them */
         turns(y + n - LANES, x + n - LANES, a + n - LANES);
         return;
     }
@@ -666,7 +673,7 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
 
 /* ---- polar coordinates ---- */
 
-/* Of the step from the nearest ray. */
+/* Stores the sine of the angle from the nearest ray, and 1 minus its cosine. */
 static void steps_of(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -676,7 +683,8 @@ static void steps_of(const ang *restrict dir, double *restrict sine, double *res
     }
 }
 
-/* In steps of 2^-10, as trig_polar does it; which are in doubt? Returns 0 if none is. */
+/* Computes the products in steps of 2^-10, like trig_polar, and marks the doubtful ones. Returns 0 if none is
+ * doubtful. */
 static int32_t products(const fx *restrict speed, const double *restrict x, const double *restrict y, fx *restrict vx,
                         fx *restrict vy, int32_t *restrict doubtful)
 {
@@ -728,7 +736,7 @@ void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
 
 /* ---- strides ---- */
 
-/* An angle of a quarter as the eighth from the nearer axis on: trig.c's heading_of. */
+/* Returns the angle between dir and the nearer axis, at most an eighth of a turn, as heading_of does. */
 static inline uint32_t eighth_of(ang dir)
 {
     const uint32_t u = dir & 0x3fffffff, past = 0 - (u >> 29);
@@ -736,7 +744,8 @@ static inline uint32_t eighth_of(ang dir)
     return (u ^ past) - past + (past & 0x40000000);
 }
 
-/* Sine of what eighth_of(dir) is beyond the last of the 513 directions, less than 2^-9.3, and one less its cosine. */
+/* Stores the sine of the angle of eighth_of(dir) beyond the last of the 513 directions, less than 2^-9.3, and 1 minus
+ * its cosine. */
 static void parts_beyond(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -746,7 +755,7 @@ static void parts_beyond(const ang *restrict dir, double *restrict sine, double 
     }
 }
 
-/* Cosine and sine of an eighth become those of the direction. */
+/* Turns cosine and sine of the angle to the nearer axis into those of the direction. */
 static void unfold(const ang *restrict dir, double *restrict cosine, double *restrict sine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -757,7 +766,8 @@ static void unfold(const ang *restrict dir, double *restrict cosine, double *res
     }
 }
 
-/* Within 2^-52.4: the directions are cut to 53 bits, the last sum is rounded to them, and all else is below 2^-60. */
+/* Stores cosine and sine within 2^-52.4: the table's directions are truncated to 53 bits, the last sum is rounded to 53
+ * bits, and all other errors are below 2^-60. */
 static void circles(const ang *dir, double *cosine, double *sine)
 {
     double along[LANES], back[LANES];
@@ -772,16 +782,15 @@ static void circles(const ang *dir, double *cosine, double *sine)
     unfold(dir, cosine, sine);
 }
 
-/* A length as a double, exactly: |v| <= 2^48. */
+/* Returns a length as a double, exactly: |v| <= 2^48. */
 static inline double length_of(int64_t v)
 {
     return double_of((uint64_t)v + 0x4338000000000000) - 6755399441055744.0; /* 1.5 * 2^52 has no bits below one */
 }
 
 /*
- * d = `to` times the part less `from` times it, each rounded. Such a product is off by less than 2^-52.4 of its length,
- * and by 2^-53 of it for its own rounding: one that is within 2^-51 of its length of halfway is doubtful. Returns 0 if
- * none is.
+ * Stores d = to * part - from * part, each product rounded. A product is off by less than 2^-52.4 of its length, and by
+ * 2^-53 of it due to its own rounding; one within 2^-51 of its length of halfway is doubtful. Returns 0 if none is.
  */
 static uint64_t spans(const int64_t *restrict from, const int64_t *restrict to, const double *restrict part,
                       int64_t *restrict d, uint64_t *restrict doubtful)

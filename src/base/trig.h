@@ -1,8 +1,8 @@
 /*
  * trig.h - angles, their sines, and directions of vectors.
  *
- * An ang is a whole number of 2^-32 turns, so it wraps by itself: 0 points along +x, and as y grows downwards
- * 0x40000000 points down. Sine and cosine belong to that frame: the direction a is (cos a, sin a) on the screen.
+ * An ang is a whole number of 2^-32 turns, so it wraps around by itself: 0 points along +x and, as y grows downwards,
+ * 0x40000000 points down. Sine and cosine use the same axes: direction a is (cos a, sin a) on the screen.
  *
  * Results are correctly rounded (fx.h) for every input unless noted. Mirrored inputs give exactly mirrored results.
  */
@@ -11,53 +11,55 @@
 
 #include "fx.h"
 
-/* Sine and cosine in Q30: 2^30 is one. */
+/* Return sine and cosine in Q30: 2^30 is one. */
 int32_t trig_sin30(ang a);
 int32_t trig_cos30(ang a);
 
-/* Both in Q40, off by less than 2^-26: for what is rounded to an fx afterwards, in a fraction of the time. */
+/* Stores both in Q40, off by less than 2^-26: for values that are rounded to an fx afterwards, in a fraction of the
+ * time. */
 void trig_direction(ang a, int64_t *cosine, int64_t *sine);
 
 fx trig_sin(ang a);
 fx trig_cos(ang a);
 
-/* The direction of (x, y), right to all 32 bits; 0 for (0, 0). FX_MIN is allowed. Mind the order. */
+/* Returns the direction of (x, y), correct to all 32 bits; 0 for (0, 0). FX_MIN is allowed. Mind the argument order. */
 ang trig_atan2(fx y, fx x);
 
 /*
- * *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed goes backwards; FX_MIN does so
- * along an axis at FX_MAX.
+ * Stores *vx = speed * cos(dir), *vy = speed * sin(dir), each rounded once. A negative speed points backwards; where
+ * FX_MIN backwards is one unit beyond FX_MAX, the component is FX_MAX.
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy);
 
 /*
- * What leads from the point at distance `from` along dir to the point at distance `to`, each of the two rounded once:
- * so strides in one direction add up without error. Any unit, |from|, |to| <= 2^48. A point is the nearest one unless
- * its exact place is within 2^-70 of halfway.
+ * Stores the vector from the point at distance `from` along dir to the point at distance `to`, each point rounded once,
+ * so that strides in one direction add up without error. Any unit; |from|, |to| <= 2^48. Each point is the nearest one
+ * unless its exact position is within 2^-70 of halfway.
  */
 void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy);
 
-/* The same of n each, bit for bit. What is written is no part of what is read. */
+/* Do the same for n elements each, bit for bit. Output arrays must not overlap input arrays. */
 void trig_atan2s(const fx *y, const fx *x, ang *a, int n);
 void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n);
 void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_t *dx, int64_t *dy, int n);
 
-/* (x, y) scaled to length 1, each part correctly rounded; (0, 0) for (0, 0). FX_MIN is allowed. */
+/* Stores (x, y) scaled to length 1, each component correctly rounded; (0, 0) for (0, 0). FX_MIN is allowed. */
 void trig_normalise(fx x, fx y, fx *ux, fx *uy);
 
-/* The shorter turn that leads from one direction to the other, clockwise positive; INT32_MIN when they are opposite. */
+/* Returns the shorter turn from one direction to the other, clockwise positive; INT32_MIN when they are opposite. */
 static inline int32_t trig_difference(ang from, ang to)
 {
     return (int32_t)(to - from);
 }
 
-/* The ang nearest to deg, any number of turns taken off. False, and *out untouched, for NaN and the infinities. */
+/* Stores the ang nearest to deg, modulo whole turns. Returns false, leaving *out untouched, for NaN and the
+ * infinities. */
 bool trig_from_degrees(double deg, ang *out);
 
-/* The same as a signed turn: deg is first brought into -180 <= deg < 180. */
+/* Like trig_from_degrees, but stores a signed turn: deg is first brought into -180 <= deg < 180. */
 bool trig_turn_from_degrees(double deg, int32_t *out);
 
-/* Degrees in [0, 360). Exact, so trig_from_degrees gives a back. */
+/* Returns degrees in [0, 360). Exact, so trig_from_degrees gives a back. */
 double trig_to_degrees(ang a);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * board.c - power, RAM, the tick order, hashes and snapshots.
+ * board.c - power-on, RAM layout, the order of work in a tick, snapshots, and drawing; see board.h.
  */
 #include "board.h"
 #include "../machine/machine.h"
@@ -20,7 +20,7 @@
 #include "../base/host.h"
 
 enum { RAM_ALIGN = 64 };
-#ifndef MAX_RAM /* tests lower it */
+#ifndef MAX_RAM /* bytes; tests lower it */
 #define MAX_RAM (1ull << 30)
 #endif
 
@@ -29,9 +29,10 @@ static uint64_t aligned(uint64_t n)
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
 }
 
-/* A bullet may graze or hit both players, be blocked and, where they do, meet another, a shot hits one thing, or as
- * many as it can go through, an enemy may touch, die and leave, an item is taken once and may give lives, a laser may
- * graze or hit both players, or shoot, and a document may tell of each bullet that it fires. */
+/* Returns the most events a frame may raise. A bullet may graze or hit both players, be blocked and, if bullets can
+ * meet, meet another one. A shot hits one entity, or up to PIERCED. An enemy may touch players, die and leave. An item
+ * is taken once and may give lives. A laser may graze or hit both players, or hit enemies. A BulletML document may
+ * raise an event for each bullet it fires. */
 static uint64_t event_room(const struct manifest *m)
 {
     return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +
@@ -39,7 +40,7 @@ static uint64_t event_room(const struct manifest *m)
            (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
 }
 
-/* What documents fire in a frame. */
+/* Returns the most bullets that BulletML documents may fire in a frame. */
 static uint32_t fresh_room(const struct manifest *m)
 {
     return m->bulletml ? (uint32_t)m->bullets : 0;
@@ -58,10 +59,10 @@ uint64_t board_room(const struct cart *cart)
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
-/* board_size, of a cart that it opens. */
+/* Opens the cart and does the work of board_size. */
 static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, char *err, size_t err_size)
 {
-    memset(cart, 0, sizeof *cart); /* it goes into RAM */
+    memset(cart, 0, sizeof *cart); /* it is copied into RAM */
     if (!cart_open(cart, rom, err, err_size))
         return false;
     uint64_t sum = board_room(cart);
@@ -121,22 +122,22 @@ static void set_up(struct board *b)
         sound_power(b);
 }
 
-/* Lays RAM out and clears the columns of lists, whose entries are read before they are written; those of nvram are
- * not, and stay through a reset.
+/* Lays out RAM and clears the columns of lists, because their entries are read before they are written. The columns of
+ * nvram are not cleared and survive a reset.
  *
- * Memory map, from the beginning of RAM; each block is aligned to RAM_ALIGN bytes:
+ * Memory map, from the start of RAM; each block is aligned to RAM_ALIGN bytes:
  *
  *   block                         bytes                              snapshot
  *   struct board                  sizeof                             whole
  *   struct output                 sizeof                             none; a restore clears it
  *   columns of each part, in the  slots_size of its chip and slots   of pools, the slots below top and high; of lists,
  *   order of PART_LIST                                               the live entries (slots.h)
- *   pictures                      a struct sprite for each of the    none; a restore reads the ROM
- *                                 ROM's sprites
+ *   pictures                      a struct sprite per sprite of the  none; a restore reads the ROM
+ *                                 ROM
  *   events                        events_size of event_room          none; there are no events between frames
- *   fresh bullets                 a struct ml_fired a bullet, where  none; there are none between frames
- *                                 documents may run
- *   Lua's heap                    board.lua_kib KiB                  what is in use
+ *   fresh bullets                 a struct ml_fired per bullet, if   none; there are none between frames
+ *                                 BulletML documents may run
+ *   Lua's heap                    board.lua_kib KiB                  the part in use
  */
 static void lay_out(struct board *b)
 {
@@ -210,7 +211,7 @@ static bool open_lang(struct board *b, char *err, size_t err_size)
     return false;
 }
 
-/* Is what the start asks for in the manifest? */
+/* Returns whether the start's values fit the manifest; if not, err gets one sentence. */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
     if (start->difficulty >= m->n_difficulties) {
@@ -228,7 +229,7 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
     return practice_fits(&start->practice, err, err_size);
 }
 
-/* The caller's texts may have no NUL. */
+/* Terminates the strings, because the caller's may lack a NUL. */
 static void end_texts(struct board_start *start)
 {
     struct practice *p = &start->practice;
@@ -287,7 +288,8 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     return b;
 }
 
-/* board.reset: as after power-on, but frames and nvram go on. */
+/* Does board.reset: the state is as after power-on, except that the frame counter, the script digest and nvram are
+ * retained. */
 static void reset(struct board *b)
 {
     uint32_t frame = b->core.frame;
@@ -323,7 +325,8 @@ static void move_items(struct board *b)
     items_move(&b->items, &b->item_kinds, pull);
 }
 
-/* Where what an enemy goes round is: an enemy has moved then, unless many wait for each other. */
+/* Finds the position of the entity an enemy orbits. If that is an enemy too, moves it first, up to 32 levels deep.
+ * Returns false if the entity is not alive. */
 static bool orbited(struct enemies_world *w, int64_t thing, fx *x, fx *y)
 {
     const int most = 32;
@@ -366,7 +369,7 @@ void board_move(struct board *b)
     b->counts.moved = b->bullets.moved;
 }
 
-/* The motion steps of this frame are work; with too many a move ended where it was. */
+/* Charges this frame's motion steps as work. With too many, the moves stopped early and the frame is a fault. */
 static void count_steps(struct board *b)
 {
     const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
@@ -378,7 +381,8 @@ static void count_steps(struct board *b)
                        (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
 }
 
-/* Moves, then hits, then what programs fire. For vm_call: a full event list is a fault. */
+/* Moves everything, tests collisions, then fires the programs' bullets. Called through vm_call, because a full event
+ * list is a fault. */
 static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -396,7 +400,7 @@ static int move_and_hit(lua_State *L)
     return 0;
 }
 
-/* Lines that follow a thing go with it. */
+/* Removes the lines of text whose followed entity is no longer alive. */
 static void drop_lines(struct board *b)
 {
     EACH_LIVE (i, &b->lines.s)
@@ -405,7 +409,7 @@ static void drop_lines(struct board *b)
     slots_trim(&b->lines.s);
 }
 
-/* Sprites go with what they follow. */
+/* Removes the sprites whose followed entity is no longer alive, and counts the others. */
 static void drop_followers(struct board *b)
 {
     struct sprites *s = &b->sprites;
@@ -424,7 +428,7 @@ static void drop_followers(struct board *b)
     slots_trim(&s->s);
 }
 
-/* The game's clock goes on, but not for what stood in this frame's move. */
+/* Advances the game's clock. Entities that stood still in this frame's move do not age. */
 static void next_frame(struct board *b)
 {
     b->core.clock++;
@@ -444,7 +448,7 @@ static void drain_registers(struct board *b)
     registers_drain(&b->registers, b->registers.first, b->registers.count, 0);
 }
 
-/* The end of a frame that did not stand. */
+/* Ends a frame that board.stop did not hold. */
 static void end_frame(struct board *b)
 {
     if (b->core.frozen < 0) /* from the next one on */
@@ -457,8 +461,9 @@ static void end_frame(struct board *b)
 }
 
 /*
- * board.stop(n) sets core.frozen to -(n + 1). Each tick counts it up as it begins, and stands if it is still below 0:
- * no task gets a turn, nothing moves, the clock waits. What is pressed meanwhile counts as of the first tick after it.
+ * Latches the input and returns whether board.stop holds this tick. board.stop(n) sets core.frozen to -(n + 1). Each
+ * tick starts by incrementing it while it is negative, and is held if it is still negative: no task resumes, nothing
+ * moves, and the clock does not advance. Buttons pressed meanwhile count as pressed in the first tick afterwards.
  */
 static bool count_stop(struct board *b, const uint16_t pads[PADS])
 {
@@ -470,13 +475,13 @@ static bool count_stop(struct board *b, const uint16_t pads[PADS])
     return stopped;
 }
 
-/* Has the frame left events_run anything to do? */
+/* Returns whether events_run has anything to do in this frame. */
 static bool has_raised(const struct board *b)
 {
     return b->events.n || b->bullets.s.holding || b->shots.s.holding || b->lasers.s.live;
 }
 
-/* Nothing to hand out. Of markers and full pools the counts say how many there are: they need not be wiped. */
+/* Empties the output. The arrays of markers and full pools need no clearing, because their counts are zeroed. */
 static void clear_output(struct output *o)
 {
     struct board_out *out = &o->out;
@@ -490,7 +495,7 @@ static void clear_output(struct output *o)
     out->fault = NULL;
 }
 
-/* For vm_call. */
+/* Charges the work of drawing this frame's picture, then runs the collector. Called through vm_call. */
 static int count_picture(lua_State *L)
 {
     board_charge_picture(vm_board(L));
@@ -608,7 +613,7 @@ void board_save(const struct board *b, void *buf)
         p += slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
 
-/* RAM may hold anything by now: only what has been copied back is read. */
+/* RAM may hold anything at this point, so only bytes already copied back are read. */
 void board_restore(struct board *b, const void *buf)
 {
     const uint8_t *p = buf;
@@ -695,7 +700,7 @@ uint64_t board_draw(const struct board *b, const struct view *view, struct fb *f
 {
     struct video_work work;
 
-    if (!video_fits(b, WORK_LIMIT, &work)) { /* the board has a fault, or will have one */
+    if (!video_fits(b, WORK_LIMIT, &work)) { /* the board has a fault, or its next tick will raise one */
         memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
         fb_clip_all(fb);
         fb_fill(fb, 0);

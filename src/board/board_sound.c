@@ -1,5 +1,5 @@
 /*
- * board_sound.c - a frame's samples, what plays, and boxes; see board.h.
+ * board_sound.c - a frame's samples, sound slots, and boxes; see board.h.
  */
 #include "board.h"
 
@@ -39,7 +39,7 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
         memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
 }
 
-/* Has it less than a frame to play? */
+/* Returns whether the slot's track ends within the next frame. */
 static bool ends_next(const struct board *b, int slot)
 {
     const struct cues *c = &b->cues;

@@ -1,9 +1,9 @@
 /*
- * hashes.c - state hashes: of a part, of all, and of all frame after frame.
+ * hashes.c - state hashes: of one part, of all parts combined, and cached for every frame.
  *
- * A hash goes through a part value by value. Most of a board's values stand in lists that seldom change (nvram, kinds,
- * motions, text, colours). For hashes every frame there is a cache: a copy of the lists' bytes. A list that equals its
- * copy has the hash it had. Padding may differ where values do not; then the list is hashed without need.
+ * A part is hashed value by value. Most of a board's values are in lists that seldom change (nvram, kinds, motions,
+ * text, colours). To hash every frame, a cache stores a copy of the lists' bytes: a list that equals its copy still has
+ * the hash computed for the copy. If only padding differs, the list is rehashed needlessly, but correctly.
  */
 #include <string.h>
 #include "../base/hash.h"
@@ -14,8 +14,9 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
-/* Has it registers alone, or is it a part that came later and that the game has no room for, or, of the ships' and the
- * run's registers, has none of? */
+/* Returns whether part i holds nothing in slots and may be absent: it is one of the parts added after the first
+ * PARTS_ALWAYS, has no live slot, and either has no capacity (the chip has only registers, or the game reserves none)
+ * or is the list of registers that ships and the run declare. */
 static bool is_roomless(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
@@ -23,8 +24,8 @@ static bool is_roomless(const struct board *b, int i)
     return i >= PARTS_ALWAYS && !s->live && (!s->cap || s == &b->registers.s);
 }
 
-/* Such a part whose registers are all 0: its hash is 0, and in no other hash. So a new chip is another game for those
- * games alone that ask for it. */
+/* Returns whether such a part's registers are also all 0. The hash of an absent part is 0 and is left out of the
+ * combined hash, so adding a chip to the board changes the hashes of only those games that use it. */
 static bool is_absent(const struct board *b, int i)
 {
     const struct chip *chip = machine_parts[i].chip;
@@ -63,7 +64,7 @@ uint64_t board_hash(const struct board *b)
     return board_hash_of(hashes);
 }
 
-/* Columns of values have the names that the game declared. */
+/* A visitor that gives value columns the names the game declared. */
 struct renamed {
     const struct board *b;
     enum name_kind names;
@@ -99,7 +100,8 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
         slots_values(chip, chip_at(b, i), visit, context);
 }
 
-/* Bytes of a list's copy: its struct, and its columns when it is full. */
+/* Returns the bytes of list i's copy: its struct, and its columns at full capacity; 0: the part is not a list, or
+ * is_roomless. */
 static size_t copy_size(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
@@ -121,7 +123,7 @@ size_t board_hash_cache_size(const struct board *b)
     return sum + most;
 }
 
-/* Are the list's bytes those of its copy? Makes them equal. room: scratch for as many bytes. */
+/* Returns whether list i's bytes equal its copy; if not, updates the copy. room: scratch of copy_size bytes. */
 static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
 {
     size_t n = machine_parts[i].size;

@@ -61,7 +61,7 @@ static void set_circles(const struct board *b, struct inspect_body *body, const 
     }
 }
 
-/* By the pieces that the hit tests see. */
+/* Sets the body's shape from the pieces used by the collision tests. */
 static void set_shape(const struct board *b, struct inspect_body *body, uint8_t shape, const struct body *piece,
                       uint32_t n)
 {
@@ -136,7 +136,7 @@ static bool laser_can_be_grazed(const struct board *b, uint32_t i)
     return false;
 }
 
-/* The piece of line from corner k on, as it was in the last frame. */
+/* Returns the body of the segment that starts at corner k, as it was in the last frame. */
 static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_t k)
 {
     const fx reach = hit_laser_reach(b, i, lasers_age_seen(b, i));
@@ -237,7 +237,7 @@ static void measure(const struct shape_columns *k, uint32_t i, struct inspect_sh
     }
 }
 
-/* Ships have a circle each. */
+/* Calls each for every kind of ship; a ship's hitbox is a circle. */
 static void ship_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                        void *context)
 {
@@ -259,7 +259,7 @@ static void ship_kinds(const struct board *b, void (*each)(void *context, const 
     }
 }
 
-/* The name of the blend that a kind's flags ask for, if it is one of ramps. */
+/* Returns the name of the blend in a kind's flags if that is a ramp blend; otherwise NULL. */
 static const char *ramp_of(const struct board *b, uint16_t flags)
 {
     const int blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
@@ -290,7 +290,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
     for (int what = 0; what < 3; what++)
         for (uint32_t i = 0; i < all[what].n; i++) {
             const char *name = board_name(b, all[what].names, (int)i);
-            if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* no name: the second of several circles */
+            if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* no name: one more circle of a kind */
                 continue;
             measure(&all[what].shapes, i, &kind);
             kind.of = all[what].of;
@@ -356,7 +356,7 @@ void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t c
 
 /* ---- tasks ---- */
 
-/* The line its thread waits in; "" before its first turn. */
+/* Finds the line at which the task's thread waits; "" before it has first run. */
 static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 {
     at[0] = 0;
@@ -364,7 +364,7 @@ static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
         return;
     vm_where(b->tasks.thread[i], at, INSPECT_PLACE);
     size_t n = strlen(at);
-    if (n >= 2) /* ": " */
+    if (n >= 2) /* cut off ": " */
         at[n - 2] = 0;
 }
 
@@ -393,7 +393,8 @@ static void describe_task(const struct board *b, uint32_t i, struct inspect_task
     *out = (struct inspect_task){ .serial = t->serial[i],
                                   .age = b->core.clock - t->born[i],
                                   .wait = t->wait[i] > 1 ? t->wait[i] : 1,
-                                  .forever = t->wait[i] > LUA_MAXINTEGER / 2, /* it counts down all the same */
+                                  .forever =
+                                      t->wait[i] > LUA_MAXINTEGER / 2, /* a task that waits forever counts down too */
                                   .scope = t->flags[i] & TASK_SCOPE,
                                   .begun = t->flags[i] & TASK_BEGUN,
                                   .stopped = t->flags[i] & TASK_STOP || !tasks_owner_alive(b, t->owner[i]),
@@ -425,9 +426,9 @@ bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *o
     return false;
 }
 
-/* ---- what is under a point ---- */
+/* ---- the entity under a point ---- */
 
-/* How well a body fits the point asked for: the least wins, by field. */
+/* How far a body is from the point searched for, Q15.16 px. Compared field by field; the smallest wins. */
 struct fit {
     fx gap, size, far;
 };

@@ -1,9 +1,9 @@
 /*
- * inspect.h - a board's state for the overlay and the console: hit shapes, gauges, tasks, and the thing under a point.
+ * inspect.h - a board's state for the overlay and the console: hitboxes, gauges, tasks, and the entity under a point.
  *
- * Only between frames. Nothing here changes a byte of RAM: no Lua function that pushes anything is called. Texts that
- * are handed out as pointers are good until the next tick or restore. Places on the screen are Q15.16 px, the field's
- * corner added.
+ * Call these functions only between frames. None of them changes a byte of RAM, so they call no Lua function that
+ * pushes a value. Strings are returned as pointers that are valid until the next tick or restore. Screen positions are
+ * Q15.16 px, field position plus the field's top left corner.
  */
 #ifndef BOARD_INSPECT_H
 #define BOARD_INSPECT_H
@@ -15,80 +15,80 @@
 enum inspect_kind { INSPECT_NOTHING, INSPECT_BULLET, INSPECT_SHOT, INSPECT_ENEMY, INSPECT_PLAYER, INSPECT_LASER };
 enum inspect_shape { INSPECT_NONE, INSPECT_CIRCLE, INSPECT_BOX, INSPECT_CAPSULE, INSPECT_CIRCLES };
 
-/* A thing as the hit tests see it. */
+/* The hitbox of an entity, as collision tests use it. */
 struct inspect_body {
     enum inspect_kind kind;
     uint32_t slot;
     enum inspect_shape shape;
-    int32_t x, y; /* its middle, on the screen */
-    int32_t a, b; /* a circle: a is the radius; a box: half its width and height */
-    int32_t c;    /* a capsule: all within a of a bar from (x - b, y - c) to (x + b, y + c) */
-    int32_t n;    /* several circles; a, b: half the width and height of the box round (x, y) that they lie in */
+    int32_t x, y; /* centre, on the screen */
+    int32_t a, b; /* circle: a is the radius; box: half the width and height */
+    int32_t c;    /* capsule: all points within a of the bar from (x - b, y - c) to (x + b, y + c) */
+    int32_t n;    /* circles: their number; a, b: half the width and height of a box around (x, y) holding them */
     struct {
         int32_t x, y, r;
     } circle[SHAPE_PARTS];
-    int32_t graze; /* radius of a player's graze ring; else 0 */
-    bool spent;    /* a bullet or laser that no player can graze (any more), an enemy whose touch is harmless or that
-                      is dying, a player that is safe */
+    int32_t graze; /* player: radius of the graze ring; otherwise 0 */
+    bool spent;    /* bullet or laser: no player can graze it now; enemy: dying, or harmless to touch; player:
+                      invulnerable */
 };
 
-/* Calls each for all bodies, in the order enemies, shots, bullets, lasers, players; each by slot. A laser has a body
- * for each piece of its line. */
+/* Calls each for every body: enemies, shots, bullets, lasers, then players, each in slot order. A laser has one body
+ * per segment of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
-/* The body of player `player` (0 or 1) where the picture shows the ship: a shake moves it. False: no ship is seen; it
- * is not in the game, or hidden. */
+/* Sets *out to the body of a player (0 or 1) at the place where the ship is drawn, including a screen shake. Returns
+ * false if no ship is drawn: the player is not in the game, or is hidden. */
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 
-/* What a kind of bullets, shots, enemies or players touches with, and the picture that it shows. */
+/* The hitbox and the sprite of one kind of bullet, shot, enemy or player. */
 struct inspect_shape_of {
     const char *of, *name;    /* "bullet", "orb" */
     enum inspect_shape shape; /* not INSPECT_NONE */
-    int32_t r, bar_x, bar_y;  /* a circle's radius; a capsule: all within r of a bar from its place by (-bar_x, -bar_y)
-                                 to (bar_x, bar_y) */
-    int n;                    /* circles */
+    int32_t r, bar_x, bar_y;  /* circle: r is the radius; capsule: all points within r of the bar from (-bar_x, -bar_y)
+                                 to (bar_x, bar_y), relative to the entity's position */
+    int n;                    /* number of circles */
     struct {
         int32_t x, y, r;
     } circle[SHAPE_PARTS];
-    int32_t x0, y0, x1, y1; /* the box round it, from its place; as the picture is drawn, not turned */
-    bool turns;             /* the picture turns; a box does not turn with it */
+    int32_t x0, y0, x1, y1; /* bounding box of the hitbox, relative to the entity's position, unrotated */
+    bool turns;             /* the sprite rotates; a box hitbox does not rotate with it */
     const char *sprite;
     int bank;
-    const char *ramp; /* the blend it is drawn with, if that is one of ramps; else NULL */
+    const char *ramp; /* name of the kind's blend if that is a ramp blend; otherwise NULL */
 };
 void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                    void *context);
 
-/* Which of a player's buttons are its ship's: those that steer it, and those it fires with? Not those that a menu or a
- * talk has. player: from 0. */
+/* Returns whether a player's buttons currently steer the ship and fire its shots, as opposed to controlling a menu or a
+ * dialogue. player: from 0. */
 struct inspect_ship_has {
     bool steers, fires;
 };
 struct inspect_ship_has inspect_plays(const struct board *b, int player);
 
-/* The characters on the screen, in cells and lines of text that are not hidden: code points, several times or in any
- * order. FIX_OTHER (fix.h): one that a cell has no room for. */
+/* Calls each with the code point of every character on the screen, in cells and in visible lines of text. The order is
+ * unspecified, and code points may repeat. FIX_OTHER (fix.h): a character its cell cannot store. */
 void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t code), void *context);
 
-/* The field on the screen, px. */
+/* The field's rectangle on the screen, px. */
 struct inspect_area {
     int x, y, w, h;
 };
 struct inspect_area inspect_field(const struct board *b);
 
-/* How full a part is. */
+/* How full a part is, in slots. */
 struct inspect_gauge {
     const char *name;
-    uint32_t live, top, high, cap; /* top: every live slot is below; high: slots ever used */
+    uint32_t live, top, high, cap; /* top: upper bound of the live slots; high: slots ever used */
     uint32_t refused;
-    bool fixed; /* always full, or without slots: not worth a gauge */
+    bool fixed; /* fixed size or no slots, so not worth a gauge */
 };
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
 
-/* Lua's memory, bytes. */
+/* Sets *used and *size to the bytes of Lua memory in use and in all. */
 void inspect_memory(const struct board *b, size_t *used, size_t *size);
 
-/* Numbers drawn from the game's random stream since it began: at power-on, or with board.reset. */
+/* Returns how many numbers the game has drawn from its random stream since power-on or the last board.reset. */
 uint64_t inspect_drawn(const struct board *b);
 
 enum { INSPECT_PLACE = 80 };
@@ -108,69 +108,71 @@ enum inspect_owner {
 struct inspect_task {
     uint32_t serial;
     uint32_t age; /* frames of game time */
-    int64_t wait; /* frames until its turn, at least 1: the next frame */
-    bool forever; /* it waits for ever */
-    bool scope;   /* it only owns others */
-    bool begun;   /* else its first turn is to come */
-    bool stopped; /* to be closed at its turn: it was stopped, or its owner is gone */
-    bool frozen;  /* gets no turns: the game is paused */
+    int64_t wait; /* frames until it resumes, at least 1: the next frame */
+    bool forever; /* it waits forever */
+    bool scope;   /* it only owns other tasks */
+    bool begun;   /* it has run at least once */
+    bool stopped; /* closed when it would next resume: it was stopped, or its owner is no longer alive */
+    bool frozen;  /* it does not run now, because the game is paused */
     enum inspect_owner owner;
-    uint32_t owner_number;  /* of a task its serial, of a player 1 or 2, else its slot */
-    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line it waits in, the nearest outside @std; "": none */
+    uint32_t owner_number;  /* task: its serial; player: 1 or 2; any other owner: its slot */
+    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line it waits at, the nearest outside @std; "": none */
 };
 
-/* Tasks by serial, up to n of them from number `first` on (0: the oldest). Returns how many there are in all. */
+/* Describes up to n live tasks in order of serial, starting with the first-th (0: the oldest). Returns the number of
+ * live tasks. */
 uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_task *out, uint32_t n);
 
-/* The live task with that serial; false: it is over. */
+/* Describes the live task with that serial. Returns false if it has ended. */
 bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *out);
 
 struct inspect_thing {
     struct inspect_body body;
-    const char *name;     /* of its kind */
+    const char *name;     /* name of its kind */
     const char *tag;      /* NULL: none */
-    uint32_t age;         /* frames of game time; of a player 0 */
+    uint32_t age;         /* frames of game time; player: 0 */
     int32_t x, y;         /* on the field, Q15.16 px */
-    int32_t speed;        /* Q15.16 px/frame; of bullets, shots and lasers, as dir */
+    int32_t speed;        /* Q15.16 px/frame; speed and dir: bullets, shots and lasers only */
     double dir;           /* degrees */
     bool moves;           /* a motion program drives it */
-    const char *motion;   /* its name; NULL: it has none */
-    uint32_t program;     /* its number */
-    uint32_t step, steps; /* the one it is in, from 1; steps + 1: past the last */
-    uint32_t left;        /* frames this step takes on, 0: it has not begun or takes no time */
-    uint32_t by;          /* serial of the task that fired or spawned it, 0: none */
-    int player;           /* of a shot or laser: 1 or 2, 0: nobody's */
-    int32_t hp, safe;     /* of an enemy; safe: frames it takes no damage, -1 for ever; of a player too */
-    int32_t lives;        /* of a player */
+    const char *motion;   /* name of the motion program; NULL: unnamed */
+    uint32_t program;     /* index of the motion program */
+    uint32_t step, steps; /* current step, from 1, and their number; step = steps + 1: past the last */
+    uint32_t left;        /* frames left in this step; 0: it has not begun or takes no time */
+    uint32_t by;          /* serial of the task that fired or spawned it; 0: none */
+    int player;           /* shot or laser: its player, 1 or 2; 0: none */
+    int32_t hp, safe;     /* hp: enemies only; safe: enemies and players, invulnerable frames left, -1: forever */
+    int32_t lives;        /* players only */
 };
 
-/* The thing whose shape holds the screen pixel (x, y) or comes nearest to it, at most `within` px away; of several the
- * smallest, then the one whose middle is nearest, then the first in the order of inspect_bodies. False: none. */
+/* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `within` px away. Ties go
+ * to the smallest, then to the one with the nearest centre, then to the first in inspect_bodies' order. Returns false
+ * if there is none. */
 bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out);
 
-/* A voice of VOICES, those of music first. Of a board without sound none is busy. */
+/* Voice i of VOICES, music voices first. On a board without sound no voice is busy. */
 struct inspect_voice {
     bool music, busy;
-    bool ends;        /* let go, or only a tail */
-    const char *of;   /* the piece or the sound */
-    const char *wave; /* "fm" */
-    int32_t pitch;    /* 65536ths of a semitone; 69 are the a of 440 Hz */
+    bool ends;        /* the note was released, or only its tail still sounds */
+    const char *of;   /* name of the sound or music it plays */
+    const char *wave; /* kind of instrument: "fm" */
+    int32_t pitch;    /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
     int pan;          /* -64 left to 64 right */
 };
 void inspect_voice(const struct board *b, int i, struct inspect_voice *out);
 
-/* The largest sample, of 32768, that this voice alone makes in the frame just ticked. tables: of board_sound. */
+/* Returns the peak level, out of 32768, of this voice alone in the frame just ticked. tables: as for board_sound. */
 int inspect_voice_peak(const struct board *b, int i, const void *tables);
 
-/* Where the music is. name "": none plays. */
+/* The music's current position. name "": no music is playing. */
 struct inspect_music {
     const char *name, *title;
-    const char *mark, *next; /* the last marker; what comes when this has faded; "": none */
-    uint64_t bar;            /* from 0 on, as beat */
-    int beat, beats;         /* of the bar */
-    uint32_t tempo;          /* hundredths of a quarter note a minute */
+    const char *mark, *next; /* last marker passed; music that starts when this has faded out; "": none */
+    uint64_t bar;            /* current bar, from 0 */
+    int beat, beats;         /* beat in the bar, from 0; beats per bar */
+    uint32_t tempo;          /* hundredths of a quarter note per minute */
     int gain;                /* percent */
-    bool held;               /* by the game's pause */
+    bool held;               /* stopped by the game's pause */
 };
 void inspect_music(const struct board *b, struct inspect_music *out);
 

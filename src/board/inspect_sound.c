@@ -1,5 +1,5 @@
 /*
- * inspect_sound.c - see inspect.h: what a mixer shows.
+ * inspect_sound.c - the state of voices and music; see inspect.h.
  */
 #include "inspect.h"
 
@@ -13,8 +13,8 @@ static const char *const kinds[INST_KINDS] = {
     [INST_NOISE] = "noise", [INST_SAMPLE] = "sample", [INST_FM4] = "fm4", [INST_WAVE] = "wave",
 };
 
-/* The name of the sound or piece that an instrument stands in: the last one that begins before it, for they stand in
- * their order. */
+/* Returns the name of the sound or music whose data contains an instrument. Sounds come first, then music, in the order
+ * of their data, so it is the last one that starts at or before the instrument. */
 static const char *tune_of_inst(const struct board *b, uint32_t inst)
 {
     const struct cart *c = &b->cart;
@@ -49,7 +49,7 @@ void inspect_voice(const struct board *b, int i, struct inspect_voice *out)
     out->pan = v->pan1[slot] - TUNE_PAN;
 }
 
-/* A mix in which that voice is alone. */
+/* Mixes the voice and its tail alone and measures the result. */
 int inspect_voice_peak(const struct board *b, int i, const void *tables)
 {
     int16_t sound[2 * BOARD_SOUND];

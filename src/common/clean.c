@@ -1,5 +1,5 @@
 /*
- * clean.c - see clean.h.
+ * clean.c - makes untrusted text safe to display (clean.h).
  */
 #include "clean.h"
 

@@ -1,6 +1,6 @@
 /*
- * files.c - see files.h. The seam has no word for why a file cannot be written; where its functions are made of ISO
- * C's, errno has.
+ * files.c - reads and writes files (files.h). The platform API does not report why a write failed; where it is
+ * implemented with ISO C functions, errno has the reason.
  */
 #include "files.h"
 

@@ -1,5 +1,5 @@
 /*
- * files.h - reading and writing files, with a sentence when it fails.
+ * files.h - reads and writes files, with error messages.
  */
 #ifndef COMMON_FILES_H
 #define COMMON_FILES_H
@@ -10,34 +10,36 @@
 
 enum { FILES_PATH = 2048, FILES_ERR = FILES_PATH + 128 };
 
-/* A name as messages show it: the real path for what lies in the user's folders, else as it is. Returns path. */
+/* Writes a file name to path as messages show it: the real path of a file in the user's folders, any other name
+ * unchanged. Returns path. */
 const char *files_shown(const char *name, char path[FILES_PATH]);
 
-/* plat_save and plat_append; false and "PATH: cannot be written (No space left on device)", without what is in brackets
- * where the host does not say. */
+/* Call plat_save and plat_append. Return false and set err to "PATH: cannot be written (No space left on device)",
+ * without the reason in brackets when the host gives none. */
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size);
 bool files_append(const char *path, const void *data, size_t size, char *err, size_t err_size);
 
-/* plat_load of a whole file that has size bytes; false and "NAME: cannot be read", with the same brackets. */
+/* Calls plat_load for a whole file of `size` bytes. Returns false and sets err to "NAME: cannot be read", with a reason
+ * as above. */
 bool files_load(const char *path, const char *name, void *to, size_t size, char *err, size_t err_size);
 
-/* plat_size, and what says why there is none is made ready for files_absent. */
+/* Calls plat_size, and prepares errno for files_absent. */
 long files_size(const char *path);
 
-/* The sentence after files_size, and maybe plat_list, have found nothing: "NAME: no such WHAT", or that it cannot be
- * read and why. Returns err. */
+/* Writes the error for a file that files_size (or plat_list after it) did not find: "NAME: no such WHAT", or that it
+ * cannot be read and why. Returns err. */
 const char *files_absent(const char *name, const char *what, char *err, size_t err_size);
 
-/* A whole file into *data (malloc, with a 0 after it). name is what messages call it. False and one sentence: *data is
- * NULL. */
+/* Reads a whole file into *data, from malloc, with a 0 byte after it. name: the file's name in messages. On failure
+ * returns false, sets err, and *data is NULL. */
 bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
                 size_t err_size);
 
-/* Removes UTF-8's byte order mark, which some editors write, from the front of a text with a 0 after it. Every reader
- * of text files that people may edit does so. */
+/* Removes a UTF-8 byte order mark, which some editors write, from the start of a text that has a 0 byte after it. Every
+ * reader of text files that people may edit calls this. */
 void files_drop_mark(void *text, size_t *size);
 
-/* files_read of a text, without the mark. */
+/* Reads a text file like files_read, without the byte order mark. */
 bool files_read_text(const char *path, const char *name, size_t max, uint8_t **text, size_t *size, char *err,
                      size_t err_size);
 

@@ -1,5 +1,5 @@
 /*
- * result.c - see result.h.
+ * result.c - records whether the host caused a failure (result.h).
  */
 #include "result.h"
 

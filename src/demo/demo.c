@@ -1,5 +1,5 @@
 /*
- * demo.c - see demo.h. What a demo says; reading is in demo_read.c and demo_load.c, recording in demo_write.c.
+ * demo.c - accessors of a demo (demo.h). Reading is in demo_read.c and demo_load.c, recording in demo_record.c.
  */
 #include "demo.h"
 
@@ -8,9 +8,10 @@
 #include <string.h>
 #include "demo_parts.h"
 
-/* ---- room ---- */
+/* ---- arrays ---- */
 
-/* Makes *p hold `want` items of `size` bytes, doubling; false: no memory, *p unchanged. */
+/* Grows the array *p to hold at least `want` items of `size` bytes, doubling its capacity. Returns false when out of
+ * memory; *p is then unchanged. */
 static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
 {
     void *old, *grown;
@@ -56,7 +57,7 @@ void demo_free(struct demo *d)
     memset(d, 0, sizeof *d);
 }
 
-/* ---- what it says ---- */
+/* ---- accessors ---- */
 
 const char *demo_flag_name(int i)
 {
@@ -93,7 +94,7 @@ bool demo_row_whole(const struct demo *d, uint32_t i)
     return i + 1 == d->seconds && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
 }
 
-/* The row of a frame, whole or not; `seconds`: it has none. */
+/* Returns the index of a frame's row, full or not, or d->seconds when it has none. */
 static uint32_t row_of(const struct demo *d, uint32_t frame)
 {
     uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
@@ -133,7 +134,7 @@ bool demo_told(const struct demo *d, uint32_t frame)
     return row_of(d, frame) < d->seconds || demo_checksums(d, frame);
 }
 
-/* The board's part of that name, or -1. Mostly it is the i-th of both. */
+/* Returns the index of the board's part with that name, or -1. Starts at i, since the orders mostly agree. */
 static int part_of(const struct board *b, const char *name, int i)
 {
     int parts = board_parts(b);
@@ -173,7 +174,7 @@ uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashe
     return differ;
 }
 
-/* A whole number of up to twelve digits, as a score is, written as printf does. */
+/* Parses a score: digits as printf writes them, at most twelve. */
 static bool read_points(const char *text, int64_t *points)
 {
     size_t n = strspn(text, "0123456789");
@@ -197,7 +198,7 @@ bool demo_points(const struct demo *d, int player, int64_t *points)
     return false;
 }
 
-/* The first DIP switch that has no such value as the demo's; -1: none. */
+/* Returns the first DIP switch that does not allow the demo's value, or -1. */
 static int bad_dip(const struct demo *d, const struct manifest *m)
 {
     for (int i = 0; i < m->n_dips; i++) {

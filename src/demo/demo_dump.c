@@ -1,23 +1,23 @@
 /*
- * demo_dump.c - see demo_dump.h.
+ * demo_dump.c - writes an unfinished recording as the bytes of a demo file (demo_dump.h).
  */
 #include "demo_dump.h"
 
 #include "demo_parts.h"
 
-enum { RECORDS = 1 << 14 /* bytes: any record, and a header without its nvram */ };
+enum { RECORDS = 1 << 14 /* bytes: enough for any record, and for a header without its nvram */ };
 
 struct dump {
     struct demo_sink sink;
     const struct demo_dump *how;
-    uint32_t frames, told, crc; /* handed out */
+    uint32_t frames, told, crc; /* written so far */
 };
 
 size_t demo_dump_size(const struct demo_writer *w)
 {
     size_t nvram = w->demo.start.nvram_size;
 
-    return RECORDS + nvram + nvram / 64; /* coded, 128 bytes are 129 at most */
+    return RECORDS + nvram + nvram / 64; /* encoding makes 128 bytes at most 129 */
 }
 
 static void flush(struct dump *u)
@@ -27,7 +27,7 @@ static void flush(struct dump *u)
     u->sink.n = 0;
 }
 
-/* The markers of what was handed out. */
+/* Writes the markers of the frames written so far. */
 static void put_markers(struct dump *u, const struct demo *d)
 {
     while (u->told < d->n_markers && d->markers[u->told].frame <= u->frames) {

@@ -1,5 +1,5 @@
 /*
- * demo_load.c - a demo from a file; libcurtain, which opens none, is built without this one.
+ * demo_load.c - loads a demo from a file. libcurtain, which opens no files, is built without it.
  */
 #include "demo.h"
 
@@ -19,7 +19,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     memset(d, 0, sizeof *d);
     if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
-    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* a report, maybe */
+    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* may be a text report that contains one */
         files_drop_mark(data, &size);
         demo_text_decode(data, &size);
     }

@@ -1,5 +1,5 @@
 /*
- * demo_put.c - a demo as bytes; docs/reference/demo-format.md has them.
+ * demo_put.c - writes the records of a demo as bytes; docs/reference/demo-format.md describes them.
  */
 #include <stdlib.h>
 #include <string.h>
@@ -68,7 +68,7 @@ static void close_record(struct demo_sink *s, uint32_t *crc)
     write32(s, *crc);
 }
 
-/* How often p[0] stands at the start of n bytes, at most 130. */
+/* Returns how many of the n bytes at p, starting with the first, equal p[0]; at most 130. */
 static size_t run_of(const uint8_t *p, size_t n)
 {
     size_t run = 1;
@@ -148,7 +148,7 @@ static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t 
         write64(s, row[i]);
 }
 
-/* A sparse second's runs. */
+/* Writes the runs of pads of a sparse second. */
 static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
 {
     static const uint16_t none[PADS];
@@ -167,7 +167,7 @@ static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first
     }
 }
 
-/* The parts whose print is not that of the row before, and those prints. */
+/* Writes the set of parts whose checksum differs from the row before, and those checksums. */
 static void write_prints(struct demo_sink *s, const struct demo *d, const uint64_t *before, const uint64_t *row)
 {
     uint64_t other = 0;
@@ -181,7 +181,7 @@ static void write_prints(struct demo_sink *s, const struct demo *d, const uint64
             write16(s, (uint16_t)row[i]);
 }
 
-/* Frames [first, end) and what follows them, of a sparse demo. */
+/* Writes frames [first, end) of a sparse demo, and the hashes after them. */
 static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
 {
     const uint32_t i = (end + DEMO_SECOND - 1) / DEMO_SECOND;
@@ -193,7 +193,7 @@ static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t fir
         write_row(s, d, row);
 }
 
-/* The checksum of a part after frame f: before the first tick it is the first row's. */
+/* Returns the checksum of a part after frame f; before the first tick that is the first row's. */
 static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
 {
     const uint16_t *checksums = demo_checksums(d, f);
@@ -214,7 +214,7 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
             write16(s, checksum_of(d, f, i));
 }
 
-/* Frames [first, end) with the checksums of each, but for those of the last, and what follows. */
+/* Writes frames [first, end), the checksums of each except the last, and the hashes after them. */
 static void write_dense(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
 {
     for (uint32_t f = first, run; f < end; f += run) {

@@ -1,8 +1,8 @@
 /*
- * demo_read.c - reading a demo's file; see demo.h, and docs/reference/demo-format.md for the bytes.
+ * demo_read.c - parses a demo's file (demo.h); docs/reference/demo-format.md describes the bytes.
  *
- * The reader holds nothing larger than a small multiple of the file: a second is at most 60 frames, and its hashes are
- * in the file one by one.
+ * The reader needs only a small multiple of the file's size in memory: a second has at most 60 frames, and the file
+ * stores their hashes one by one.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,8 +14,8 @@
 
 enum {
     MAX_HEADER = (64 << 10) + NVRAM_MOST + NVRAM_MOST / 128,
-    OLD_NVRAM = 32768, /* the most before format 4 */
-    OLD_PARTS = 32,    /* the most before format 4 */
+    OLD_NVRAM = 32768, /* maximum before format 4 */
+    OLD_PARTS = 32,    /* maximum before format 4 */
     MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
     MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
@@ -25,17 +25,17 @@ enum {
 struct source {
     const uint8_t *p;
     size_t left;
-    bool bad; /* something was asked for beyond the end; zeroes were given */
+    bool bad; /* a read went past the end and returned zeroes */
 };
 
 struct parse {
     struct demo *d;
     char *err;
     size_t err_size;
-    size_t at;     /* byte of the record being read */
-    uint32_t crc;  /* of the record before */
-    bool header;   /* was read */
-    bool last;     /* no further second may come */
+    size_t at;     /* offset of the current record in the file */
+    uint32_t crc;  /* of the previous record */
+    bool header;   /* has been read */
+    bool last;     /* the last second has been read; another is an error */
     bool unhashed; /* the last second has no hashes */
 };
 
@@ -75,7 +75,7 @@ static uint64_t take64(struct source *s)
     return bytes_get64(take(s, 8));
 }
 
-/* A string of printable ASCII that fits out; anything else is bad. */
+/* Reads a string into out; sets s->bad unless it is printable ASCII that fits. */
 static void take_str(struct source *s, char *out, size_t size)
 {
     size_t n = take8(s);
@@ -128,7 +128,7 @@ static void take_start(struct source *s, struct board_start *start)
     s->bad |= start->difficulty < -1 || start->difficulty >= MAX_DIFFICULTIES;
 }
 
-/* The rest of a practice start, which format 2 does not have. */
+/* Reads the rest of a practice start, which format 2 does not have. */
 static void take_practice(struct source *s, struct practice *p)
 {
     uint8_t n, invincible;
@@ -145,7 +145,7 @@ static void take_practice(struct source *s, struct practice *p)
     }
 }
 
-/* The part whose checksums format 2 has, or -1. */
+/* Returns the part that has checksums in format 2, or -1. */
 static int script_of(const struct demo *d)
 {
     for (int i = 0; i < d->parts; i++)
@@ -201,7 +201,8 @@ static bool read_header(struct parse *p, struct source *s)
     return true;
 }
 
-/* The runs of n frames; false when they are not exactly n, or press a button that is none. */
+/* Reads the pads of n frames as runs. Returns false when their lengths do not add up to n, or when they hold an
+ * undefined button. */
 static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
@@ -219,7 +220,7 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
     return f == end;
 }
 
-/* The same of a sparse second. */
+/* Reads the pads of n frames of a sparse second, like take_runs. */
 static bool take_short_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
@@ -241,7 +242,7 @@ static bool take_short_runs(struct source *s, struct demo *d, uint32_t n, int ru
     return f == end;
 }
 
-/* A set of parts, one that is none is bad. */
+/* Reads a set of parts; sets s->bad when it contains parts that do not exist. */
 static uint64_t take_mask(struct source *s, const struct demo *d)
 {
     uint64_t mask = 0;
@@ -252,7 +253,7 @@ static uint64_t take_mask(struct source *s, const struct demo *d)
     return mask;
 }
 
-/* The checksums of frame f, of which those that differ from the frame before are there. */
+/* Reads the checksums of frame f; the file has those that differ from the frame before. */
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
     uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
@@ -264,7 +265,7 @@ static void take_checksums(struct source *s, struct demo *d, uint32_t f)
     }
 }
 
-/* The checksums, and if there is one the row, of n frames whose pads were taken. */
+/* Reads the checksums of n frames whose pads have been read, and the row after them, if hashed. */
 static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
 {
     uint32_t end = d->frames + n;
@@ -282,7 +283,7 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
         d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
 }
 
-/* What stands behind a sparse second. */
+/* Reads the hashes after a sparse second, if hashed. */
 static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hashed)
 {
     d->frames += n;
@@ -364,7 +365,7 @@ static bool read_marker(struct parse *p, struct source *s)
     return true;
 }
 
-/* The last row, whole: its low bits are known. */
+/* Reads the last row as full hashes; returns whether they match the checksums read before. */
 static bool take_last_row(struct source *s, struct demo *d)
 {
     uint64_t *row = demo_row(d, d->seconds - 1);
@@ -422,7 +423,7 @@ static bool read_record(struct parse *p, uint32_t kind, struct source s)
     return (s.bad || s.left) ? damaged(p, "size") : true;
 }
 
-/* The most bytes a record may have; 0: no such record. */
+/* Returns the maximum size of a record's content in bytes, or 0 for an unknown kind. */
 static size_t most_bytes(uint32_t kind)
 {
     switch (kind) {

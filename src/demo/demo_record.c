@@ -1,8 +1,8 @@
 /*
- * demo_record.c - recording; see demo.h.
+ * demo_record.c - records demos (demo.h).
  *
- * The writer keeps the whole recording in memory (of a short one some two kilobytes a second, of a long one three
- * hundred bytes), so going back is cutting it and writing the file anew.
+ * The writer holds the whole recording in memory (about two kilobytes a second for a short one, three hundred bytes a
+ * second for a long one), so a rewind truncates it and rewrites the file.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -26,13 +26,14 @@ static bool out_of_memory(struct demo_writer *w)
     return false;
 }
 
-/* Is the file as it was left, as far as its size tells? Two programs that play one game have one spare file. */
+/* Returns whether the file is as this writer left it, judging by its size. Two programs that play the same game share
+ * one spare file. */
 static bool is_ours(const struct demo_file *f)
 {
     return f->size == 0 || plat_size(f->path) == (long)f->size;
 }
 
-/* Some of what was to be added may be in it. */
+/* Marks a file as lost after a failed write, which may have written some of the bytes. */
 static void lose(struct demo_file *f)
 {
     const long size = plat_size(f->path);
@@ -41,7 +42,7 @@ static void lose(struct demo_file *f)
     f->size = size > 0 ? (size_t)size : 0;
 }
 
-/* Hands bytes to a file (whole: as its new content). */
+/* Writes bytes to a file; whole: replaces its content, otherwise appends. */
 static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, char *err)
 {
     char shown[FILES_PATH];
@@ -61,10 +62,10 @@ static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, 
     return good;
 }
 
-/* What a file gets: its bytes are put into the sink by the file's own state. */
+/* Puts the bytes to be written to a file into the sink, and updates the file's state. */
 typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
 
-/* Makes the bytes for one file and hands them over. */
+/* Makes the bytes for one file and writes them. */
 static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *bytes, bool whole, char *err)
 {
     struct demo_sink s = { 0 };
@@ -77,7 +78,7 @@ static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *byt
     return bad ? out_of_memory(w) : good;
 }
 
-/* The same for both files. That the spare one cannot be written is no failure of the recording. */
+/* Does the same for both files. Failing to write the spare file does not fail the recording. */
 static bool write_both(struct demo_writer *w, put_bytes *bytes, bool whole)
 {
     bool good = write_one(w, &w->file, bytes, whole, w->err);
@@ -91,7 +92,7 @@ static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink
     demo_put_rows(s, &w->demo, &f->written, &f->told, &f->crc);
 }
 
-/* What is not in the file yet, with the newest row if that is of its end. */
+/* Puts the frames that are not in the file yet, and the newest row if it is of the last frame. */
 static void put_second(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
     struct demo *d = &w->demo;
@@ -140,7 +141,7 @@ static void take_identity(struct demo *d, const struct cart *cart)
     snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
 }
 
-/* The markers of the tick just over. */
+/* Adds the markers of the last tick. */
 static bool take_markers(struct demo *d, const struct board *b)
 {
     const struct board_out *out = board_last(b);
@@ -229,7 +230,7 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
     return !path || demo_keep(w, path);
 }
 
-/* The checksums of the newest frame, unless it faulted. */
+/* Adds the checksums of the newest frame, unless it faulted. */
 static void add_checksums(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
@@ -260,7 +261,7 @@ bool demo_prints(struct demo_writer *w, enum demo_prints prints)
     return write_both(w, put_all, true);
 }
 
-/* Has it just grown from a short one to a long one? */
+/* Returns whether the recording has just become too long to have checksums of every frame. */
 static bool grows_long(const struct demo_writer *w)
 {
     return w->prints == DEMO_PRINTS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE;
@@ -325,7 +326,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     return write_both(w, put_all, true);
 }
 
-/* The points of all players in the end: hashes cannot tell them once the core is another. */
+/* Adds all players' final points as markers, since hashes cannot reproduce them on another core version. */
 static bool take_points(struct demo *d, const struct board *b)
 {
     for (int p = 0; p < PADS && d->seconds; p++) {
@@ -362,7 +363,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
     return write_both(w, put_end, false) && good;
 }
 
-/* A copy of n of an array, with room for more behind them; NULL: no memory. */
+/* Returns a copy of n bytes of an array, with capacity for `more` bytes after them, or NULL when out of memory. */
 static void *copy_of(const void *from, size_t n, size_t more)
 {
     char *p = malloc(n + more + 1);
@@ -372,7 +373,7 @@ static void *copy_of(const void *from, size_t n, size_t more)
     return p;
 }
 
-/* Ends a copy of a recording at the present, whose hashes these are. */
+/* Ends a copy of a recording at the current frame, which has these hashes. */
 static bool end_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
 {
     const struct board_fault *fault = board_last(b)->fault;

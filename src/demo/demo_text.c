@@ -1,5 +1,5 @@
 /*
- * demo_text.c - see demo_text.h.
+ * demo_text.c - writes and reads demos as base64 lines (demo_text.h).
  */
 #include "demo_text.h"
 
@@ -19,7 +19,7 @@ static void end_line(struct demo_text *t)
     t->at = 0;
 }
 
-/* The bytes that are held, as four characters. */
+/* Writes the held bytes as four characters. */
 static void write_held(struct demo_text *t)
 {
     const uint32_t v = (uint32_t)t->held[0] << 16 | (uint32_t)t->held[1] << 8 | t->held[2];
@@ -63,7 +63,7 @@ void demo_text_end(struct demo_text *t)
 
 /* ---- reading ---- */
 
-/* Where the line behind the first one that is DEMO_TEXT_BEGIN starts; 0: there is none. */
+/* Returns the offset of the line after the first DEMO_TEXT_BEGIN line, or 0 when there is none. */
 static size_t find_start(const uint8_t *data, size_t size)
 {
     const size_t n = sizeof DEMO_TEXT_BEGIN - 1;

@@ -1,6 +1,6 @@
 /*
- * demo_write.c - a whole demo as the bytes of its file, and into its file; see demo.h. What is written when, while it
- * is recorded, is in demo_record.c, and the records in demo_put.c.
+ * demo_write.c - writes a whole demo to memory or to its file (demo.h). demo_record.c writes a demo while it is being
+ * recorded; demo_put.c writes the records.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,7 +14,7 @@ uint8_t *demo_bytes(const struct demo *d, size_t *size)
     uint32_t frames, told, crc;
 
     demo_put_rows(&s, d, &frames, &told, &crc);
-    if (d->complete && d->frames > frames) { /* a fault has no row */
+    if (d->complete && d->frames > frames) { /* a frame that faulted has no row */
         demo_put_second(&s, d, frames, d->frames - frames, NULL, &crc);
         demo_put_markers(&s, d, &told, d->frames, &crc);
     }

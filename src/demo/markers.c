@@ -1,6 +1,6 @@
 /*
- * markers.c - see markers.h. Both lists are sorted by kind, name and frame, and walked side by side: a demo may have
- * millions of markers.
+ * markers.c - compares markers (markers.h). Sorts both lists by kind, name and frame, and merges them, because a demo
+ * may have millions of markers.
  */
 #include "markers.h"
 
@@ -15,7 +15,7 @@ static int by_thing(const struct demo_marker *a, const struct demo_marker *b)
     return strcmp(a->marker.name, b->marker.name);
 }
 
-/* Of one thing in the order of the demo. */
+/* Orders by kind and name, then by position in the demo. */
 static int by_thing_and_order(const void *left, const void *right)
 {
     const struct demo_marker *a = *(const struct demo_marker *const *)left;
@@ -25,7 +25,7 @@ static int by_thing_and_order(const void *left, const void *right)
     return thing ? thing : (a > b) - (a < b);
 }
 
-/* Pointers to the markers of a run, sorted by thing; NULL: no memory. */
+/* Returns pointers to the markers of a run, sorted by kind and name, or NULL when out of memory. */
 static const struct demo_marker **sorted(const struct demo *d, uint32_t *n)
 {
     const struct demo_marker **list = malloc(((size_t)d->n_markers + 1) * sizeof *list);

@@ -1,5 +1,6 @@
 /*
- * trace.c - see trace.h. A run of an hour is some gigabytes of these lines, so they are put together by hand.
+ * trace.c - dumps the state of a board (trace.h). An hour of play is several gigabytes of lines, so they are formatted
+ * by hand.
  */
 #include "trace.h"
 
@@ -7,16 +8,16 @@
 
 enum {
     LINE = 16384,
-    MOST = 128 /* bytes of one value with its name, at most */
+    MOST = 128 /* maximum bytes of one value with its column name */
 };
 
 struct trace {
     FILE *out;
     uint32_t frame;
     const char *part;
-    int64_t slot; /* the line is of */
-    bool open;    /* there is a line */
-    bool wanted;  /* it is not an empty entry of a list */
+    int64_t slot; /* slot of the current line */
+    bool open;    /* a line is in progress */
+    bool wanted;  /* the line is not an all-zero list entry */
     size_t n;
     char line[LINE];
 };

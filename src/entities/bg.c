@@ -1,5 +1,5 @@
 /*
- * bg.c - see bg.h.
+ * bg.c - backgrounds (bg.h).
  */
 #include "bg.h"
 #include <string.h>
@@ -88,7 +88,7 @@ void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *px, ui
     b->lines[i] = (uint16_t)n;
 }
 
-/* The remainder that is not negative. */
+/* Returns a modulo n, never negative. */
 static int64_t modulo(int64_t a, int64_t n)
 {
     int64_t r = a % n;
@@ -96,7 +96,8 @@ static int64_t modulo(int64_t a, int64_t n)
     return r < 0 ? r + n : r;
 }
 
-/* In integers alone: it is drawing that asks, and only a tick may use the processor's fractions. */
+/* Returns the wave's offset in line y. Uses integers only: this runs while drawing, and floating point is for ticks
+ * only. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
     if (!b->wave[i] || b->every[i] <= 0)
@@ -115,7 +116,7 @@ fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
     return (fx)sum;
 }
 
-/* The entry nearest to a colour, in units of 1/BG_SHADES. */
+/* Returns the palette entry nearest to a colour, which is in units of 1/BG_SHADES. */
 static uint8_t nearest(const uint8_t *rgb, const int32_t want[3])
 {
     int32_t best = INT32_MAX;

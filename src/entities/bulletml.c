@@ -1,5 +1,5 @@
 /*
- * bulletml.c - see bulletml.h.
+ * bulletml.c - the pools of the BulletML interpreter (bulletml.h).
  */
 #include "bulletml.h"
 

@@ -1,5 +1,5 @@
 /*
- * bullets.c - see bullets.h.
+ * bullets.c - the pools of bullets and shots: spawning, despawning, properties, freezing, targets.
  */
 #include "bullets_parts.h"
 #include <string.h>
@@ -43,7 +43,7 @@ static const struct column columns[] = {
     COLUMN(bullets, pc),
     COLUMN(bullets, step_end),
     COLUMN(bullets, step_start),
-    COLUMN(bullets, step_flags), /* flags of the step at pc, see bullets.h */
+    COLUMN(bullets, step_flags),
     COLUMN(bullets, speed_q32),
     COLUMN(bullets, travel_q32),
     COLUMN(bullets, x_more),
@@ -96,7 +96,7 @@ const struct chip laser_heads_chip = { "laser_heads", columns, COUNT(columns), f
 const struct chip bullet_kinds_chip = { "bullet_kinds", kind_columns, COUNT(kind_columns), true, false };
 const struct chip shot_kinds_chip = { "shot_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-/* Puts a dead slot inside of every keep box, so that it never counts as having left. */
+/* Parks a dead slot at (0, 0), inside every keep box, so it never counts as having left. */
 static void park(struct bullets *b, uint32_t i)
 {
     b->x[i] = b->y[i] = 0;
@@ -108,7 +108,7 @@ static void park(struct bullets *b, uint32_t i)
     bullets_set_busy(b, i, false);
 }
 
-/* The block from slot `first` on comes into use. */
+/* Initialises the block that starts at slot `first`, for its first use. */
 static void open_block(struct bullets *b, uint32_t first)
 {
     b->busy[first / SLOTS_BLOCK] = b->idle[first / SLOTS_BLOCK] = 0;
@@ -116,7 +116,7 @@ static void open_block(struct bullets *b, uint32_t first)
         park(b, i);
 }
 
-/* Bullet i does nothing until the clock is `step_end`. */
+/* Makes bullet i idle until the clock is `end`. */
 static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
 {
     b->step_end[i] = end;
@@ -240,14 +240,14 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
         trig_stride(0, b->speed_q32[i], b->dir[i], vx, vy);
         return;
     }
-    if (b->flags[i] & BULLET_DELAYED) /* as it will fly */
+    if (b->flags[i] & BULLET_DELAYED) /* its velocity after the delay */
         trig_polar(b->speed[i], b->dir[i], &x, &y);
     *vx = (int64_t)x * (1 << PACE_BITS);
     *vy = (int64_t)y * (1 << PACE_BITS);
 }
 
-/* The direction comes from the leading 31 bits of (vx, vy), and the speed is their component along it. That is right to
- * the last bit, for the component across it is less than 2^-29 of the speed. */
+/* Sets dir from the leading 31 bits of (vx, vy), and the speed to the component of (vx, vy) along dir. The speed is
+ * right to the last bit, because the component across dir is less than 2^-29 of the speed. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
     int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
@@ -313,7 +313,7 @@ void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine)
     b->pc[i] = 0;
     b->step_start[i] = 0;
     b->step_flags[i] = 0;
-    if (!(b->flags[i] & BULLET_DELAYED)) { /* else it begins when that is over */
+    if (!(b->flags[i] & BULLET_DELAYED)) { /* a delayed bullet starts its program after the delay */
         b->step_end[i] = 0;
         bullets_set_busy(b, i, (motion || fine) && !bullets_stands(b, i));
     }
@@ -333,7 +333,7 @@ void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames)
     bullets_set_busy(b, i, false);
 }
 
-/* Its program runs in this move; one that only waits is found to be idle then. */
+/* Unfreezes bullet i. Its program runs in this move; a program that only waits becomes idle there. */
 static void resume(struct bullets *b, uint32_t i)
 {
     b->stands[i] = 0;
@@ -346,8 +346,8 @@ static void resume(struct bullets *b, uint32_t i)
         bullets_set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
 }
 
-/* At the start of a move, of a block: who stands in it? out[k] = 1 for those that have stood as long as they were to;
- * returns 1 if there are some. */
+/* Counts down the frozen bullets of a block at the start of a move. Sets out[k] to 1 if bullet k's time is up,
+ * otherwise to 0; returns whether any is. */
 static int32_t stand_block(uint8_t *restrict stands, int32_t *restrict frozen, uint8_t *restrict out)
 {
     int32_t any = 0;
@@ -381,7 +381,7 @@ void bullets_stand(struct bullets *b)
                 resume(b, first + bits_lowest(m));
 }
 
-/* At the end of a frame, of a block. */
+/* Moves `born`, and the end of a delay or a step in progress, on by a frame for the bullets of a block frozen in it. */
 static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict mute, const uint8_t *restrict flags,
                        uint32_t *restrict born, uint32_t *restrict end)
 {
@@ -392,7 +392,7 @@ static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict m
     }
 }
 
-/* When it bounced stands in `speed_q32`. */
+/* The same for the clock in `speed_q32`, at which the `bounce` of a bullet that is not fine began. */
 static void stay_bounced(struct bullets *b, uint32_t first)
 {
     for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)

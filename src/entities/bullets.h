@@ -1,13 +1,11 @@
 /*
- * bullets.h - bullets and player shots: pools kept as columns. Both are the same chip; a board has one of each.
- *
- * Every live bullet does x += vx, y += vy once a frame; that is all a straight one costs. A bullet with a motion
- * program also runs it (motion.h), which costs nothing while it only waits. Dead slots below top are parked: standing
- * still in the field's corner, so that loops need not test them.
- *
- * A fine bullet (its program says so) has 16 more fraction bits: of its place in x_more, y_more (x and y being the
- * nearest fx), of its speed in speed_q32. Each frame it moves by speed_q32 along dir. vx and vy are that move in whole
- * units of fx, so that the common loop moves it and hits see it as any other.
+ * bullets.h - bullets and player shots: pools stored as columns. Both are the same chip; a board has one of each.
+ * Every live bullet does x += vx, y += vy once a frame; a bullet flying straight costs nothing more. A bullet with a
+ * motion program (motion.h) also runs it; a program that only waits costs nothing. Dead slots below top are parked at
+ * rest at (0, 0), inside the field, so loops need not test them.
+ * A fine bullet runs a program marked fine and has 16 more fraction bits: x_more and y_more extend its position (x and
+ * y are the nearest fx), and speed_q32 is its exact speed. Each frame it moves by speed_q32 along dir. vx and vy are
+ * that move in whole units of fx, so the common loop moves fine bullets and hit tests treat them like all others.
  */
 #ifndef ENTITIES_BULLETS_H
 #define ENTITIES_BULLETS_H
@@ -19,152 +17,157 @@
 #include "../base/slots.h"
 
 enum {
-    KIND_GRAZE = 1 << 0, /* passing close counts */
-    KIND_TURNS = 1 << 1, /* the picture points along dir */
+    KIND_GRAZE = 1 << 0, /* can be grazed */
+    KIND_TURNS = 1 << 1, /* the sprite is rotated to dir */
 
-    KIND_SWEPT = 1 << 2, /* hits look at the whole path of a frame, not at its end alone */
-    KIND_BLEND = 3 << 3, /* how it is drawn, in units of KIND_BLEND_ONE: 0 opaque, else blend + 1 */
+    KIND_SWEPT = 1 << 2, /* uses swept collision: hits test the whole path of a frame */
+    KIND_BLEND = 3 << 3, /* in units of KIND_BLEND_ONE: 0: drawn opaque, otherwise blend mode + 1 */
     KIND_BLEND_ONE = 1 << 3,
-    KIND_CLOUDED = 1 << 5,  /* it has a ROW_CLOUD */
-    KIND_CLOUD = 1 << 6,    /* it is one */
-    KIND_FIXED = 1 << 7,    /* a clear passes it over, unless it takes all */
-    KIND_CANCELS = 1 << 8,  /* of a shot: it takes clearable bullets away */
-    KIND_HARMLESS = 1 << 9, /* it neither hits nor grazes players */
+    KIND_CLOUDED = 1 << 5,  /* the kind has a ROW_CLOUD */
+    KIND_CLOUD = 1 << 6,    /* this row is a ROW_CLOUD */
+    KIND_FIXED = 1 << 7,    /* immune to clears, unless `all` */
+    KIND_CANCELS = 1 << 8,  /* shots only: removes the clearable bullets it touches */
+    KIND_HARMLESS = 1 << 9, /* neither hits players nor can be grazed */
 
-    HP_FOREVER = -1, /* shots hit it and do it no harm */
+    HP_FOREVER = -1, /* absorbs shots without losing hp */
 
-    BULLET_GRAZED = 1 << 0, /* by player 1; << 1: by player 2 */
+    BULLET_GRAZED = 1 << 0, /* grazed by player 1; << 1: by player 2 */
     BULLET_FINE = 1 << 2,
-    BULLET_DELAYED = 1 << 3, /* still and harmless until the clock is `step_end`; its program begins then */
+    BULLET_DELAYED = 1 << 3, /* motionless and harmless until the clock reaches `step_end`, then starts its program */
 
-    /* in the column `step_flags` */
-    OVERRIDE_DIR = 1 << 0, /* a script wrote dir (or vx, vy) while this step drives it: the write wins */
-    OVERRIDE_SPEED = 1 << 1,
-    OVERRIDE_PLACE = 1 << 2, /* the place, while this step leads it */
-    STEP_SIGNALLED = 1 << 6, /* what the step at pc waits for has come */
+    /* flags of the column `step_flags` */
+    OVERRIDE_DIR = 1 << 0,   /* a script wrote dir (or vx, vy) during this step: the step no longer changes dir */
+    OVERRIDE_SPEED = 1 << 1, /* the same for speed */
+    OVERRIDE_PLACE = 1 << 2, /* the same for the position, during a step that leads the bullet */
+    STEP_SIGNALLED = 1 << 6, /* the signal that the step at pc waits for has arrived */
     STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
 
-    /* of a pair of tags: what goes when two bullets meet */
+    /* flags of a pair of tags: which bullet despawns when two meet */
     MEET_FIRST = 1 << 0,
     MEET_SECOND = 1 << 1,
-    MEET_ALL = 1 << 2, /* also what is not clearable */
+    MEET_ALL = 1 << 2, /* even bullets that are KIND_FIXED */
     MAX_MEETS = 16,
 
     PIERCE_FOREVER = -1,
-    PIERCED = 8, /* things that a shot keeps in mind */
+    PIERCED = 8, /* most targets a piercing shot remembers having hit */
 
     MAX_KINDS = 1024
 };
 
-/* What bullet.def and shot.def declare. */
+/* The kinds declared by bullet.def or shot.def. */
 struct bullet_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b, *x, *y; /* of the shape */
+    fx *a, *b, *x, *y; /* parameters of `shape` (motion.h) */
     uint16_t *flags;
     uint8_t *bank;
-    int32_t *damage;  /* of a shot */
-    ang *spin;        /* what the picture turns a frame */
-    int8_t *order;    /* higher ones are drawn over lower ones */
-    uint16_t *vanish; /* spark kind + 1 that a clear leaves, 0: none */
-    int32_t *hp;      /* of a bullet when it is fired; this and what follows: NULL if the game has no hp for bullets */
-    int64_t *score;   /* for a player's shot that takes the last of it */
-    uint16_t *spark;  /* kind + 1 that it leaves then, 0: none */
-    int32_t *pierce;  /* of a shot: hits that do not use it up, or PIERCE_FOREVER; NULL, with the next: not asked for */
-    int32_t *every;   /* frames from one hit of a thing to the next, or PIERCE_FOREVER: there is no next */
-    uint32_t *live;   /* how many live bullets there are whose column `kind` is this one */
+    int32_t *damage;  /* shots only */
+    ang *spin;        /* rotation of the sprite a frame */
+    int8_t *order;    /* drawing order: higher over lower */
+    uint16_t *vanish; /* kind + 1 of the spark left by a clear, 0: none */
+    int32_t *hp;      /* hp of a newly fired bullet; hp, score, spark: NULL if the game has no hp for bullets */
+    int64_t *score;   /* awarded for the player's shot that takes the last hp */
+    uint16_t *spark;  /* kind + 1 of the spark left when hp runs out, 0: none */
+    int32_t *pierce;  /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce, every: NULL if the game
+                       * doesn't enable them */
+    int32_t *every;   /* frames between two hits of the same target, or PIERCE_FOREVER: each target is hit once */
+    uint32_t *live;   /* number of live bullets whose column `kind` is this row */
 };
 
 struct bullets {
     struct slots s;
     fx *x, *y, *vx, *vy; /* px, px/frame */
-    ang *dir;            /* kept at speed 0 */
+    ang *dir;            /* keeps its value at speed 0 */
     fx *speed;
     uint16_t *kind;
     uint8_t *bank;
     uint16_t *tag; /* 0: none */
     uint8_t *flags;
-    uint32_t *born;       /* clock of its first move; of a delayed one, at which it was fired */
-    uint32_t *owner_task; /* serial of the task that fired it, 0: none */
-    uint8_t *player;      /* of a shot: 1 or 2, 0: none */
+    uint32_t *born;       /* clock of its first move; while delayed: clock at which it was fired */
+    uint32_t *owner_task; /* serial of the task that fired the bullet, 0: none */
+    uint8_t *player;      /* shots only: player 1 or 2, 0: none */
     uint16_t *motion;     /* program + 1, 0: none */
-    uint16_t *pc;         /* the step it is at */
-    uint32_t *step_end;   /* clock at which a timed step, or the delay, is over */
-    int64_t *step_start;  /* speed_q32 when the step began; of steps that lead or await, the place: x << 32 | y */
-    uint8_t *step_flags;  /* of the step at pc: OVERRIDE_, STEP_BEGUN */
-    uint16_t *rounds;     /* MOTION_DEPTH a bullet: rounds left of each open loop */
-    int64_t *speed_q32;   /* of a fine bullet, `speed` being the nearest fx; of another the clock after its last bounce,
-                           * or after the step `bounce` began, 0: there was none */
-    int64_t *travel_q32;  /* of a fine bullet: how far it flew since it became one, modulo 2^48, from -2^47 on */
-    int16_t *x_more, *y_more;
-    fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
-    fx *begun1, *begun2, *begun3, *begun4; /* what they were when the step at pc began, if that one names values */
-    int64_t *orbit_target;                 /* the thing that orbits go round, 0: none; the board gives it a meaning */
-    fx value_start[MAX_VALUES];            /* what the values are in a new bullet */
-    int32_t *hp;                           /* 0: shots pass it; HP_FOREVER; NULL: not asked for */
-    int32_t *frozen;       /* frames it will stand, or FROZEN_FOREVER; NULL, with the next three: not asked for */
+    uint16_t *pc;         /* current step, relative to the program's first */
+    uint32_t *step_end;   /* clock at which the timed step, or the delay, ends */
+    int64_t *step_start;  /* Q32 speed when the step began; of steps that lead or await: x << 32 | y, the bullet's
+                           * position then or the centre */
+    uint8_t *step_flags;  /* of the step at pc: OVERRIDE_, STEP_ */
+    uint16_t *rounds;     /* MOTION_DEPTH values a bullet: rounds left in each open loop */
+    int64_t *speed_q32;   /* fine bullets: exact speed, `speed` is the nearest fx; others: 1 + the clock at which the
+                           * program's latest `bounce` began, 0: none */
+    int64_t *travel_q32;  /* fine bullets: distance flown since becoming fine, modulo 2^48, from -2^47 to 2^47 - 1;
+                           * others: state of steps that lead or bounce, 0: none */
+    int16_t *x_more, *y_more;              /* fine bullets: what the exact position adds to x, y, in Q32 */
+    fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
+    fx *begun1, *begun2, *begun3, *begun4; /* the values when the step at pc began, if that step names values */
+    int64_t *orbit_target;                 /* the board's handle of the orbit centre, 0: none; NULL: not enabled */
+    fx value_start[MAX_VALUES];            /* initial values of a new bullet */
+    int32_t *hp;                           /* 0: shots pass through; HP_FOREVER; NULL: not enabled */
+    int32_t *frozen;       /* frames left frozen, or FROZEN_FOREVER; this and the next three: NULL if not enabled */
     uint8_t *stands;       /* STANDS, STOOD */
-    fx *kept_vx, *kept_vy; /* vx, vy of one that stands, which are 0 meanwhile */
+    fx *kept_vx, *kept_vy; /* the saved vx, vy of a frozen bullet, whose vx, vy are 0 */
 
-    int32_t *pierce;       /* of a shot: hits left that do not use it up, or PIERCE_FOREVER; NULL, with the next two:
-                            * not asked for */
-    int64_t *pierced;      /* PIERCED a shot: the things it hit, 0: none */
-    uint32_t *rehit_clock; /* the clock at which it can hit each again, UINT32_MAX: never */
+    int32_t *pierce;       /* shots only: hits left that don't use the shot up, or PIERCE_FOREVER; this and the next
+                            * two: NULL if not enabled */
+    int64_t *pierced;      /* PIERCED values a shot: handles of the targets hit, 0: none */
+    uint32_t *rehit_clock; /* the clock at which each of these can be hit again, UINT32_MAX: never */
 
-    /* Of each block of 64, a bit a slot; near is of the last move. */
-    uint64_t *busy;    /* has a program to run this frame, or is fine */
-    uint64_t *idle;    /* its program does nothing until the clock is `step_end` */
-    uint64_t *near;    /* PADS words: may be near that player; after hit_run, hit or graze that player */
-    uint64_t *leaving; /* of s.held: left the field in this frame's move, but may have touched something on its path */
-    uint64_t *solid;   /* can be hit by any shot this frame; NULL where hp is */
-    uint8_t *due;      /* of an idle bullet: the low byte of `step_end` */
+    /* Bit sets: a word per block of 64, a bit per slot. near is from the last move. */
+    uint64_t *busy;    /* runs its program in the next move, or is fine */
+    uint64_t *idle;    /* delayed, or its program waits, until the clock is `step_end` */
+    uint64_t *near;    /* PADS words, one per player: may be near the player; after hit_run: hit or graze the player */
+    uint64_t *leaving; /* storage of s.held: left the field in this move, but may have touched something on the way */
+    uint64_t *solid;   /* can be hit by any shot this frame; NULL if hp is */
+    uint8_t *due;      /* idle bullets: the low byte of `step_end` */
 
-    /* The pairs of tags whose bullets meet; used, and there, where the game asks for it. */
-    uint32_t meets;                                         /* how many */
+    /* The pairs of tags whose bullets collide; next, met and taken are NULL if the game doesn't enable them. */
+    uint32_t meets;                                         /* number of pairs */
     uint16_t meet_first[MAX_MEETS], meet_second[MAX_MEETS]; /* tags */
-    uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 that what goes leaves; 0: its own kind's */
+    uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 of the spark left; 0: the bullet kind's own */
     uint8_t meet_flags[MAX_MEETS];                          /* MEET_ */
-    uint32_t *next;                                         /* slot of the next one in its list (hit_meets.c) */
-    uint64_t *met;                                          /* a bit a slot: a first of a pair that met in this frame */
-    uint64_t *taken;                                        /* a bit a slot: a pair takes it away in this frame */
-    fx fastest;                                             /* no |vx| or |vy| is above it */
-    uint32_t standing;                                      /* how many stand */
+    uint32_t *next;                                         /* slot of the next bullet in its list (hit_meets.c) */
+    uint64_t *met;                                          /* bit set: the first of a pair that met this frame */
+    uint64_t *taken;                                        /* bit set: bullets that a pair removes this frame */
+    fx fastest;                                             /* upper bound of all |vx| and |vy| */
+    uint32_t standing;                                      /* number of bullets whose `stands` is not 0 */
     uint32_t moved;                                         /* bullets moved this frame */
-    bool holds_all;    /* the move held all that left the field, near a player or not */
-    uint64_t ran;      /* motion steps run this frame, and targets they looked at */
-    uint32_t *of_kind; /* the column `live` of their kinds, kept up to date; NULL: of laser heads, which have none */
+    bool holds_all;    /* the last move held every bullet that left the field, near a player or not */
+    uint64_t ran;      /* work of this frame: motion steps run, and the cost of searching for targets, in steps */
+    uint32_t *of_kind; /* the kinds' column `live`, updated as bullets spawn and despawn; NULL: laser heads, which are
+                        * not counted */
 };
 
-/* The broad phase for one player: a move finds the bullets that end it within `reach` and their own speed of (x, y), on
- * both axes. reach < 0: none. */
+/* The broad phase for one player: a move finds the bullets that end it within `reach` plus their own speed of (x, y),
+ * on both axes. reach < 0: finds none. */
 struct bullets_query {
     fx x, y;
     int64_t reach;
 };
 
-/* What can be aimed at: the things of a pool or list; with `in`, those alone where it is not 0. */
+/* The entities that can be aimed at: all of a pool or list, or, if `in` is not NULL, those whose `in` is not 0. */
 struct targets {
     const struct slots *s;
     const fx *x, *y;
     const uint8_t *in;
 };
 
-/* All a motion step may read. */
+/* Everything a motion step may read. */
 struct motion_world {
     const struct motions *motions;
     const struct steps *steps;
-    const struct bullet_kinds *kinds; /* those that steps name; NULL: a step's kind is passed over, as shots do */
+    const struct bullet_kinds *kinds; /* the kinds that steps name; NULL: steps leave the kind unchanged (shots) */
     struct targets targets;
     uint32_t clock;
-    bool shots; /* they run the programs: names of values are theirs */
-    /* Where an orbit's target is, or where it was in the frame before; false: it is not there. The slots of the pool
-     * that moves now have done so below `moved`; what is of that pool is always where it was. */
+    bool shots; /* the programs run on shots: named values are columns of shots */
+    /* Finds the position of an orbit's target; `before`: its position in the previous frame. Returns false if the
+     * target is gone. In the pool that is moving, slots below `moved` have already moved; a target in that pool is
+     * always found at its position before the move. */
     bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
-    const void *context; /* of where and emit */
-    struct box field;    /* its edges are walls */
-    uint64_t most;       /* motion steps that may run in this move; with more it ends where it is */
-    /* Queues what the emit that begins with step st fires from bullet i as it is now. */
+    const void *context; /* for where and emit */
+    struct box field;    /* its edges are the walls of `bounce` */
+    uint64_t most;       /* limit of `ran` in this move; a move that exceeds it stops where it is */
+    /* Queues the bullets that the emit starting at step st fires from bullet i in its present state. */
     void (*emit)(const struct motion_world *w, const struct bullets *b, uint32_t i, uint32_t st);
 };
 
@@ -173,15 +176,15 @@ struct bullet_shape {
     ang dir;
     uint16_t kind, tag, motion;
     uint8_t bank, player;
-    bool fine;      /* the motion is */
-    bool clouded;   /* its kind has a cloud, and there is a delay */
+    bool fine;      /* whether the motion is fine */
+    bool clouded;   /* the kind has a cloud, and delay is not 0 */
     uint32_t delay; /* frames */
     int32_t hp, pierce;
     int64_t around;
     uint32_t by;
 };
 
-/* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
+/* Returns column k of the values, 0 <= k < MAX_VALUES, or NULL if it is not declared. */
 static inline fx *bullets_value(const struct bullets *b, int k)
 {
     fx *const value[MAX_VALUES] = { b->value1, b->value2, b->value3, b->value4 };
@@ -189,7 +192,7 @@ static inline fx *bullets_value(const struct bullets *b, int k)
     return value[k];
 }
 
-/* Column k of what the values were when the step began, or NULL. */
+/* Returns column k of the values when the step began, or NULL if value k is not declared. */
 static inline fx *bullets_begun(const struct bullets *b, int k)
 {
     fx *const begun[MAX_VALUES] = { b->begun1, b->begun2, b->begun3, b->begun4 };
@@ -199,82 +202,82 @@ static inline fx *bullets_begun(const struct bullets *b, int k)
 
 extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip, laser_heads_chip;
 
-/* The kind that bullet i was declared to have: not its cloud, which `kind` names while a delay lasts. */
+/* Returns bullet i's kind, even during a delay, when the column `kind` may be that kind's ROW_CLOUD. */
 static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet_kinds *kinds, uint32_t i)
 {
     return (uint16_t)(b->kind[i] - (kinds->flags[b->kind[i]] & KIND_CLOUD ? ROW_CLOUD : ROW_KIND));
 }
 
-/* Frames since the column born says; 0 before that frame. */
+/* Returns the frames since `born`; 0 before that frame. */
 static inline uint32_t bullets_stood(const struct bullets *b, uint32_t i, uint32_t clock)
 {
     return b->born[i] == clock + 1 ? 0 : clock - b->born[i];
 }
 
-/* Frames since it was fired, or since its delay was over; 0 while that lasts. */
+/* Returns the frames since bullet i was fired or since its delay ended; 0 during the delay. */
 static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t clock)
 {
     return b->flags[i] & BULLET_DELAYED ? 0 : bullets_stood(b, i, clock);
 }
 
-/* Shot i hits a thing. True: it goes on, and keeps in mind that it hit it; false: it is used up. */
+/* Records that shot i hit the entity with handle `thing`. Returns whether the shot pierces it; false: the shot is used
+ * up, and nothing was recorded. */
 bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t thing, uint32_t clock);
 
-/* Puts a bullet in the lowest free slot; NO_SLOT when the pool is full. */
+/* Fires a bullet. Returns its slot, the lowest free one, or NO_SLOT if the pool is full. */
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);
 
 /* Removes a live bullet. */
 void bullets_drop(struct bullets *b, uint32_t i);
 
-/* A live bullet is live no more, but held. */
+/* Takes bullet i from live to held (slots.h). */
 void bullets_hold(struct bullets *b, uint32_t i);
 
-/* Removes a held bullet; all of them. */
+/* Removes one held bullet, or all held bullets. */
 void bullets_release(struct bullets *b, uint32_t i);
 void bullets_release_all(struct bullets *b);
 
-/* Runs the motion programs in slot order, moves every bullet, and sets `near`: of every live bullet that the query asks
- * for, and some others. query NULL: of none. Those that end outside keep are dropped, but held (slots.h) if they are
- * `near` or with hold_all; the caller releases them in the same frame. */
+/* Runs the motion programs in slot order, moves every bullet, and sets `near` for every live bullet that the query asks
+ * for, and maybe some others. query NULL: for none. A bullet that ends outside keep is dropped, or held (slots.h) if it
+ * is `near` or hold_all is set; the caller releases held bullets in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
                   const struct bullets_query query[PADS], bool hold_all);
 
-/* The same one by one, and nothing leaves: bullets_begin once, then bullets_go_on of each that is live. False: its
- * program has removed it. */
+/* Moves bullets one by one, without dropping those outside: call bullets_begin once a frame, then bullets_go_on for
+ * each live bullet. bullets_go_on returns false if bullet i's program has removed it. */
 void bullets_begin(struct bullets *b);
 bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i);
 
-/* Sets `solid`. False: no bullet is. */
+/* Sets `solid`. Returns whether any bullet is solid. */
 bool bullets_find_solid(struct bullets *b);
 
-/* Those of a block, live or held, that ended the last move within reach and their own speed of (x, y), on both axes;
- * and maybe some others. */
+/* Returns the bullets of a block, live or held, as bits, that ended the last move within reach plus their own speed of
+ * (x, y) on both axes, and maybe some others. */
 uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach);
 
-/* Recomputes vx, vy from dir and speed. */
+/* Recomputes vx, vy from dir and speed, unless bullet i is fine or delayed. */
 void bullets_steer(struct bullets *b, uint32_t i);
 
-/* Sets vx, vy alone. */
+/* Sets vx, vy without changing dir and speed. */
 void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy);
 
-/* Gives live bullet i another kind; its cloud, if it is delayed and that kind has one. */
+/* Changes live bullet i's kind, with the kind's bank and hp. A delayed bullet shows the kind's cloud, if it has one. */
 void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, uint16_t kind);
-/* Bullet i stands in the next `frames` moves (FROZEN_FOREVER: in all, 0: in none of them) and then goes on as it was.
- * Of a chip with GROUP_FROZEN. */
+/* Freezes bullet i for the next `frames` moves (FROZEN_FOREVER: for all, 0: for none), after which it continues as
+ * before. Requires GROUP_FROZEN. */
 void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames);
 
-/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+/* Stops frozen bullets from ageing: call at the end of a frame in which the clock advances. */
 void bullets_stay(struct bullets *b);
 
-/* Gives bullet i a program (motion: index + 1, 0: none) from its first step; `fine` is what the program says. */
+/* Starts a program (motion: index + 1, 0: none) on bullet i at its first step; `fine` is the program's flag. */
 void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
 
-/* The group of that tag (0: any) is signalled: bullet i goes on if it has that tag's signal to wait for. */
+/* Signals bullet i: if its current step waits for a signal of `tag` (0: of any tag), the program continues. */
 void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i, uint16_t tag);
 
-/*
- * Speed, velocity and place as scripts read and write them: in Q32, of which ordinary bullets use whole fx. Setting the
- * velocity sets dir and speed, but at speed 0 dir stays.
+/* Speed, velocity and position as scripts read and write them: in Q32; only fine bullets use the bits below a whole fx.
+ * Setting the velocity sets dir and speed; a velocity of 0 keeps dir.
  */
 static inline int64_t bullets_speed(const struct bullets *b, uint32_t i)
 {
@@ -290,10 +293,10 @@ void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed);
 void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy);
 void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y);
 
-/* The direction from (x, y) to the nearest target; `none` when there is no target or it is right there. */
+/* Returns the direction from (x, y) to the nearest target; `none` if there is no target or it is at (x, y). */
 ang targets_aim(const struct targets *t, fx x, fx y, ang none);
 
-/* The nearest target's slot, or NO_SLOT. The lower slot wins a tie. */
+/* Returns the slot of the target nearest to (x, y), or NO_SLOT if there is none. The lower slot wins a tie. */
 int32_t targets_nearest(const struct targets *t, fx x, fx y);
 
 #endif

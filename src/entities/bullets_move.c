@@ -1,22 +1,22 @@
 /*
- * bullets_move.c - a frame of all bullets.
+ * bullets_move.c - moves all bullets by a frame.
+ * One pass over the blocks of 64 runs the programs, moves the bullets, and tests each bullet for two conditions: being
+ * outside the keep box, and being near a player (the broad phase). The loops have restrict parameters and a constant
+ * trip count, a form that gcc and clang vectorise at -O2 without further flags. Only blocks in which a bullet meets a
+ * condition are scanned a second time.
  *
- * One pass over the blocks of 64 runs programs, moves, and tests each bullet for two things at once: is it outside of
- * the keep box, and is it near a player (the broad phase)? Its loops have restrict parameters and a constant trip
- * count, the form that gcc and clang vectorise at -O2 without flags. Only blocks with a yes are looked at twice.
- *
- * A range is asked about in one subtraction and one signed comparison: lo <= v <= lo + size, of which size < 2^32, is
- * (uint32_t)(v - lo) <= size, and a comparison of unsigned numbers is one of signed numbers when 2^31 is added to both.
+ * A range test takes one subtraction and one signed comparison: lo <= v <= lo + size, with size < 2^32, is equivalent
+ * to (uint32_t)(v - lo) <= size, and adding 2^31 to both sides turns the unsigned comparison into a signed one.
  */
 #include "bullets_parts.h"
 #include <string.h>
 
 enum {
     AHEAD = 4,           /* blocks */
-    NEAR_BLOCKS = 1 << 7 /* the columns of so many are mostly in the first cache: asking for them takes longer */
+    NEAR_BLOCKS = 1 << 7 /* the columns of this many are mostly in the L1 cache: prefetching costs more */
 };
 
-/* The word as 8 x 8 bits, a byte a row: rows become columns. */
+/* Transposes a word as a matrix of 8 x 8 bits, a byte per row. */
 static uint64_t transposed(uint64_t v)
 {
     uint64_t t = (v ^ v >> 7) & 0x00aa00aa00aa00aa;
@@ -28,8 +28,8 @@ static uint64_t transposed(uint64_t v)
     return v ^ t ^ t << 28;
 }
 
-/* Those of a block that are due now. Four slots, 16 apart, are the even bits of a byte; two words of these are shifted
- * into one, in which a bit of all bytes is what a byte of the answer is. */
+/* Returns the bullets of a block whose `due` is `now`, as bits. Each byte of `is` has in its even bits four slots that
+ * are 16 apart. The two words of these bytes are combined into one, whose transpose is the result. */
 static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
 {
     uint8_t is[16];
@@ -40,8 +40,8 @@ static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
     return transposed(bytes_get64(is) | bytes_get64(is + 8) << 1);
 }
 
-/* Prefetches what a program reads or writes of a bullet. Where there are more bullets than the caches hold, this saves
- * half the time. */
+/* Prefetches the columns of bullet i that a program reads or writes. This halves the time when the bullets don't fit in
+ * the caches. */
 static void prefetch(const struct bullets *b, uint32_t i)
 {
     slots_prefetch(&b->motion[i]);
@@ -55,7 +55,8 @@ static void prefetch(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->flags[i]);
 }
 
-/* Those of a block that may have waited long enough. */
+/* Returns the idle bullets of a block, as bits, whose wait may be over: the low byte of their `step_end` is that of the
+ * clock. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     if (!b->idle[block])
@@ -66,7 +67,7 @@ static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
     return found;
 }
 
-/* A range of places a comparison on each axis away; see the top of the file. */
+/* A rectangle in the form that needs one comparison per axis; see the top of the file. */
 struct range {
     uint32_t x, y;
     int32_t w, h;
@@ -85,12 +86,12 @@ static struct range keep_range(const struct box *k)
     return range_of(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
 }
 
-/* The broad phase: a bullet that is near ends its move in this range. */
+/* Returns the range of the broad phase: every bullet that is near ends its move in it. */
 static struct range near_range(const struct bullets_query *q, fx fastest)
 {
     int64_t reach = q->reach + fastest;
 
-    if (q->reach < 0) /* one place, where nothing is */
+    if (q->reach < 0) /* a single point, where no bullet is */
         return range_of(FX_MIN, FX_MIN, 0, 0);
     if (reach > FX_MAX) /* 2 * reach would wrap */
         return range_of(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
@@ -101,7 +102,7 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
 
 enum { HALF = SLOTS_BLOCK / 2 };
 
-/* The bit of each slot of half a block: a vectorised loop ORs the bits of those that it finds. */
+/* The bit of each slot of half a block: a vectorised loop ORs the bits of the slots it finds. */
 static const uint32_t HALF_BIT[HALF] = {
     0x1,       0x2,       0x4,       0x8,       0x10,       0x20,       0x40,       0x80,
     0x100,     0x200,     0x400,     0x800,     0x1000,     0x2000,     0x4000,     0x8000,
@@ -109,14 +110,15 @@ static const uint32_t HALF_BIT[HALF] = {
     0x1000000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000, 0x80000000,
 };
 
-/* All bits: the bullet that goes on to (x, y) stays in keep, and comes near nobody. */
+/* Returns all bits set if a bullet that moves to (x, y) stays in keep (far is 0) and outside the range near, otherwise
+ * 0. */
 static inline int32_t is_usual(int32_t far, int32_t x, int32_t y, const struct range *n)
 {
     return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~far;
 }
 
-/* Moves a block, both halves in one go. Returns those that are outside keep or inside near; *lost: some are outside
- * keep. */
+/* Moves a block, both halves in one loop. Returns the slots outside keep or inside near, as bits, and sets *lost if any
+ * is outside keep. */
 static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
                                   const struct range *keep, const struct range *near, bool *restrict lost)
 {
@@ -154,7 +156,7 @@ static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *r
     return any;
 }
 
-/* What the narrow phase will read of a block's bullets besides where they are. */
+/* Prefetches the columns of a block that the narrow phase reads in addition to the positions. */
 static void prefetch_near(const struct bullets *b, uint32_t first)
 {
     slots_prefetch(&b->kind[first]);
@@ -162,7 +164,7 @@ static void prefetch_near(const struct bullets *b, uint32_t first)
     slots_prefetch(&b->flags[first]);
 }
 
-/* The bullets of a block, as bits, that may touch or graze a player. */
+/* Returns the bullets of a block, as bits, that may touch or graze the player of the query. */
 static uint64_t find_near(const struct bullets *b, const struct bullets_query *q, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
@@ -202,8 +204,7 @@ bool bullets_find_solid(struct bullets *b)
     return any != 0;
 }
 
-/* Of those that a moved block names, drops the ones outside keep, but holds those that are near a player or, with
- * hold_all, every one. */
+/* Drops the bullets in `named` that are outside keep, but holds those that are near a player, or all with hold_all. */
 static void leave(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep, bool hold_all)
 {
     const uint64_t *near = &b->near[first / SLOTS_BLOCK * PADS];
@@ -224,7 +225,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
     }
 }
 
-/* The bound on speeds follows slowly: it is found anew every FASTEST_AGE frames. */
+/* `fastest` only grows between recomputations, which happen every FASTEST_AGE frames. */
 enum { FASTEST_AGE = 64 };
 
 static fx fastest_of(const struct bullets *b)
@@ -244,7 +245,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
     struct range kept = keep_range(keep), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
-    uint64_t woken[AHEAD]; /* of the blocks from the present one on */
+    uint64_t woken[AHEAD]; /* of the present block and the AHEAD - 1 after it */
     fx fastest = -1;
 
     if (!query)
@@ -266,11 +267,11 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
             woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
             prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
-        if (b->ran > w->most) /* the frame ends in a fault */
+        if (b->ran > w->most) /* over the limit: the frame ends in a fault */
             break;
         if (b->busy[block] || now)
             bullets_run_block(b, w, block, now);
-        if (b->fastest != fastest) { /* a program may have made one faster */
+        if (b->fastest != fastest) { /* a program may have raised the bound */
             fastest = b->fastest;
             near = near_range(&query[0], fastest);
         }

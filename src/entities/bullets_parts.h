@@ -1,6 +1,6 @@
 /*
- * bullets_parts.h - what bullets.c, bullets_program.c and bullets_move.c share. All of it is inline: it runs for each
- * bullet of a frame.
+ * bullets_parts.h - declarations shared by bullets.c, bullets_program.c and bullets_move.c. Functions that run for each
+ * bullet of a frame are inline.
  */
 #ifndef ENTITIES_BULLETS_PARTS_H
 #define ENTITIES_BULLETS_PARTS_H
@@ -8,14 +8,13 @@
 #include "../base/int.h"
 #include "bullets.h"
 
-/* The bit of slot i in its block's word. */
+/* Returns the bit of slot i in its block's word. */
 static inline uint64_t bullets_bit(uint32_t i)
 {
     return 1ull << (i % SLOTS_BLOCK);
 }
 
-/* Busy: the program or the fine move of bullet i runs in the next frame. Not busy: it has neither. In both cases its
- * program no longer waits. */
+/* Marks bullet i busy (its program or fine move runs in the next frame) or not busy; in both cases not idle. */
 static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
 {
     uint32_t block = i / SLOTS_BLOCK;
@@ -24,14 +23,14 @@ static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
     b->idle[block] &= ~bullets_bit(i);
 }
 
-/* One more live bullet of a kind (by: 1), or one less (-1). */
+/* Adds `by`, 1 or -1, to the number of live bullets of a kind. */
 static inline void bullets_count_kind(struct bullets *b, uint16_t kind, int by)
 {
     if (b->of_kind)
         b->of_kind[kind] += (uint32_t)by;
 }
 
-/* Gives live bullet i another row of the kinds. */
+/* Changes live bullet i's row of the kinds. */
 static inline void bullets_change_kind(struct bullets *b, uint32_t i, unsigned kind)
 {
     bullets_count_kind(b, b->kind[i], -1);
@@ -63,7 +62,7 @@ static inline void bullets_velocity_from_dir(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
-    if (b->flags[i] & (BULLET_FINE | BULLET_DELAYED)) /* bullets_program.c steers those */
+    if (b->flags[i] & (BULLET_FINE | BULLET_DELAYED)) /* bullets_program.c sets the velocity of these */
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     bullets_store_velocity(b, i, vx, vy);
@@ -76,20 +75,20 @@ static inline int64_t bullets_clamp_pace(int64_t v)
     return int64_clamp(v, -most, most);
 }
 
-/* The fx nearest to a clamped pace, ties to even. */
+/* Returns the fx nearest to a clamped Q32 speed, ties to even. */
 static inline fx bullets_pace_fx(int64_t pace)
 {
     return (fx)((pace + 0x7fff + (pace >> PACE_BITS & 1)) >> PACE_BITS);
 }
 
-/* A place as the nearest fx and what is more. */
+/* Splits a Q32 coordinate: returns the nearest fx, and sets *more to the rest. */
 static inline fx bullets_split(int64_t v, int16_t *more)
 {
     *more = (int16_t)v;
     return (fx)((v - *more) >> PACE_BITS);
 }
 
-/* Squared distance; positions are within the world: below 2^63. */
+/* Returns the squared distance of target i from (x, y): below 2^63, because positions are within the world. */
 static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t i, fx x, fx y)
 {
     int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
@@ -97,10 +96,10 @@ static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t
     return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
-/* A block's programs: of those that are busy, and of those that may have waited long enough. */
+/* Runs the programs of a block's busy bullets, and of those in `woken`, whose wait may be over. */
 void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken);
 
-/* A frame begins for those that stand. */
+/* Counts down the frozen bullets at the start of a move, and resumes those whose time is up. */
 void bullets_stand(struct bullets *b);
 
 static inline fx bullets_fastest_block(const fx *restrict vx, const fx *restrict vy)

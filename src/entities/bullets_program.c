@@ -1,17 +1,17 @@
 /*
- * bullets_program.c - motion programs (motion.h), as bullets run them.
+ * bullets_program.c - runs motion programs (motion.h) on bullets.
  */
 #include "bullets_parts.h"
 #include <string.h>
 
 enum program_state {
     PROGRAM_NEXT,  /* the next step follows in this frame */
-    PROGRAM_OVER,  /* it is over, or the bullet gone */
-    PROGRAM_RUNS,  /* it runs in the next frame too */
-    PROGRAM_WAITS, /* it does nothing until the clock is `step_end` */
+    PROGRAM_OVER,  /* the program ended, or the bullet was removed */
+    PROGRAM_RUNS,  /* the program runs in the next frame too */
+    PROGRAM_WAITS, /* the program does nothing until the clock is `step_end` */
 };
 
-/* Looking for the nearest of them takes as long as so many steps more. */
+/* Returns the cost of a search for the nearest target, in motion steps. */
 static uint64_t steps_of_aim(const struct targets *t)
 {
     return t->s->used ? t->s->top / (SLOTS_BLOCK / 2) : 0;
@@ -29,7 +29,8 @@ static ang toward(ang dir, ang goal, ang most)
 
 enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
 
-/* What a step does to direction and speed in one of its frames: the k-th of n. True: the velocity is to follow. */
+/* Changes direction and speed of bullet i in the k-th of the n frames of step st. Returns whether the caller must
+ * recompute the velocity. */
 static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets *b, const struct motion_world *w,
                                                                  uint32_t i, unsigned step_flags, uint32_t st,
                                                                  uint32_t k, uint32_t n)
@@ -52,7 +53,7 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     if (!(does & (DOES_SPEED | DOES_ACCEL)) || step_flags & OVERRIDE_SPEED)
         return does & DOES_STEER;
     const bool fine = b->flags[i] & BULLET_FINE;
-    const int shift = fine ? 0 : PACE_BITS; /* rounded to the unit this bullet keeps: Q32 if fine, else fx */
+    const int shift = fine ? 0 : PACE_BITS; /* rounds to the unit of the bullet's speed: Q32 if fine, otherwise fx */
     int64_t v = bullets_speed(b, i) >> shift;
     if (does & DOES_SPEED)
         v = motion_part_way(b->step_start[i] >> shift, s->speed[st] >> shift, k, n);
@@ -65,7 +66,8 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     return true;
 }
 
-/* Moves a fine bullet on to `travel_q32`, that far. vx, vy become what that is in whole units. */
+/* Sets a fine bullet's velocity and fraction bits for a move by (dx, dy) in Q32, and `travel_q32` to `way`, modulo
+ * 2^48. vx and vy become that move in whole units of fx. */
 static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64_t dy)
 {
     int64_t x, y;
@@ -76,7 +78,7 @@ static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64
     b->travel_q32[i] = (int64_t)((uint64_t)way << 16) >> 16;
 }
 
-/* Moves a fine bullet on by its pace. */
+/* Moves a fine bullet by its speed along dir. */
 static void fly(struct bullets *b, uint32_t i)
 {
     const int64_t to = b->travel_q32[i] + b->speed_q32[i];
@@ -86,8 +88,7 @@ static void fly(struct bullets *b, uint32_t i)
     fly_by(b, i, to, dx, dy);
 }
 
-/* A program after a step of this frame. */
-
+/* Sets the kind and bank that step st gives bullet i. */
 static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -105,14 +106,15 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         bullets_velocity_from_dir(b, i);
 }
 
-/* A step with a bullet's values in the place of names: steps.does[0] and so on are those of `step`. */
+/* A step whose named numbers are replaced by a bullet's values: steps is a list of which `step` is entry 0. */
 struct own_step {
     struct motion_step step;
     struct steps steps;
     struct motion_world w;
 };
 
-/* Step st for bullet i, with the values that it had when the step began: this frame's, unless it is `begun`. */
+/* Builds step st for bullet i from the bullet's values when the step began. Unless the step has `begun`, these are its
+ * present values, which are saved. */
 static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, bool begun,
                      struct own_step *own)
 {
@@ -152,8 +154,8 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
 
 /* ---- steps that lead a bullet ---- */
 
-/* While a step leads a bullet, `step_start` and `travel_q32`, which its drive and fine motion would use, keep what it
- * found. */
+/* Saves the state of a leading step in `step_start` and `travel_q32`, which are free then: a leading step neither
+ * drives the bullet nor occurs in a fine motion. */
 static void keep_lead(struct bullets *b, uint32_t i, const struct motion_lead *l)
 {
     b->step_start[i] = (int64_t)((uint64_t)(uint32_t)l->x << 32 | (uint32_t)l->y);
@@ -169,14 +171,15 @@ static struct motion_lead kept_lead(const struct bullets *b, uint32_t i)
                                  .speed = b->speed[i] };
 }
 
-/* Where the thing is, or was a frame before, that bullet i is to go round; false: it is not there. */
+/* Finds the position of bullet i's `orbit_target`; `before`: its position in the previous frame. Returns false if the
+ * target is gone or not set. */
 static bool around(const struct bullets *b, const struct motion_world *w, uint32_t i, bool before, fx *x, fx *y)
 {
     return b->orbit_target && b->orbit_target[i] &&
            w->where(w, b->orbit_target[i], i / SLOTS_BLOCK * SLOTS_BLOCK, before, x, y);
 }
 
-/* The frames that go_to takes at its speed, rounded up. */
+/* Returns the frames that go_to takes from (x, y) at its speed, rounded up, at least 1. */
 static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
 {
     const uint32_t d = (uint32_t)fx_hypot(fx_sub(s->x[st], x), fx_sub(s->y[st], y));
@@ -185,13 +188,13 @@ static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
     return d ? (d - 1) / speed + 1 : 1;
 }
 
-/* The frames that a step which has begun leads bullet i. */
+/* Returns the total frames for which step st, which has begun, leads bullet i. */
 static uint32_t frames_led(const struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
 {
     return s->how[st] & HOW_SPEED ? (uint32_t)(b->travel_q32[i] >> 32) : s->over[st];
 }
 
-/* Begins to lead bullet i; returns for how many frames, 0: there is nothing to go round. */
+/* Starts a step that leads bullet i. Returns its length in frames, or 0 if the target to orbit is gone. */
 static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -218,7 +221,8 @@ static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint
     return n;
 }
 
-/* Gives bullet i the velocity that ends this frame at (x, y). What is more than a speed may be is a jump. */
+/* Gives bullet i the velocity that ends this frame at (x, y), or places it there at once, with velocity 0, if that
+ * exceeds MAX_SPEED on an axis. Sets dir and speed too, except in a wave. */
 static void lead_to(struct bullets *b, uint32_t i, bool wave, fx x, fx y)
 {
     const int64_t most = (int64_t)MAX_SPEED << 16, dx = (int64_t)x - b->x[i], dy = (int64_t)y - b->y[i];
@@ -237,7 +241,7 @@ static void lead_to(struct bullets *b, uint32_t i, bool wave, fx x, fx y)
     b->speed[i] = fx_min(fx_hypot((fx)dx, (fx)dy), (fx)most);
 }
 
-/* The k-th of n frames of a step that leads bullet i; false: what it goes round is not there any more. */
+/* Runs the k-th of n frames of a step that leads bullet i. Returns false if the target to orbit is gone. */
 static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k, uint32_t n)
 {
     const struct steps *s = w->steps;
@@ -251,7 +255,8 @@ static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, ui
     return true;
 }
 
-/* A frame of a step that leads bullet i, unless a script has taken it away. False: the step is over. */
+/* Runs a frame of a step that leads bullet i, unless a script has overridden the step. Returns false if the step is
+ * over early. */
 static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st,
                     uint32_t n)
 {
@@ -263,7 +268,7 @@ static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i,
     return false;
 }
 
-/* What a step has led is let go. It flies on as it did in the last frame; a wave along its way. */
+/* Ends a leading step. The bullet flies on as in its last frame, or after a wave along the direction of the wave. */
 static void let_go(struct bullets *b, uint32_t i, uint32_t does)
 {
     b->travel_q32[i] = 0;
@@ -273,8 +278,8 @@ static void let_go(struct bullets *b, uint32_t i, uint32_t does)
 
 /* ---- bounces ---- */
 
-/* Reflects a move from `from` to *to, at speed *v, at the walls lo and hi, those that are. What begins outside is let
- * pass. */
+/* Reflects a move from `from` to *to, at speed *v, off the walls lo (if at_lo) and hi (if at_hi). Returns whether it
+ * was reflected. A move that starts outside is not. */
 static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool at_hi)
 {
     bool any = false;
@@ -292,8 +297,8 @@ static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool 
     }
 }
 
-/* Turns bullet i back where this frame's move would lead it out. It ends the frame at the reflected place; `travel_q32`
- * keeps the velocity that it has then, till the next frame. */
+/* Reflects bullet i off the walls that it would cross in this frame's move. It ends the frame at the reflected
+ * position; `travel_q32` stores the velocity after the bounce until the next frame. */
 static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned walls)
 {
     int64_t x = (int64_t)b->x[i] + b->vx[i], y = (int64_t)b->y[i] + b->vy[i];
@@ -311,7 +316,7 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
     bullets_store_velocity(b, i, (fx)(x - b->x[i]), (fx)(y - b->y[i]));
 }
 
-/* The frame after a bounce: it has its velocity, unless a script has given it another. */
+/* In the frame after a bounce, sets the stored velocity, unless a script has set another. */
 static void bounced(struct bullets *b, uint32_t i, unsigned step_flags)
 {
     if (!(step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED)))
@@ -319,8 +324,8 @@ static void bounced(struct bullets *b, uint32_t i, unsigned step_flags)
     b->travel_q32[i] = 0;
 }
 
-/* A frame of bullet i on its way to a wall, since the clock before `speed_q32`. Returns the step that it goes on with
- * in this frame; pc: none. */
+/* Runs a frame of bullet i's flight to a wall. The step's `over` counts from the start of the `bounce`, at clock
+ * `speed_q32` - 1. Returns the step to continue with in this frame, or pc if the flight continues. */
 static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags,
                             uint32_t pc)
 {
@@ -339,13 +344,13 @@ static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uin
 
 /* ---- waiting ---- */
 
-/* Is a number that was `from` at `line`, or beyond it? */
+/* Returns whether `now` is at `line`, or beyond it as seen from `from`. */
 static bool crossed(fx from, fx now, fx line)
 {
     return from <= line ? now >= line : now <= line;
 }
 
-/* Has what bullet i waits for come? */
+/* Returns whether the wait condition of step st holds for bullet i. */
 static bool has_come(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -382,7 +387,7 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
 
 /* ---- running ---- */
 
-/* The step after one that opens or closes a loop. */
+/* Runs step st, which opens or closes a loop. Returns the next step, relative to the program's first. */
 static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
     uint16_t *left = &rounds[s->depth[st]];
@@ -394,7 +399,7 @@ static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32
     return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-/* Where a bullet's program is while it runs: `pc` and `step_flags`, kept when it waits for the next frame. */
+/* The state of a running program; keep_run saves it in the columns `pc` and `step_flags`. */
 struct run {
     uint32_t pc;
     unsigned step_flags;
@@ -413,7 +418,7 @@ static enum program_state step_over(struct run *r)
     return PROGRAM_NEXT;
 }
 
-/* Loops, bounces and emits. */
+/* Runs a step of a loop, bounce or emit. */
 static enum program_state run_turn(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
                                    struct run *r)
 {
@@ -438,7 +443,7 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
     return flies ? PROGRAM_RUNS : PROGRAM_NEXT;
 }
 
-/* Returns the frames that the step takes. */
+/* Starts step st. Returns the frames that it takes. */
 static inline uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
                                   unsigned does)
 {
@@ -455,7 +460,8 @@ static inline uint32_t begin_step(struct bullets *b, const struct motion_world *
     return n;
 }
 
-/* Any other step. `does` is what it does; where this is called, what it may do is a constant. */
+/* Runs a step of any other type. `does` is the step's actions. Inlined: where a caller masks `does` with a constant,
+ * the code for other actions is compiled away. */
 __attribute__((always_inline)) static inline enum program_state
 do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, unsigned does, struct run *r)
 {
@@ -495,7 +501,7 @@ static enum program_state run_step(struct bullets *b, const struct motion_world 
     return do_step(b, w, i, st, w->steps->does[st], r);
 }
 
-/* A step with names, whose numbers are the bullet's. Called, for what prepares them would go before all other steps. */
+/* Runs a step with named values. Not inlined: its preparations would slow down all other steps. */
 __attribute__((noinline)) static enum program_state run_named(struct bullets *b, const struct motion_world *w,
                                                               uint32_t i, uint32_t st, struct run *r)
 {
@@ -505,7 +511,7 @@ __attribute__((noinline)) static enum program_state run_named(struct bullets *b,
     return run_step(b, &own.w, i, 0, r);
 }
 
-/* Runs bullet i's program for this frame. */
+/* Runs bullet i's program in this frame. */
 static enum program_state run_program(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const uint32_t program = b->motion[i] - 1u, first = w->motions->first[program],
@@ -519,14 +525,14 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
         enum program_state state = PROGRAM_NEXT;
 
         b->ran++;
-        if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most */
+        if (!(does & ~(unsigned)(DOES_DRIVE | DOES_WAIT))) /* most steps */
             state = do_step(b, w, i, st, does & (DOES_DRIVE | DOES_WAIT), &r);
         else if (does == DOES_NEXT && b->ran <= w->most)
             r.pc = loop_step(w->steps, &b->rounds[i * MOTION_DEPTH], st, r.pc);
-        else if (b->ran > w->most) /* the frame ends in a fault */
+        else if (b->ran > w->most) /* over the limit: the frame ends in a fault */
             return PROGRAM_RUNS;
         else {
-            struct run other = r; /* a copy, so that of the others `run` stays in registers */
+            struct run other = r; /* a copy, so that r stays in registers for most steps */
             if (does & (DOES_LOOP | DOES_NEXT | DOES_BOUNCE | DOES_EMIT))
                 state = run_turn(b, w, i, st, &other);
             else if (does & DOES_NAMED)
@@ -544,7 +550,8 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     return fine ? PROGRAM_RUNS : PROGRAM_OVER;
 }
 
-/* Is what bullet i waited for over? A delay: then it is what was fired, from this frame on. */
+/* Returns whether the wait of bullet i, idle until now, is over. At the end of a delay, the bullet takes its own kind
+ * and starts to move. */
 static inline bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     if (b->step_end[i] != w->clock)
@@ -560,7 +567,7 @@ static inline bool is_over(struct bullets *b, const struct motion_world *w, uint
     return true;
 }
 
-/* Runs a program, and moves what is fine. */
+/* Runs bullet i's program, if any, and its fine move, if it is fine. */
 static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
@@ -574,22 +581,21 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
 
 /* ---- steps that have begun ---- */
 
-/*
- * What the bullets of one ring do in the middle of a step is the same for all; so is what those do that are fine and
- * have no step to run: they fly. Those of a block that are alike are done together, column by column. It comes to what
- * go_on does of each, whenever that is: what it writes no other of its block reads before the block moves.
+/* The bullets of one ring all do the same in the middle of a step; so do fine bullets without a step to run, which just
+ * fly. Such bullets of a block, on the same "course", are processed together, column by column. The result is that of
+ * go_on for each bullet, in any order: no bullet of a block reads what another one writes before the block moves.
  */
 struct course {
-    uint32_t motion, pc; /* those of the bullets it is for, and */
+    uint32_t motion, pc; /* the bullets on the course have these in their columns */
     unsigned step_flags;
     bool fine;
-    bool is, timed;    /* there is one; it is a step's, which ends at `step_end` */
-    bool never;        /* nobody at this step has one */
-    uint32_t st, does; /* the step, and of DOES_DRIVE what it does and is not muted */
-    bool steers;       /* even if that is muted */
+    bool is, timed;    /* the course exists; it is in a step, which ends at `step_end` */
+    bool never;        /* no bullet at this step has a course */
+    uint32_t st, does; /* the step, and its DOES_DRIVE actions that no script overrides */
+    bool steers;       /* the step has DOES_STEER actions, even if overridden */
 };
 
-/* Some bullets of a block: those from slot `first` on, or else each in `slot`. */
+/* A set of n bullets of a block: if row, the slots from `first` on, otherwise those in `slot`. */
 struct some {
     int n;
     bool row;
@@ -602,7 +608,7 @@ static inline uint32_t nth(const struct some *s, int k)
     return s->row ? s->first + (uint32_t)k : s->slot[k];
 }
 
-/* Those of the block from slot `first` on that `who` names; it is not 0. */
+/* Sets *s to the bullets in `who`, which is not 0: bits of the block that starts at slot `first`. */
 static void take_some(struct some *s, uint32_t first, uint64_t who)
 {
     const uint32_t low = bits_lowest(who);
@@ -654,7 +660,7 @@ static inline bool on_course(const struct bullets *b, const struct course *c, ui
            !(b->flags[i] & BULLET_FINE) == !c->fine;
 }
 
-/* out[k] = 1 for those of a block on that course. */
+/* Sets out[k] to 1 for the bullets of a block on course c, otherwise to 0. */
 static void course_block(const uint16_t *restrict motion, const uint16_t *restrict pc,
                          const uint8_t *restrict step_flags, const uint8_t *restrict flags, const struct course *c,
                          uint8_t *restrict out)
@@ -668,7 +674,7 @@ static void course_block(const uint16_t *restrict motion, const uint16_t *restri
         out[k] &= (uint8_t)((step_flags[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
 }
 
-/* Where a step of theirs ends in this frame go_on has to look at them. */
+/* Returns the bullets of a block, as bits, whose step ends in this frame; go_on must run these. */
 static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];
@@ -678,9 +684,9 @@ static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
     return slots_gather(out);
 }
 
-enum { WORTH = 6 /* alike in a block: if there are so many, one by one takes longer */ };
+enum { WORTH = 6 /* bullets on one course in a block from which processing them together pays off */ };
 
-/* Is one of the next few of `rest`, out of the block from slot `first` on, on that course? */
+/* Returns whether one of the next `few` bullets of `rest`, bits of the block at slot `first`, is on course c. */
 static bool has_company(const struct bullets *b, const struct course *c, uint32_t first, uint64_t rest, int few)
 {
     for (; rest && few > 0; few--, rest &= rest - 1)
@@ -689,8 +695,8 @@ static bool has_company(const struct bullets *b, const struct course *c, uint32_
     return false;
 }
 
-/* Those of the block from slot `first` on that take a course. Called, so that what is done one by one stays in
- * registers. */
+/* Returns the bullets of the block at slot `first`, as bits, that are on course c and whose step does not end in this
+ * frame. Not inlined, so that the loop over single bullets stays in registers. */
 __attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, const struct motion_world *w,
                                                     const struct course *c, uint32_t first)
 {
@@ -700,8 +706,9 @@ __attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, con
     return slots_gather(out) & (c->timed ? ~ends_block(b->step_end + first, w->clock) : UINT64_MAX);
 }
 
-/* Those of a block, out of `of`, the first of which is bullet i, that take the same course as i; 0: it takes none. To
- * ask all is dear, so the next *few are asked first; and where none of these was on it, from then on one. */
+/* Returns the bullets in `of`, bits of a block of which bullet i is the first, that are on i's course, or 0 if i has
+ * none. Scanning the whole block is expensive, so the next *few bullets are probed first. If none of them is on the
+ * course, returns i alone, and *few becomes 1. */
 static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
                       int *few)
 {
@@ -722,7 +729,7 @@ static uint64_t alike(const struct bullets *b, const struct motion_world *w, str
 
 enum { FEW = 4 };
 
-/* The targets there are, FEW + 1: more than that. */
+/* Returns the number of targets, at most FEW + 1, and the slots of the first FEW. */
 static int few_targets(const struct targets *t, uint32_t found[FEW])
 {
     const uint32_t end = t->s->used ? t->s->top : t->s->live;
@@ -741,7 +748,7 @@ static int few_targets(const struct targets *t, uint32_t found[FEW])
     return n;
 }
 
-/* targets_aim for all of them: dir, what it is without a target, becomes the direction. */
+/* Computes targets_aim for all bullets of s. dir[k] is replaced by the direction; without a target it stays. */
 static void aim_some(const struct bullets *b, const struct targets *t, const struct some *s, ang *dir)
 {
     uint32_t few[FEW];
@@ -792,7 +799,7 @@ static void turn_some(const struct bullets *b, const struct motion_world *w, con
         dir[k] = toward(dir[k], goal[k], w->steps->home[c->st]);
 }
 
-/* Those that began alike have one speed: it is found once for them. */
+/* Changes the speed of all bullets of s. Consecutive bullets with equal step_start and step_end share a computation. */
 static void speed_some(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
 {
     const int shift = c->fine ? 0 : PACE_BITS;
@@ -800,8 +807,7 @@ static void speed_some(struct bullets *b, const struct motion_world *w, const st
     const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
     const uint32_t over = w->steps->over[c->st];
     int64_t from = 0, reached = 0;
-    uint32_t end = w->clock; /* nobody's */
-
+    uint32_t end = w->clock; /* no bullet's: a step that ends now has no course */
     for (int k = 0; k < s->n; k++) {
         const uint32_t i = nth(s, k);
         int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
@@ -821,7 +827,7 @@ static void speed_some(struct bullets *b, const struct motion_world *w, const st
     }
 }
 
-/* `fly` for all of them. */
+/* Runs `fly` for all bullets of s. */
 static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
 {
     int64_t from[SLOTS_BLOCK], to[SLOTS_BLOCK], dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
@@ -835,7 +841,7 @@ static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
         fly_by(b, nth(s, k), to[k], dx[k], dy[k]);
 }
 
-/* bullets_steer for all of them. None stands, for whose program runs does not. */
+/* Runs bullets_steer for all bullets of s. None is frozen, because frozen bullets run no program. */
 static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
 {
     fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], most = b->fastest;
@@ -856,7 +862,7 @@ static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
     b->fastest = most;
 }
 
-/* A frame of some that take a course. Called, as all_alike is. */
+/* Runs a frame of the bullets of s, which are on course c. Not inlined, as all_alike. */
 __attribute__((noinline)) static void keep_course(struct bullets *b, const struct motion_world *w,
                                                   const struct course *c, const struct some *s)
 {
@@ -881,7 +887,7 @@ __attribute__((noinline)) static void keep_course(struct bullets *b, const struc
         steer_some(b, s, dir);
 }
 
-/* The same of one that is alone in it, but for its velocity, which it gets later with others. */
+/* Runs a frame of bullet i, alone on course c. If its velocity must be recomputed, adds it to `later`. */
 static void keep_alone(struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i,
                        struct some *later)
 {
@@ -901,7 +907,7 @@ static void steer_later(struct bullets *b, struct some *later)
     steer_some(b, later, dir);
 }
 
-/* Of a block in which nobody is busy, as most are. */
+/* Runs the woken bullets of a block without busy bullets, the most common case. */
 static void run_woken(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
@@ -920,7 +926,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
 {
     const uint32_t first = block * SLOTS_BLOCK;
     uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
-    struct course c = { .motion = UINT32_MAX }; /* nobody's */
+    struct course c = { .motion = UINT32_MAX }; /* no bullet's */
     struct some some, later;
     int few = 1 + bits_count(busy) / WORTH;
 
@@ -929,7 +935,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     for (uint64_t m = busy | woken; m;) {
         const uint32_t i = first + bits_lowest(m);
         const uint64_t who = woken & bullets_bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
-        if (who) { /* they are busy, and stay so */
+        if (who) { /* these are busy, and stay busy */
             if (who == bullets_bit(i) && !c.fine)
                 keep_alone(b, w, &c, i, &later);
             else {

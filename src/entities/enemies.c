@@ -1,5 +1,5 @@
 /*
- * enemies.c - see enemies.h.
+ * enemies.c - the pool of enemies: spawning, damage, moves, and bodies with parts.
  */
 #include "enemies.h"
 #include "../base/int.h"
@@ -72,7 +72,7 @@ static void park(struct enemies *e, uint32_t i)
     e->over[i] = 0;
 }
 
-/* One of its own, as its kind says. */
+/* Initialises the columns of bodies for a new enemy, which is not a part, with its kind's rate. */
 static void begin_body(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     e->rate[i] = kinds->rate[e->kind[i]];
@@ -158,7 +158,7 @@ static bool is_part(const struct enemies *e, uint32_t i)
     return e->body && e->body[i];
 }
 
-/* What its moves lead: its place, or a part's from its body's. */
+/* Return a pointer to the coordinate that enemy i's moves change: its position's, or if it is a part its offset's. */
 static fx *led_x(const struct enemies *e, uint32_t i)
 {
     return is_part(e, i) ? &e->dx[i] : &e->x[i];
@@ -169,7 +169,7 @@ static fx *led_y(const struct enemies *e, uint32_t i)
     return is_part(e, i) ? &e->dy[i] : &e->y[i];
 }
 
-/* A place in the field, as what its moves lead. */
+/* Converts a position in the field to the coordinates that enemy i's moves change. */
 static void led(const struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     if (!is_part(e, i))
@@ -258,7 +258,7 @@ static bool far(fx a, fx b)
     return (int64_t)a - b > most || (int64_t)b - a > most;
 }
 
-/* Does it stand in this move? */
+/* Counts down enemy i's frozen frames at the start of its move. Returns whether it is frozen in this move. */
 static bool stands(struct enemies *e, uint32_t i)
 {
     if (!e->frozen)
@@ -278,7 +278,7 @@ void enemies_stay(struct enemies *e)
         e->born[i] += e->stands[i] != 0;
 }
 
-/* Its move of the frame, a frame on. */
+/* Advances enemy i's move by a frame, and sets (*x, *y). */
 static void go_on(struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     struct motion_share s = motion_eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
@@ -411,7 +411,7 @@ static fx within(const struct enemies_world *w, fx middle, fx reach)
     return shifted(middle, (fx)((int64_t)w->draw(w->context, 2 * (uint64_t)reach + 1) - reach));
 }
 
-/* The wanderers whose next leg is due set out. */
+/* Starts the legs of the unfrozen wanderers that are due, and clears `settled` of all enemies. */
 static void begin_legs(struct enemies *e, const struct enemies_world *w)
 {
     EACH_LIVE (i, &e->s) {
@@ -428,7 +428,7 @@ static void begin_legs(struct enemies *e, const struct enemies_world *w)
     }
 }
 
-/* A frame of its orbit. What it goes round may have gone: then it goes on round where that was. */
+/* Advances enemy i's orbit by a frame. If its centre has despawned, the orbit continues around the last position. */
 static void orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x, fx *y)
 {
     const int64_t from = (int64_t)e->reach_x[i] * (1 << PACE_BITS), to = (int64_t)e->reach_y[i] * (1 << PACE_BITS);
@@ -443,7 +443,8 @@ static void orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x,
         enemies_halt(e, i);
 }
 
-/* A part is where its body is, and was where that was: so it is tested along the same path. */
+/* Sets a part's position, and its position before the move, from its body's, so hit tests sweep both along the same
+ * path. */
 static void follow(struct enemies *e, uint32_t i, fx was_dx, fx was_dy)
 {
     const uint32_t body = e->body[i] - 1u;
@@ -491,7 +492,7 @@ void enemies_move(struct enemies *e, const struct box *keep, struct enemies_worl
             enemies_settle(e, i, w);
         else
             step(e, i);
-        /* a boss may come from further away, and a part reach out */
+        /* a boss may enter from outside keep, and a part may reach outside */
         if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || inside(e, i, keep))
             continue;
         e->flags[i] |= ENEMY_LEAVING;

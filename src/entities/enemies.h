@@ -1,5 +1,5 @@
 /*
- * enemies.h - enemies and bosses: one pool, with the one move each may be making.
+ * enemies.h - enemies and bosses: one pool, in which each enemy has at most one move in progress.
  */
 #ifndef ENTITIES_ENEMIES_H
 #define ENTITIES_ENEMIES_H
@@ -9,111 +9,113 @@
 #include "../base/slots.h"
 
 enum {
-    ENEMY_TOUCH = 1 << 0, /* of a kind: touching it kills a player */
-    ENEMY_SWEPT = 1 << 1, /* of a kind: hits on players look at the whole path of its frame, not at its end alone */
-    ENEMY_BLEND = 3 << 2, /* of a kind: how it is drawn, in units of ENEMY_BLEND_ONE: 0 opaque, else blend + 1 */
+    ENEMY_TOUCH = 1 << 0, /* kinds: kills a player who touches it */
+    ENEMY_SWEPT = 1 << 1, /* kinds: uses swept collision against players: hits test the whole path of a frame */
+    ENEMY_BLEND = 3 << 2, /* kinds: in units of ENEMY_BLEND_ONE: 0: drawn opaque, otherwise blend mode + 1 */
     ENEMY_BLEND_ONE = 1 << 2,
-    ENEMY_BLOCKS = 1 << 4, /* of a kind: bullets that touch it are gone */
-    ENEMY_HURT = 1 << 5,   /* of a kind: its picture 1 stands in place of 0 while it blinks */
-    ENEMY_SOFT = 1 << 6,   /* of a kind: where it blinks white, only a rim round it is */
+    ENEMY_BLOCKS = 1 << 4, /* kinds: removes bullets that touch it */
+    ENEMY_HURT = 1 << 5,   /* kinds: picture 1 replaces picture 0 while it blinks */
+    ENEMY_SOFT = 1 << 6,   /* kinds: only a rim around the sprite blinks white */
 
-    ENEMY_UNDYING = 1 << 0, /* of an enemy: at hp 0 it waits instead of dying (a boss between phases) */
-    ENEMY_DYING = 1 << 1,   /* it died, and goes after its handlers have run */
-    ENEMY_LEAVING = 1 << 2, /* it left in this frame's move, can still be hit, and goes as the dying do */
-    ENEMY_FLIP = 1 << 3,    /* left and right exchanged */
-    ENEMY_HIDDEN = 1 << 4,  /* not drawn */
-    ENEMY_PICTURE = 7 << 5, /* which of its kind's pictures, in units of ENEMY_PICTURE_ONE: 0 the kind's sprite, else
-                               that of the row so many before the kind's */
+    ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
+    ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
+    ENEMY_LEAVING = 1 << 2, /* enemies: left keep in this move; can still be hit; despawns as dying ones do */
+    ENEMY_FLIP = 1 << 3,    /* enemies: drawn mirrored left to right */
+    ENEMY_HIDDEN = 1 << 4,  /* enemies: not drawn */
+    ENEMY_PICTURE = 7 << 5, /* enemies: index n of the kind's picture, in units of ENEMY_PICTURE_ONE: the sprite of the
+                             * row n before the kind's */
     ENEMY_PICTURE_ONE = 1 << 5,
     ENEMY_PICTURES = 7,
-    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either: not alive for scripts */
+    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either flag: not alive for scripts */
 
-    ENEMY_BANK = 15,       /* of `bank`: banks to add */
-    ENEMY_BLINK = 15 << 4, /* of `bank`, in units of ENEMY_BLINK_ONE: frames it blinks when hurt (a kind), and still
-                              will */
+    ENEMY_BANK = 15,       /* in the column `bank`: palette banks to add */
+    ENEMY_BLINK = 15 << 4, /* in the column `bank`, in units of ENEMY_BLINK_ONE: frames a kind blinks when hurt; frames
+                            * an enemy still blinks */
     ENEMY_BLINK_ONE = 1 << 4,
 
     SAFE_FOREVER = -1,
 
-    LEAD_ORBIT = 1, /* in `lead`: it goes round, or about; 0: neither */
+    LEAD_ORBIT = 1, /* in the column `lead`: what leads the enemy; 0: neither */
     LEAD_WANDER = 2,
 
-    PARTS_DEEP = 8,              /* most parts of parts, the first body not counted */
+    PARTS_DEEP = 8,              /* limit of nesting: parts of parts, the first body not counted */
     ENEMY_WHOLE = 1 << 16,       /* a rate or share of 1 */
-    ENEMY_MOST_RATE = 100 << 16, /* of damage */
+    ENEMY_MOST_RATE = 100 << 16, /* limit of a rate of damage */
 
     MAX_ENEMIES = 4096
 };
 
-/* What enemy.def declares; its functions and drops stay with the scripts. */
+/* The kinds declared by enemy.def; its functions and drops are stored by the scripts. */
 struct enemy_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b, *x, *y; /* of the shape; several circles take a row each */
+    fx *a, *b, *x, *y; /* parameters of `shape` (motion.h); several circles take a row each */
     int32_t *hp;
     int64_t *score;
-    uint8_t *bank; /* and how long it blinks: ENEMY_ */
+    uint8_t *bank; /* ENEMY_BANK, and ENEMY_BLINK: how long it blinks when hurt */
     uint8_t *flags;
     uint16_t *spark; /* kind + 1, 0: none */
-    int32_t *rate;   /* of the damage it takes, ENEMY_WHOLE: all; NULL: not asked for */
+    int32_t *rate;   /* factor of the damage taken, ENEMY_WHOLE: full damage; NULL: not enabled */
 };
 
 struct enemies {
     struct slots s;
     fx *x, *y;
-    fx *was_x, *was_y; /* before this frame's move; where it is now when it jumped, faster than MAX_SPEED */
+    fx *was_x, *was_y; /* position before this frame's move; after a jump (faster than MAX_SPEED): position now */
     int32_t *hp;
     uint16_t *kind;
-    uint8_t *bank; /* and how long it will blink: ENEMY_ */
+    uint8_t *bank; /* ENEMY_BANK, and ENEMY_BLINK: how long it still blinks */
     uint16_t *tag;
-    int32_t *safe;  /* frames it takes no damage, or SAFE_FOREVER */
+    int32_t *safe;  /* frames left without taking damage, or SAFE_FOREVER */
     uint32_t *born; /* clock */
     uint32_t *owner_task;
-    int64_t *owner; /* it goes when that one ends, 0: none; the board gives it a meaning */
+    int64_t *owner; /* the enemy despawns when its owner ends, 0: none; the board defines the value */
     uint8_t *flags;
-    fx *x0, *y0, *x1, *y1; /* the move it makes: from, to */
-    uint32_t *made, *over; /* frames made of it, frames in all; over 0: none */
+    fx *x0, *y0, *x1, *y1; /* start and end of the move in progress */
+    uint32_t *made, *over; /* frames of the move done, and in all; over 0: no move */
     uint8_t *ease;
-    fx *value1, *value2, *value3, *value4; /* numbers that the game declares; NULL: not asked for */
-    fx value_start[MAX_VALUES];            /* what they are in a new enemy */
-    int32_t *frozen;   /* frames it will stand, or FROZEN_FOREVER; NULL, with the next: not asked for */
-    uint8_t *stands;   /* STOOD */
-    uint32_t standing; /* how many stood in the last move */
-    uint32_t leaving;  /* how many this frame's move took outside of keep */
+    fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
+    fx value_start[MAX_VALUES];            /* initial values of a new enemy */
+    int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; this and the next: NULL if not enabled */
+    uint8_t *stands;   /* STOOD: frozen in the last move */
+    uint32_t standing; /* number of enemies frozen in the last move */
+    uint32_t leaving;  /* number of enemies that left keep in this frame's move */
 
-    /* Bodies; all NULL: not asked for. A part stays at its body's place plus (dx, dy), which x0 to y1 then lead. */
-    int32_t *rate;   /* of the damage it takes */
-    uint32_t *wound; /* what it has less than hp says, in 2^-32 hp */
-    uint16_t *body;  /* of a part: its body's slot + 1; 0: it is none */
-    uint16_t *parts; /* how many are parts of it, and not of these */
-    fx *dx, *dy;
-    int32_t *share;              /* of a part: of what it takes, so much goes on to its body */
+    /* Bodies and their parts; all NULL if not enabled. A part stays at its body's position plus (dx, dy); its moves (x0
+     * to y1) change dx and dy. */
+    int32_t *rate;               /* factor of the damage taken, ENEMY_WHOLE: full damage */
+    uint32_t *wound;             /* excess of hp, which is rounded up, over the exact value, in 2^-32 hp */
+    uint16_t *body;              /* slot + 1 of the part's body; 0: not a part */
+    uint16_t *parts;             /* number of its direct parts */
+    fx *dx, *dy;                 /* a part's offset from its body */
+    int32_t *share;              /* share of a part's damage that its body also takes */
     uint8_t *lead;               /* LEAD_ */
-    fx *cx, *cy;                 /* the middle of its orbit, or of the ground it wanders about */
-    fx *reach_x, *reach_y;       /* the radius at the orbit's begin and end; half the ground's width and height */
-    int64_t *around;             /* the thing whose place is the middle, 0: none; the board gives it a meaning */
-    ang *angle;                  /* of an orbit, at its begin */
+    fx *cx, *cy;                 /* centre of the orbit, or of the area it wanders in */
+    fx *reach_x, *reach_y;       /* radius at the orbit's start and end; or half the area's width and height */
+    int64_t *around;             /* the board's handle of the orbit centre; 0: (cx, cy) is fixed */
+    ang *angle;                  /* angle at the orbit's start */
     int32_t *spin;               /* ang a frame */
-    uint32_t *every, *due, *leg; /* frames from one leg of a wanderer to the next; until the next; of a leg */
-    uint8_t *settled;            /* its move of this frame is made, or has begun */
+    uint32_t *every, *due, *leg; /* wanderers: frames between the starts of two legs; until the next; length of a leg */
+    uint8_t *settled;            /* 1: this frame's move is done or in progress */
 };
 
-/* What the moves of bodies ask of the board: where that thing is, after its move of this frame if it is an enemy
- * (enemies_settle); false: it is gone. And a number of the game's chance. */
+/* The board's callbacks for the moves of bodies. where finds an entity's position, after its move of this frame if it
+ * is an enemy (enemies_settle), and returns false if the entity is gone. draw returns a random number, 0 <= n < below,
+ * from the game's generator. */
 struct enemies_world {
     void *context;
     bool (*where)(struct enemies_world *w, int64_t thing, fx *x, fx *y);
     uint64_t (*draw)(void *context, uint64_t below);
-    int deep; /* enemies that wait for another's place */
+    int deep; /* depth of nested calls: enemies waiting for another's position */
 };
 
 struct enemies_orbit {
-    int64_t around; /* 0: (x, y) */
+    int64_t around; /* handle of the centre; 0: (x, y) is the centre */
     fx x, y, radius, radius_to;
     ang angle;
     int32_t spin;  /* ang a frame */
-    uint32_t over; /* 0: for ever */
+    uint32_t over; /* frames; 0: forever */
 };
 
 struct enemies_ground {
@@ -122,7 +124,7 @@ struct enemies_ground {
     enum ease ease;
 };
 
-/* Column k of the values, 0 to MAX_VALUES - 1, or NULL. */
+/* Returns column k of the values, 0 <= k < MAX_VALUES, or NULL if it is not declared. */
 static inline fx *enemies_value(const struct enemies *e, int k)
 {
     fx *const value[MAX_VALUES] = { e->value1, e->value2, e->value3, e->value4 };
@@ -132,71 +134,74 @@ static inline fx *enemies_value(const struct enemies *e, int k)
 
 extern const struct chip enemies_chip, enemy_kinds_chip;
 
-/* Puts an enemy of that kind at (x, y), with the kind's hp and bank. */
+/* Spawns an enemy of that kind at (x, y), with the kind's hp and bank. Returns its slot, or NO_SLOT if the pool is
+ * full. */
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
 
-/* It goes, and its parts go with it; but those that are dying, which then are parts no more. */
+/* Removes enemy i and its parts. Dying parts are detached instead. */
 void enemies_drop(struct enemies *e, uint32_t i);
 
-/* Makes i a part. The body is another, and not among i's own parts. */
+/* Makes enemy i a part of `body`, which must be neither i itself nor one of i's own parts. */
 void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, int32_t share);
 
-/* How many bodies it is a part of, one of the other. */
+/* Returns enemy i's depth of nesting: 0 if it is not a part, otherwise its body's depth + 1. */
 int enemies_depth(const struct enemies *e, uint32_t i);
 
-/* Takes damage away from it, in 2^-32 hp, times its rate, rounded down to such; returns what it took, at most what it
- * had. hp says what is left, rounded up. */
+/* Subtracts amount, in 2^-32 hp, times the enemy's rate, rounded down. Returns the damage taken, in 2^-32 hp, at most
+ * what was left. hp becomes the rest, rounded up. */
 uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount);
 
-/* A share of an amount, rounded down; share <= ENEMY_WHOLE. */
+/* Returns amount * share / ENEMY_WHOLE, rounded down, or INT64_MAX if that is exceeded. */
 uint64_t enemies_share(uint64_t amount, int32_t share);
 
-/* Removes all that have that owner, but for the dying, which go after their handlers have run. */
+/* Removes all enemies with that owner, except dying ones, which despawn after their handlers have run. */
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
-/* Moves enemy i to (x, y) in the next `over` calls of enemies_move, 1 <= over < 2^31; it arrives exactly. After k of n
- * it is at the place nearest to that share of its way (motion_eased) on either axis, ties to the even one. A part moves
- * to where that is of its body now. */
+/* Moves enemy i to (x, y) over the next `over` calls of enemies_move, 1 <= over < 2^31, arriving exactly. After k of n
+ * frames it is, on either axis, at the fx nearest to that share of the distance (motion_eased), ties to even. A part
+ * moves to the offset that (x, y) has from its body now. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
-/* The same by (dx, dy) from where it is; a part's dx and dy to these. */
+/* Moves enemy i by (dx, dy) from its position, as enemies_go does; the offset of a part becomes (dx, dy). */
 void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease);
 
-/* Puts it there, a part so far from its body, and ends its move. */
+/* Places enemy i at (x, y), which sets a part's offset, and ends its move, orbit or wandering. */
 void enemies_put(struct enemies *e, uint32_t i, fx x, fx y);
 
-/* Sends it round, or about: from the next move on. A wanderer's places are drawn in slot order, at the begin of the
- * frame's move, before any enemy's; each leg is a move that enemies_go would make, to a place of the ground. */
+/* Start an orbit or wandering with the next move. Each leg of a wanderer is a move as by enemies_go, to a random point
+ * of its area. These points are drawn in slot order at the start of enemies_move, before any enemy moves. */
 void enemies_circle(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
 void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *g);
 
-/* It stays where it is: no move, orbit or legs any more. */
+/* Ends the enemy's move, orbit or wandering, and leaves it where it is. */
 void enemies_halt(struct enemies *e, uint32_t i);
 
-/* Moves enemy i on by (dx, dy) at once, and with it the move it makes; both stay within the world. */
+/* Shifts enemy i by (dx, dy) at once, together with its move, orbit or area; all stay within the world. */
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
 
-/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+/* Stops frozen enemies from ageing: call at the end of a frame in which the clock advances. */
 void enemies_stay(struct enemies *e);
 
-/* It was hurt, and blinks if its kind does and it does not yet. */
+/* Starts enemy i's blinking after a hit, if its kind blinks and it is not blinking already. */
 void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Is it white now? In the first quarter of its blinking, so that one that is hit all the time is seen as well. */
+/* Returns whether enemy i is drawn white: in the first quarter of its blinking, so that an enemy hit all the time stays
+ * visible. */
 bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* The sprite it shows. */
+/* Returns the sprite that enemy i shows. */
 uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Counts safe and blinking frames down, at the start of a frame: so `safe = n` lasts n frames, the present one
- * included. */
+/* Counts down the frames of `safe` and blinking. Called at the start of a frame, so `safe = n` lasts n frames, the
+ * present one included. */
 void enemies_count_down(struct enemies *e);
 
-/* Goes on with the moves, and marks those that are outside keep as leaving, but no parts. w: NULL without bodies. In
- * slot order; but a part after its body, and what orbits an enemy after that one, unless that waits for it. */
+/* Advances all moves by a frame, and marks enemies outside keep as ENEMY_LEAVING, except parts and undying or dying
+ * enemies. w may be NULL without bodies. Enemies move in slot order, except that a part moves after its body, and an
+ * enemy that orbits another after that one, unless they wait for each other. */
 void enemies_move(struct enemies *e, const struct box *keep, struct enemies_world *w);
 
-/* Makes this frame's move of one, unless it is made or has begun. */
+/* Makes enemy i's move of this frame, unless it is done or in progress. */
 void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w);
 
 #endif

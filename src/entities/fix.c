@@ -1,5 +1,5 @@
 /*
- * fix.c - see fix.h.
+ * fix.c - the fixed text layer (fix.h).
  */
 #include "fix.h"
 #include "../../fb/utf8.h"
@@ -24,7 +24,7 @@ static void set(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t 
     f->font[cell] = font;
 }
 
-/* A character in four cells, quarters from left to right and down. */
+/* Writes a double-size character to four cells: its quarters, row by row. */
 static void set_big(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank, uint8_t font)
 {
     for (int q = 0; q < 4; q++)

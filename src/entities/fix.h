@@ -1,5 +1,5 @@
 /*
- * fix.h - the fixed text layer: a grid of 8x8 characters over the whole screen.
+ * fix.h - the fixed text layer: a grid of 8x8 characters that covers the whole screen.
  */
 #ifndef ENTITIES_FIX_H
 #define ENTITIES_FIX_H
@@ -8,37 +8,38 @@
 
 enum {
     FIX_CELL = 8,
-    FIX_OTHER = 1,    /* no character; no font has a picture of it */
-    FIX_TEXT = 1024,  /* characters that are written at a time */
-    FIX_WIDE = 1,     /* group of columns */
-    FIX_BANK = 15,    /* of `bank`: banks to add */
-    FIX_RIM = 1 << 4, /* of `bank`: a dark rim, to be read over anything */
-    FIX_BIG = 1 << 5, /* of `bank`: times the quarter + 1 of a character twice as large that the cell shows */
+    FIX_OTHER = 1,    /* an unknown character, which no font has a glyph for */
+    FIX_TEXT = 1024,  /* maximum characters per write */
+    FIX_WIDE = 1,     /* column group */
+    FIX_BANK = 15,    /* in `bank`: the palette banks to add */
+    FIX_RIM = 1 << 4, /* in `bank`: a dark outline, to be readable on anything */
+    FIX_BIG = 1 << 5, /* in `bank`: times (quarter + 1): the cell shows that quarter of a double-size character */
     FIX_QUARTERS = 7 << 5,
 };
 
 struct fix {
     struct slots s; /* a list of cols x rows cells, row by row */
-    uint8_t *code;  /* code point, 0: nothing; FIX_OTHER: one over 255 */
-    uint8_t *bank;  /* FIX_ */
-    uint16_t *page; /* of group FIX_WIDE: the rest of the code point, / 256; FIX_OTHER is not used then */
-    uint8_t *font;  /* of group FIX_WIDE: 0, or a font + 1 */
+    uint8_t *code;  /* low byte of the code point, 0: empty; without group FIX_WIDE, FIX_OTHER stands for code points
+                     * over 255 */
+    uint8_t *bank;  /* FIX_BANK, FIX_RIM and FIX_BIG bits */
+    uint16_t *page; /* group FIX_WIDE: the code point / 256 */
+    uint8_t *font;  /* group FIX_WIDE: font + 1; 0: the default font */
     uint32_t cols, rows;
 };
 
 extern const struct chip fix_chip;
 
-/* Writes the characters of n bytes from (col, row) on; without group FIX_WIDE the font is left out. With FIX_BIG in its
- * bank each takes two cells by two. What falls outside the grid is cut off. */
+/* Writes the characters of n bytes of text from (col, row) on; without group FIX_WIDE the font is ignored. If `bank`
+ * includes FIX_BIG, each character covers two by two cells. Characters outside the grid are clipped. */
 void fix_put(struct fix *f, int col, int row, const char *text, size_t n, uint8_t bank, uint8_t font);
 
-/* The code point of a cell. */
+/* Returns the code point of a cell. */
 static inline uint32_t fix_code(const struct fix *f, uint32_t cell)
 {
     return f->page ? (uint32_t)f->page[cell] << 8 | f->code[cell] : f->code[cell];
 }
 
-/* Empties a rectangle of cells, cut to the grid. */
+/* Clears a rectangle of cells, clipped to the grid. */
 void fix_clear(struct fix *f, int col, int row, int w, int h);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * items.c - see items.h.
+ * items.c - items (items.h).
  *
- * Nothing here draws chance. An item that is on its way to a player has vx and vy of what it flew in the last frame, so
- * that scripts read what is seen.
+ * Nothing here draws random numbers. An item that flies to a player has the velocity of its last move in vx and vy, so
+ * scripts read what they see.
  */
 #include "items.h"
 #include "../base/geom.h"
@@ -83,7 +83,7 @@ void items_let_go(struct items *s, uint32_t p)
             fall_again(s, i);
 }
 
-/* Does it stand in this move? */
+/* Returns whether the item is frozen in this move, and counts its frames down. */
 static bool stands(struct items *s, uint32_t i)
 {
     if (!s->frozen)
@@ -110,7 +110,8 @@ static uint64_t apart(const struct items *s, uint32_t i, const struct item_pull 
     return dx * dx + dy * dy;
 }
 
-/* The nearest of the players that attract it, player + 1; 0: none. Of two as near, the first. */
+/* Returns the nearest player that attracts the item, player + 1, or 0 when there is none. Ties go to the first
+ * player. */
 static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
 {
     uint64_t nearest = UINT64_MAX;
@@ -129,8 +130,8 @@ static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pu
     return found;
 }
 
-/* Towards the player. Invariant: where the way is longer than the speed, it is divided by no less than its length; so
- * the step is not longer than the speed, and on no axis does it go further than the player is. */
+/* Sets the velocity towards the player. Invariant: if the distance is greater than the speed, the offset is divided by
+ * at least the distance, so the step is at most `speed` long and overshoots the player on neither axis. */
 static void fly(struct items *s, uint32_t i, const struct item_pull *p)
 {
     int64_t dx = (int64_t)p->x - s->x[i], dy = (int64_t)p->y - s->y[i];
@@ -146,7 +147,7 @@ static void fly(struct items *s, uint32_t i, const struct item_pull *p)
     s->vy[i] = (fx)dy;
 }
 
-/* v, by at most `by` nearer to `to`. */
+/* Returns v moved towards `to` by at most `by`. */
 static fx nearer(fx v, fx to, fx by)
 {
     return fx_clamp(to, fx_sub(v, by), fx_add(v, by));

@@ -1,5 +1,5 @@
 /*
- * items.h - items: they fall, come to a player who attracts them, and are taken by touch.
+ * items.h - items: they fall, fly to a player who attracts them, and are collected on contact.
  */
 #ifndef ENTITIES_ITEMS_H
 #define ENTITIES_ITEMS_H
@@ -11,35 +11,35 @@
 
 enum {
     ITEM_MAGNET = 1 << 0, /* of a kind: players attract it */
-    ITEM_BLEND = 3 << 2,  /* of a kind: how it is drawn, in units of ITEM_BLEND_ONE: 0 opaque, else blend + 1 */
+    ITEM_BLEND = 3 << 2,  /* of a kind: blend mode in units of ITEM_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     ITEM_BLEND_ONE = 1 << 2,
 
-    ITEM_REGISTERS = 16, /* different registers that the items of a game may give */
+    ITEM_REGISTERS = 16, /* different registers that a game's items can add to */
     ITEM_MOST = 1000000000
 };
 
-/* What item.def declares. */
+/* Declared by item.def. */
 struct item_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *bank;
     uint8_t *flags;
-    fx *radius;     /* what a player's hit circle has to touch */
-    fx *gravity;    /* px a frame that its speed changes in a frame */
-    fx *top;        /* px a frame that it falls at most */
-    int64_t *low;   /* points: at the bottom of the field */
-    int64_t *high;  /* at the collect line and above */
-    int32_t *lives; /* that it gives */
-    int32_t *gives; /* ITEM_REGISTERS a kind: what it adds to each register that has a number among the items' */
-    uint16_t *full; /* number + 1 of the register at whose most only the points are given, 0: none */
+    fx *radius;     /* collection radius, px, tested against the player's hit circle */
+    fx *gravity;    /* px/frame^2: change of its speed each frame */
+    fx *top;        /* maximum falling speed, px/frame */
+    int64_t *low;   /* points when taken at the bottom of the field */
+    int64_t *high;  /* points when taken at the collect line or above */
+    int32_t *lives; /* lives it gives */
+    int32_t *gives; /* ITEM_REGISTERS per kind: amount added to each register numbered among the items' */
+    uint16_t *full; /* register number + 1: while that is at its maximum the item gives only points; 0: none */
 };
 
-/* What attracts items, and at what speed they fly then. */
+/* A player's attraction of items. */
 struct item_pull {
-    fx x, y;   /* where the player is */
-    fx radius; /* items at most so far away come */
-    bool all;  /* all come */
-    bool in;   /* false: it attracts nothing, and what was on its way falls again */
+    fx x, y;   /* position of the player */
+    fx radius; /* items within this distance are attracted */
+    bool all;  /* all items are attracted */
+    bool in;   /* false: attracts nothing, and items on their way fall again */
     fx speed;
 };
 
@@ -47,44 +47,45 @@ struct items {
     struct slots s;
     fx *x, *y;
     fx *vx, *vy;
-    fx *was_x, *was_y; /* before this frame's move */
+    fx *was_x, *was_y; /* position before this frame's move */
     uint16_t *kind;
     uint16_t *tag;
-    uint32_t *born;    /* clock */
-    uint8_t *pull;     /* player + 1 it flies to, 0: it falls */
-    int32_t *frozen;   /* frames it will stand, or FROZEN_FOREVER; NULL, with the next: not asked for */
-    uint8_t *stands;   /* STOOD */
-    uint64_t *taken;   /* a bit a slot: held, until the handlers of the event have run */
-    uint32_t standing; /* how many stood in the last move */
+    uint32_t *born;    /* clock at spawn */
+    uint8_t *pull;     /* player + 1 it flies to; 0: it falls */
+    int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; NULL (and `stands` NULL): not declared */
+    uint8_t *stands;   /* STOOD flag */
+    uint64_t *taken;   /* one bit per slot: collected, and held until the event handlers have run */
+    uint32_t standing; /* number of items frozen in the last move */
 };
 
 extern const struct chip items_chip, item_kinds_chip;
 
-/* Puts an item there, at rest; NO_SLOT: there was no room. */
+/* Spawns an item at rest at (x, y); returns its slot, or NO_SLOT when the pool is full. */
 int32_t items_put(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock);
 
-/* Where the k-th of n items goes that are laid out evenly over `spread` (2^32: all round) about dir: in the middle of
- * the k-th of n equal parts. */
+/* Returns the direction of item k of n, spread evenly over `spread` (2^32: full circle) around dir: the middle of the
+ * k-th of n equal sectors. */
 ang items_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n);
 
-/* Item i flies to player p (0 or 1) from the next move on. */
+/* Makes item i fly to player p (0 or 1) from the next move on. */
 void items_pull(struct items *s, uint32_t i, uint32_t p);
 
-/* What flies to player p falls again, from rest. */
+/* Makes all items that fly to player p fall again, from rest. */
 void items_let_go(struct items *s, uint32_t p);
 
 /*
- * A frame's move. What flies to a player goes `speed` px straight towards it, and stops at its place. What falls
- * attracts itself first: it turns to the nearest of the players that attract it, then flies. Else its speed changes by
- * gravity downwards until it is `top`; and sideways, from the frame on in which it does not rise, until it is 0.
+ * Moves all items by one frame. An item pulled by a player flies straight towards the player's position at `speed`
+ * px/frame and stops there. A falling item that is attracted starts flying to the nearest player that attracts it.
+ * Otherwise gravity brings its vertical speed towards `top`; once it no longer rises, gravity also slows its
+ * horizontal speed to 0.
  */
 void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS]);
 
-/* At the end of a frame in which the clock goes on: what stood in it grows no older. */
+/* Call at the end of every frame in which the clock advances: items that were frozen in it do not age. */
 void items_stay(struct items *s);
 
-/* Points of an item of that kind, taken at y: `high` at the line and above, `low` at the bottom and below, and between
- * the two in equal parts, cut to whole points. */
+/* Returns the points for an item of that kind taken at y: `high` at the collect line and above, `low` at the bottom and
+ * below, interpolated linearly in between and truncated. */
 int64_t items_points(const struct item_kinds *kinds, uint16_t kind, fx y, fx line, fx bottom);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * lasers.c - see lasers.h.
+ * lasers.c - lasers (lasers.h).
  *
- * What a laser does follows from its age: warn, grow, on, fade. So what stands (its age does too) and what is asked of
- * a frame that was need no states of their own.
+ * A laser's state follows from its age: warn, grow, on, fade. So freezing a laser only freezes its age, and its state
+ * in an earlier frame can be computed.
  */
 #include "lasers.h"
 #include <string.h>
@@ -63,7 +63,7 @@ static void set_point(struct lasers *l, struct laser_points *p, uint32_t i, uint
     p->y[entry] = y;
 }
 
-/* Takes the pieces of laser i. False: there are not enough, and it has none. */
+/* Allocates the pieces of laser i. Returns false when there are not enough; it then has none. */
 static bool take_pieces(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
 {
     uint16_t *piece = &l->piece[i * LASER_PIECES];
@@ -187,7 +187,7 @@ enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age)
     return age - (uint32_t)l->warn[i] < (uint32_t)l->grow[i] ? LASER_GROW : LASER_ON;
 }
 
-/* k / n of a width, 0 <= k <= n. */
+/* Returns k / n of a width, 0 <= k <= n. */
 static fx share(fx width, int64_t k, int64_t n)
 {
     return (fx)(width * k / n);
@@ -212,7 +212,7 @@ bool lasers_over(const struct lasers *l, uint32_t i, uint32_t age)
     return fades(l, i, age) && (int64_t)age - l->until[i] >= l->fade[i];
 }
 
-/* From a warning nothing is left to fade; one that grew is as wide as it is. */
+/* A laser that is still warning disappears at once; one that is growing fades from its current width. */
 void lasers_fade(struct lasers *l, uint32_t i, uint32_t age)
 {
     if (fades(l, i, age))

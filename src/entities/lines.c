@@ -1,5 +1,5 @@
 /*
- * lines.c - see lines.h.
+ * lines.c - lines of text (lines.h).
  */
 #include "lines.h"
 #include <string.h>

@@ -1,6 +1,6 @@
 /*
- * motion.c - the store of motion programs, and the formulas of moves. Equal programs are one, so a script may build
- * them in a loop. Easing is quadratic: a share of a move is a fraction of whole numbers, and a place is rounded once.
+ * motion.c - stores motion programs, and computes moves. Equal programs are stored once, so a script may build them in
+ * a loop. Easing is quadratic: a share of a move is a fraction of integers, and a position is rounded once.
  */
 #include "motion.h"
 #include <string.h>
@@ -43,7 +43,7 @@ void motion_step_at(const struct steps *s, uint32_t i, struct motion_step *out)
                                  .how = s->how[i] };
 }
 
-/* A turn is 360 * 2^16 units of fx, so one is 2^13 / 45 units of ang. 45 is odd: there are no ties. */
+/* A full turn is 360 * 2^16 units of fx, so one unit is 2^13 / 45 units of ang. 45 is odd, so there are no ties. */
 ang motion_angle(fx degrees)
 {
     const int64_t product = (int64_t)degrees * 8192;
@@ -183,7 +183,8 @@ struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n)
     }
 }
 
-/* d * s, cut to a whole number; *left of s.whole is over. A bit a step, where the product may be too long. */
+/* Returns d * s, truncated; *left is the remainder, in units of 1 / s.whole. Works bit by bit, because the product may
+ * not fit in 64 bits. */
 static uint32_t share_bits(uint32_t d, struct motion_share s, uint64_t *left)
 {
     uint32_t q = 0;
@@ -227,7 +228,7 @@ int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
     return to < from ? from - (int64_t)q : from + (int64_t)q;
 }
 
-/* What is flown in k frames, in Q32; far outside of the world it stops. */
+/* Returns the distance flown in k frames, in Q32, clamped to a value far outside the world. */
 static int64_t flown(int64_t pace, uint32_t k)
 {
     const int64_t far = (int64_t)1 << 47;
@@ -237,7 +238,7 @@ static int64_t flown(int64_t pace, uint32_t k)
     return pace * k;
 }
 
-/* a in Q32 and (r cos dir, r sin dir) */
+/* Adds (r cos dir, r sin dir) to (x, y), all in Q32. */
 static void add_polar(int64_t r, ang dir, int64_t *x, int64_t *y)
 {
     int64_t dx, dy;
@@ -247,7 +248,7 @@ static void add_polar(int64_t r, ang dir, int64_t *x, int64_t *y)
     *y += dy;
 }
 
-/* How far a wave is to the side in frame k, less where it began, in Q32. */
+/* Returns a wave's distance to the side in frame k, relative to its start, in Q32. */
 static int64_t aside(const struct steps *s, uint32_t st, uint32_t k)
 {
     const uint32_t every = s->count[st];
@@ -260,7 +261,7 @@ static int64_t aside(const struct steps *s, uint32_t st, uint32_t k)
     return to - from;
 }
 
-/* A place in whole fx, within the world. */
+/* Clamps a coordinate in fx to the world. */
 static fx in_world(int64_t v)
 {
     const int64_t most = (int64_t)WORLD << 16;
@@ -268,7 +269,7 @@ static fx in_world(int64_t v)
     return (fx)int64_clamp(v, -most, most);
 }
 
-/* The fx nearest to a place in Q32, within the world. */
+/* Returns the fx nearest to a coordinate in Q32, clamped to the world. */
 static fx place_fx(int64_t v)
 {
     return in_world((v + 0x8000) >> PACE_BITS);
@@ -309,7 +310,7 @@ void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_l
     *y = place_fx(py);
 }
 
-/* ---- numbers that stand in a value ---- */
+/* ---- numbers taken from a value ---- */
 
 static fx in_range(fx v, int lo, int hi)
 {

@@ -1,6 +1,6 @@
 /*
- * options.c - see options.h. Whole numbers throughout: an option's place beside the ship goes to where it shall be by
- * equal parts of the rest, so it arrives exactly in the frame that was asked for. An angle wraps as its 32 bits do.
+ * options.c - options (options.h). Integer arithmetic only: each frame an option's offset moves by an equal share of
+ * the remaining distance, so it arrives exactly in the intended frame. Angles wrap at 32 bits.
  */
 #include "options.h"
 #include "../base/trig.h"
@@ -74,7 +74,8 @@ void options_drop_of(struct options *o, uint32_t p, uint32_t index)
     slots_trim(&o->s);
 }
 
-/* Keeps where the ship is. Standing adds nothing; after a jump all of its way is where it came out. */
+/* Appends the ship's position to its path. A ship at rest adds nothing; after a jump the whole path is the position it
+ * jumped to. */
 static void keep_way(struct option_ways *w, uint32_t p, const struct option_ship *ship)
 {
     fx *x = w->x + p * OPTION_WAY, *y = w->y + p * OPTION_WAY;
@@ -98,7 +99,7 @@ static int32_t minus(int32_t a, int32_t b)
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
 
-/* On to the place that it shall have. */
+/* Moves an option's offset towards its target. */
 static void approach(struct options *o, uint32_t i, const struct option_ship *ship, int32_t a, int32_t b)
 {
     int32_t *at = o->at + 2 * i, *to = o->to + 2 * i;

@@ -1,5 +1,5 @@
 /*
- * options.h - options: what flies with a ship, each at its place beside it.
+ * options.h - options: satellites that fly with a ship, each at its own position.
  */
 #ifndef ENTITIES_OPTIONS_H
 #define ENTITIES_OPTIONS_H
@@ -11,9 +11,9 @@
 
 enum {
     MAX_OPTIONS = 256,
-    OPTION_PLACES = 16, /* most of a ship */
+    OPTION_PLACES = 16, /* maximum per ship */
     OPTION_LEVELS = 16,
-    OPTION_WAY = 256, /* places of a ship that are kept, a power of two */
+    OPTION_WAY = 256, /* past positions stored per ship, a power of two */
 
     OPTION_HIDDEN = 1 << 0
 };
@@ -21,25 +21,25 @@ enum {
 enum option_style { OPTION_FIXED, OPTION_TRAIL, OPTION_ORBIT };
 
 struct option_level {
-    int32_t at; /* of the register */
+    int32_t at; /* value of the register from which this level applies */
     uint32_t n;
-    fx wide[OPTION_PLACES][2], close[OPTION_PLACES][2]; /* of OPTION_FIXED: px from the ship */
+    fx wide[OPTION_PLACES][2], close[OPTION_PLACES][2]; /* OPTION_FIXED: px from the ship, unfocused and focused */
 };
 
-/* What player.def says of a kind of ship. */
+/* The options of a kind of ship, from player.def. */
 struct option_plan {
     uint16_t kind;
     enum option_style style;
-    int32_t by;      /* register, -1: none: the last level */
-    uint32_t over;   /* frames to their places */
-    uint32_t apart;  /* of OPTION_TRAIL: frames of flight between two */
-    fx wide, close;  /* of OPTION_ORBIT: radius */
-    ang spin;        /* a frame */
+    int32_t by;      /* register that selects the level; -1: none, always the last level */
+    uint32_t over;   /* frames to reach a new position */
+    uint32_t apart;  /* OPTION_TRAIL: frames of flight between two options */
+    fx wide, close;  /* OPTION_ORBIT: radius, unfocused and focused */
+    ang spin;        /* rotation per frame */
     uint32_t levels; /* ascending by `at` */
     struct option_level level[];
 };
 
-/* What option.def declares. */
+/* Declared by option.def. */
 struct option_kinds {
     struct slots s;
     uint16_t *sprite;
@@ -49,26 +49,26 @@ struct option_kinds {
 struct options {
     struct slots s;
     fx *x, *y;
-    fx *was_x, *was_y; /* before this frame's move */
+    fx *was_x, *was_y; /* position before this frame's move */
     uint16_t *kind;
-    uint8_t *player, *index; /* from 0 on */
-    uint8_t *bank, *flags;   /* OPTION_ */
-    uint32_t *born;          /* clock */
-    /* Its place beside the ship: what it is, what it shall be, and in so many frames. px, or of OPTION_ORBIT radius and
-     * angle. */
-    int32_t *at, *to; /* 2 a slot */
+    uint8_t *player, *index; /* 0-based */
+    uint8_t *bank, *flags;   /* flags: OPTION_ */
+    uint32_t *born;          /* clock at spawn */
+    /* Its position relative to the ship: current, target, and frames left to reach it. px, or for OPTION_ORBIT radius
+     * and angle. */
+    int32_t *at, *to; /* 2 per slot */
     uint32_t *left;
 };
 
-/* Where the ships flew: one entry a player. */
+/* The paths of the ships: one entry per player. */
 struct option_ways {
     struct slots s;
-    uint32_t *head; /* the last place, in x and y */
-    fx *x, *y;      /* OPTION_WAY a player */
+    uint32_t *head; /* index of the newest position in x and y */
+    fx *x, *y;      /* OPTION_WAY per player */
     ang *phase;
 };
 
-/* Where a ship is, and what its options follow. */
+/* A ship's position, and what its options need to follow it. */
 struct option_ship {
     const struct option_plan *plan;
     const struct option_level *level;
@@ -78,17 +78,17 @@ struct option_ship {
 
 extern const struct chip options_chip, option_kinds_chip, option_ways_chip;
 
-/* The level at that value of the register; NULL: none yet. */
+/* Returns the level at that register value, or NULL when there is none yet. */
 const struct option_level *options_level(const struct option_plan *plan, int64_t value);
 
-/* Option `index` of player p begins, at the ship; NO_SLOT: there was no room. */
+/* Spawns option `index` of player p at the ship; returns its slot, or NO_SLOT when the pool is full. */
 int32_t options_add(struct options *o, const struct option_kinds *kinds, uint16_t kind, uint32_t p, uint32_t index,
                     fx x, fx y, uint32_t clock);
 
-/* Drops player p's from `index` on. */
+/* Drops player p's options from `index` on. */
 void options_drop_of(struct options *o, uint32_t p, uint32_t index);
 
-/* A frame's move of player p's, after the ship's. */
+/* Moves player p's options by one frame, after the ship has moved. */
 void options_move(struct options *o, struct option_ways *w, uint32_t p, const struct option_ship *ship);
 
 #endif

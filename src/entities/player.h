@@ -9,87 +9,91 @@
 #include "motion.h"
 #include "../base/slots.h"
 
-enum { PLAYER_DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16: a ship flies as fast in every direction */
+enum { PLAYER_DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16, so that ships fly equally fast in every direction */
 
 enum {
     PLAYER_IN = 1 << 0,      /* in the game */
-    PLAYER_NO_FIRE = 1 << 1, /* the game does not see that it presses fire, bomb or special */
-    PLAYER_STANDS = 1 << 2,  /* nor where it steers */
+    PLAYER_NO_FIRE = 1 << 1, /* the game ignores fire, bomb and special */
+    PLAYER_STANDS = 1 << 2,  /* the game ignores movement and focus */
 
-    PLAYER_REGISTERS = 16, /* most of a kind, and of a run */
-    PLAYER_FULL_RUN = 128, /* in column full */
+    PLAYER_REGISTERS = 16, /* maximum per kind, and of the run */
+    PLAYER_FULL_RUN = 128, /* in column `full`: offset for registers of the run */
     MOST_LIVES = 99,
-    PICTURE_ROW = -1, /* as the radius of a row of the kinds: the picture of a kind below it */
+    PICTURE_ROW = -1, /* radius of rows that are not kinds but hold a picture of a kind before them */
 
     PLAYER_FOCUS = 1 << 0, /* moving slowly */
     PLAYER_FLIP = 1 << 1,  /* left and right exchanged */
     PLAYER_HIDDEN = 1 << 2,
-    PLAYER_POSED = 1 << 3,    /* its picture is a script's choice; else it follows from where it flies */
-    PLAYER_PICTURE = 15 << 4, /* as ENEMY_PICTURE */
+    PLAYER_POSED = 1 << 3,    /* its picture is chosen by a script; otherwise by its movement */
+    PLAYER_PICTURE = 15 << 4, /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
     PLAYER_PICTURE_ONE = 1 << 4,
     PLAYER_PICTURES = 15,
     PICTURE_LEFT = 1, /* every kind that has pictures has these two */
     PICTURE_RIGHT = 2
 };
 
-/* What player.def declares. */
+/* Declared by player.def. */
 struct player_kinds {
     struct slots s;
     uint16_t *sprite;
-    fx *radius; /* hit circle; or PICTURE_ROW */
-    fx *graze;  /* graze circle */
+    fx *radius; /* hit circle, px; or PICTURE_ROW */
+    fx *graze;  /* graze circle, px */
     fx *speed, *focus;
     int32_t *lives;
-    uint32_t *safe;             /* frames after a death, and after joining */
-    uint16_t *first;            /* its registers' rows (registers.h) */
-    uint8_t *registers;         /* how many */
-    uint16_t *deathbomb;        /* frames after a hit in which a bomb saves */
-    uint8_t *bomb, *bomb_focus; /* its bombs, + 1; 0: none. The board gives them a meaning */
-    fx *magnet;                 /* px: items so near come; NULL, with the next: not asked for */
-    fx *line;                   /* y px: above it all come; FX_MIN: nowhere */
-    fx *pull;                   /* px/frame they come at */
-    uint8_t *full;              /* register + 1, or one of the run + PLAYER_FULL_RUN, at whose most all come always */
+    uint32_t *safe;             /* frames of invulnerability after a death, and after joining */
+    uint16_t *first;            /* first row of its registers (registers.h) */
+    uint8_t *registers;         /* number of its registers */
+    uint16_t *deathbomb;        /* frames after a hit in which a bomb saves the player */
+    uint8_t *bomb, *bomb_focus; /* bomb + 1, unfocused and focused, defined by the board; 0: none */
+    fx *magnet;                 /* px: items within this distance are attracted; NULL (and the next three NULL): not
+                                 * declared */
+    fx *line;                   /* y in px at or above which all items are attracted; FX_MIN: none */
+    fx *pull;                   /* px/frame at which attracted items fly */
+    uint8_t *full;              /* register + 1, or PLAYER_FULL_RUN + a register of the run: at its maximum, all
+                                 * items are attracted */
 };
 
 struct player {
     struct slots s;
-    uint8_t *in;   /* PLAYER_IN and what holds it, 0: not in the game */
-    uint32_t *gen; /* counts up to GENERATIONS when it leaves: handles of the game before are dead */
+    uint8_t *in;   /* PLAYER_IN, PLAYER_NO_FIRE and PLAYER_STANDS; 0: not in the game */
+    uint32_t *gen; /* incremented when the player leaves, up to GENERATIONS: handles from earlier games are dead */
     uint16_t *kind;
     fx *x, *y;
-    fx *was_x, *was_y; /* before this frame's move: hits are swept from there */
-    int32_t *lives;    /* left, the one in play not counted */
-    uint32_t *safe;    /* frames */
+    fx *was_x, *was_y; /* before this frame's move; hit tests sweep from there */
+    int32_t *lives;    /* left, not counting the one in play */
+    uint32_t *safe;    /* frames of invulnerability left */
     uint32_t *grazes;
     int64_t *score;
     uint8_t *flags;    /* PLAYER_ */
     uint16_t *hit;     /* frames left in which a bomb saves it from the hit; 0: it was not hit */
-    uint32_t *bombing; /* frames its bomb goes on */
-    int64_t *bomb;     /* the scope of that bomb; the board gives it a meaning */
+    uint32_t *bombing; /* frames left of its bomb */
+    int64_t *bomb;     /* the scope of that bomb, defined by the board */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
 
-/* Has player i been in 2^30 - 2 games? Then it must not enter again, for a handle could mean another game's player. */
+/* Returns whether player i has been in 2^30 - 2 games. It must not join again, because a handle could then mean another
+ * game's player. */
 bool player_retired(const struct player *p, uint32_t i);
 
-/* Player i (0 or 1) enters with that kind, at (x, y), with a new game's lives and score. */
+/* Adds player i (0 or 1) to the game with that kind, at (x, y), with a new game's lives and score. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
 void player_leave(struct player *p, uint32_t i);
 
-/* What the game does not see of its buttons (PAD_ bits). */
+/* Returns the buttons the game ignores (PAD_ bits). */
 unsigned player_withheld(const struct player *p, uint32_t i);
 
-/* Puts a player somewhere without sweeping through what is between. */
+/* Moves a player to (x, y) without sweeping over the way there. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);
 
-/* The sprite it shows. */
+/* Returns the sprite it shows. */
 uint16_t player_picture(const struct player *p, const struct player_kinds *kinds, uint32_t i);
 
-/* Counts safe frames down, at the start of a frame: so `safe = n` lasts n frames, the present one included. */
+/* Counts down the invulnerability frames. Called at the start of a frame, so `safe = n` lasts n frames, including the
+ * present one. */
 void player_count_down(struct player *p);
 
-/* Moves both by their held buttons (PAD_ bits), inside area; one that was hit stands. */
+/* Moves both players by their held buttons (PAD_ bits), inside area; one that was hit does not move. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
 
 #endif

@@ -1,9 +1,8 @@
 /*
- * registers.h - what ships, and a run, count under a name: power, bombs, a gauge, a chain, rank.
+ * registers.h - named counters of ships and of the run: power, bombs, a gauge, a chain, rank.
  *
- * A list of rows, which only grows while scripts load. The registers of a kind of ship are rows one after the other,
- * and so are those of the run. A row has its rule and what it is for each player; of the run's, that of player 0
- * counts.
+ * A list of rows, which grows only while scripts load. The registers of a kind of ship are consecutive rows, and so are
+ * those of the run. A row has its rule and a value for each player; the run's registers use the value of player 0.
  */
 #ifndef ENTITIES_REGISTERS_H
 #define ENTITIES_REGISTERS_H
@@ -14,34 +13,34 @@
 #include "../base/slots.h"
 
 enum {
-    DRAIN_FOREVER = INT32_MIN, /* as `drain`: to start at once */
-    REGISTER_MOST = INT32_MAX, /* as `most`: none */
-    REGISTERS = 64,            /* rows, unless rom.lua says another number */
+    DRAIN_FOREVER = INT32_MIN, /* value of `drain`: drops back to the start value at once */
+    REGISTER_MOST = INT32_MAX, /* value of `most`: no maximum */
+    REGISTERS = 64,            /* default number of rows, unless rom.lua sets it */
     MAX_REGISTERS = 1024
 };
 
-/* What a script declares. */
+/* Declared by a script. */
 struct register_rule {
     int32_t start, least, most;
-    int32_t drain; /* what it loses each `every` frames; below 0 it gains; or DRAIN_FOREVER */
+    int32_t drain; /* amount it loses every `every` frames; negative: it gains; or DRAIN_FOREVER */
     int32_t every;
-    int32_t hold; /* frames it does not drain after a write against the drain */
+    int32_t hold; /* frames without draining after a write against the drain */
 };
 
 enum { RULE_START, RULE_LEAST, RULE_MOST, RULE_DRAIN, RULE_EVERY, RULE_HOLD, RULE_FIELDS };
 
 struct registers {
     struct slots s;
-    int32_t *rule;         /* RULE_FIELDS a row */
-    int32_t *value;        /* PADS a row */
-    int32_t *wait;         /* PADS a row: frames until it drains again */
+    int32_t *rule;         /* RULE_FIELDS per row */
+    int32_t *value;        /* PADS per row */
+    int32_t *wait;         /* PADS per row: frames until it drains again */
     uint32_t first, count; /* the run's rows */
-    uint32_t drains;       /* so many rows drain */
+    uint32_t drains;       /* number of rows that drain */
 };
 
 extern const struct chip registers_chip;
 
-/* A new row, or NO_SLOT. */
+/* Appends a row with its start values; returns its index, or NO_SLOT when the list is full. */
 int32_t registers_add(struct registers *r, const struct register_rule *rule);
 struct register_rule registers_rule(const struct registers *r, uint32_t row);
 
@@ -50,16 +49,16 @@ static inline int32_t registers_get(const struct registers *r, uint32_t row, uin
     return r->value[row * PADS + p];
 }
 
-/* Sets it to v, or to the nearest that it may be. */
+/* Sets a register to v, clamped to its range. */
 void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v);
 
-/* Is it at its most? False for one that has none. */
+/* Returns whether a register is at its maximum; false if it has none. */
 bool registers_full(const struct registers *r, uint32_t row, uint32_t p);
 
-/* The rows from `first` on begin a game, for player p. */
+/* Resets n rows from `first` on to their start values for player p, for a new game. */
 void registers_start(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
-/* A frame of them. */
+/* Drains n rows from `first` on for player p by one frame. */
 void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * sparks.c - see sparks.h.
+ * sparks.c - particles (sparks.h).
  */
 #include "sparks.h"
 #include <string.h>
@@ -19,7 +19,7 @@ static const struct column columns[] = {
 const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
 const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-/* Where number k of n starts. Sets what is added to its direction. */
+/* Sets the start position of spark k of a burst; *outwards: the angle to add to its direction. */
 static void start(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
 {
     fx x = 0, y = 0;
@@ -40,7 +40,7 @@ uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age
 {
     uint32_t n = 1;
 
-    if (kind + n == kinds->s.live || kinds->life[kind + n]) /* it has one, as most */
+    if (kind + n == kinds->s.live || kinds->life[kind + n]) /* most kinds have one bank */
         return kinds->bank[kind];
     while (kind + n < kinds->s.live && kinds->life[kind + n] == 0)
         n++;

@@ -1,5 +1,5 @@
 /*
- * sprites.c - see sprites.h. Nothing moves by itself here; the chip is its columns.
+ * sprites.c - free sprites (sprites.h). Nothing moves by itself here; the chip is just its columns.
  */
 #include "sprites.h"
 

@@ -1,5 +1,5 @@
 /*
- * curtain.c - see curtain.h: opening, frames, what is seen and heard.
+ * curtain.c - the library's API (curtain.h): opening, frames, picture, sound, and facts about a run.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@ static uint8_t *aligned(uint8_t *p)
 
 /* ---- memory ---- */
 
-/* Hands out pieces of a block; `at` NULL: counts only. */
+/* A bump allocator for a block; `at` NULL: only counts bytes. */
 struct pieces {
     uint8_t *at;
     size_t n;
@@ -35,7 +35,7 @@ static uint32_t snapshots_of(const struct curtain_config *config)
     return config->snapshots == 0 ? LIB_SNAPSHOTS : config->snapshots;
 }
 
-/* Lays out everything behind *c. board: bytes of its RAM. */
+/* Lays out all memory after *c. board: size of the board's RAM in bytes. */
 static void lay_out(struct curtain *c, struct pieces *p, const struct curtain_config *config, size_t board)
 {
     const struct manifest *m = &c->cart.m;
@@ -64,7 +64,8 @@ static void lay_out(struct curtain *c, struct pieces *p, const struct curtain_co
         fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
 }
 
-/* Bytes of the plain ROM, and of the room that it needs here: none, if it is plain. 0: it cannot be read. */
+/* Returns the size of the plain ROM in bytes, or 0 when it cannot be read. *room: bytes needed to unpack it, 0 if it is
+ * plain already. */
 static size_t plain_size(const struct curtain_config *config, size_t *room, char *err, size_t err_size)
 {
     *room = 0;
@@ -95,8 +96,8 @@ size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, c
     return size;
 }
 
-/* Opens the plain ROM, and tells how much memory all takes, `room` bytes for that ROM among it; c->rom and c->cart are
- * good then. */
+/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `room` bytes for
+ * that ROM. */
 static bool look_at(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size, size_t room,
                     size_t *board, size_t *all, char *err, size_t err_size)
 {
@@ -116,7 +117,7 @@ static bool look_at(struct curtain *c, const struct curtain_config *config, cons
     piece(&p, sizeof *c);
     piece(&p, room);
     lay_out(&as_if, &p, config, *board);
-    *all = p.n + LIB_ALIGN; /* the block may begin anywhere */
+    *all = p.n + LIB_ALIGN; /* the block may start at any address */
     return true;
 }
 
@@ -279,7 +280,7 @@ const char *curtain_asked(const struct curtain *c)
 const char *curtain_log(const struct curtain *c)
 {
     const struct board_out *out = board_last(c->board);
-    struct curtain *to = (struct curtain *)c; /* the text alone, which is nothing's state */
+    struct curtain *to = (struct curtain *)c; /* only the text buffer changes, which is no part of the state */
     const size_t n = out->log_size < sizeof to->log_text ? out->log_size : sizeof to->log_text - 1;
 
     if (n > 0)
@@ -299,7 +300,7 @@ const char *curtain_fault(const struct curtain *c)
     return to->fault;
 }
 
-/* ---- what is seen and heard ---- */
+/* ---- picture and sound ---- */
 
 int curtain_width(const struct curtain *c)
 {
@@ -316,7 +317,7 @@ static void draw(struct curtain *c)
     if (c->drawn)
         return;
     board_draw(c->board, NULL, &c->fb, c->rgb, c->scratch);
-    for (int y = 0; y < c->fb.h; y++) /* rows close together: from the first one on, into what lies before */
+    for (int y = 0; y < c->fb.h; y++) /* pack the rows, in place: w bytes apart instead of pitch */
         memmove(c->fb.pix + (size_t)y * (size_t)c->fb.w, c->fb.pix + (size_t)y * (size_t)c->fb.pitch, (size_t)c->fb.w);
     c->drawn = true;
 }
@@ -347,7 +348,7 @@ size_t curtain_sound(struct curtain *c, int16_t *lr, size_t frames)
     return n;
 }
 
-/* ---- what a run is ---- */
+/* ---- the game and the run ---- */
 
 int curtain_core(void)
 {
@@ -376,7 +377,7 @@ const char *curtain_difficulty(const struct curtain *c, int i)
     return m->n_difficulties == 0 || i >= m->n_difficulties ? NULL : m->difficulties[i < 0 ? m->difficulty : i];
 }
 
-/* The k-th word that a switch can be; false: there is none. */
+/* Writes the k-th value of a switch to out; returns false when there is none. */
 static bool word_of(const struct dip *dip, int32_t k, char *out, size_t size)
 {
     if (k < 0 || (dip->number ? k > dip->hi - dip->lo : k >= dip->values))

@@ -1,5 +1,5 @@
 /*
- * curtain.h - libcurtain: a game's board as calls, for hosts with a loop of their own.
+ * curtain.h - libcurtain: a game's board as function calls, for hosts that have their own main loop.
  *
  *     struct curtain_config how = { .rom = rom, .rom_size = size, .seed = 1 };
  *     size_t room = curtain_memory(&how, err, sizeof err);
@@ -11,12 +11,13 @@
  *     }
  *     curtain_close(c);
  *
- * Any number of them at once, of one game or of several, each used by one thread at a time. The library takes no memory
- * but what it is given (and malloc's for demos, and while curtain_memory looks into a compressed ROM), opens no file,
- * reads no clock, prints nothing, and has no variable of its own. The same ROM, configuration and pads give the same
- * run on every machine; curtain_hash tells whether they did.
+ * Any number of instances can be open at once, of the same game or of several; each may be used by one thread at a
+ * time. The library uses only the memory it is given (and malloc for demos, and while curtain_memory inspects a
+ * compressed ROM). It opens no file, reads no clock, prints nothing, and has no global variables. The same ROM,
+ * configuration and pads give the same run on every machine; compare curtain_hash to check.
  *
- * Functions that can fail return false, NULL or 0 and put one sentence into err, of err_size bytes with its NUL.
+ * Functions that can fail return false, NULL or 0 and write one sentence to err, a buffer of err_size bytes including
+ * the NUL.
  */
 #ifndef CURTAIN_H
 #define CURTAIN_H
@@ -37,10 +38,11 @@ extern "C" {
 #define CURTAIN_API
 #endif
 
-/* Raised when a call changes; calls that come do not raise it. And what runs depend on: curtain_core(). */
+/* The API version: raised when an existing call changes, but not when calls are added. What runs depend on is
+ * curtain_core(). */
 #define CURTAIN_LIBRARY 1
 
-/* Buttons of a pad, to be added up. */
+/* Buttons of a pad; combine them with |. */
 enum {
     CURTAIN_UP = 1 << 0,
     CURTAIN_DOWN = 1 << 1,
@@ -55,99 +57,101 @@ enum {
 };
 enum { CURTAIN_PADS = 2 };
 
-/* What a run begins with, and what the host wants. All zero but the ROM is fine. Texts are copied. */
+/* How a run starts, and the host's options. Everything but the ROM may be zero. All data but the ROM is copied. */
 struct curtain_config {
-    const void *rom; /* a packed game, `curtain pack`, compressed or plain; it must stay where it is until
-                        curtain_close */
+    const void *rom; /* a packed game (`curtain pack`), compressed or plain; must stay in place until curtain_close */
     size_t rom_size;
     uint64_t seed;
-    const char *difficulty; /* one of the game's; NULL: its own choice */
-    const char *lang;       /* language of texts, "ja"; NULL: as the game is written */
-    const char *switches;   /* DIP switches, "coins=one pace=3"; NULL: as the game has them */
-    const char *section;    /* a practice start: "one", "one:mark", "queen/bloom"; NULL: the game from its title */
-    int lives;              /* of a practice start, 1 to 99; 0: as the ship has */
+    const char *difficulty; /* one of the game's; NULL: the game's default */
+    const char *lang;       /* language of the text, "ja"; NULL: the language the game is written in */
+    const char *switches;   /* DIP switches, "coins=one pace=3"; NULL: the game's defaults */
+    const char *section;    /* practice start: "one", "one:mark", "queen/bloom"; NULL: the game from its title */
+    int lives;              /* of a practice start, 1 to 99; 0: the ship's */
     bool invincible;        /* of a practice start */
-    const void *nvram;      /* score tables and saves, as curtain_nvram gave them; NULL: none yet */
+    const void *nvram;      /* score tables and saves, as returned by curtain_nvram; NULL: none yet */
     size_t nvram_size;
-    const void *demo; /* a recorded run: it begins as that did, and a frame without pads has its pads; NULL: none */
+    const void *demo; /* a recorded run: supplies the start, and the pads of frames called with pads NULL; NULL: none */
     size_t demo_size;
-    size_t state_room;  /* bytes for the pads of a run in a state, 5 for each change of them; 0: 128 KiB */
-    uint32_t snapshots; /* states that this process comes back to without playing them again; 0: 16 */
-    bool alarm;         /* ignored: it had a meaning once, and hosts that set it still compile */
+    size_t state_room;  /* bytes for the recorded pads of a state, 5 or more per change of pads; 0: 128 KiB */
+    uint32_t snapshots; /* snapshots held in this process, which curtain_load restores without replaying; 0: 16 */
+    bool alarm;         /* ignored; remains so that old hosts compile */
 };
 
 struct curtain;
 
-/* The version of what runs depend on. A demo or a state holds on the same one. */
+/* Returns the core version, which runs depend on. Demos and states are valid for the core version that made them. */
 CURTAIN_API int curtain_core(void);
 
-/* Where a ROM is to be opened more than once: the plain one of a compressed or plain ROM, which opens sooner. Writes it
- * into out and returns its bytes; out NULL: only returns them; 0: it cannot be read, or room is too small. */
+/* Unpacks a ROM that will be opened more than once, so that it opens faster. Writes the plain form of a compressed or
+ * plain ROM to out and returns its size in bytes; out NULL: only returns the size. Returns 0 when the ROM cannot be
+ * read or room is too small. */
 CURTAIN_API size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size);
 
-/* Bytes of memory that curtain_open wants for it; 0: this is no game that can run. */
+/* Returns the bytes of memory curtain_open needs for this configuration, or 0 when the game cannot run. */
 CURTAIN_API size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size);
 
-/* Powers the game up in that memory, which is the library's until curtain_close. A game whose scripts fail at once
- * opens, with CURTAIN_FAULT for its first event. */
+/* Powers the game up in the given memory, which belongs to the library until curtain_close. A game whose scripts fail
+ * at startup still opens; its first event is CURTAIN_FAULT. */
 CURTAIN_API struct curtain *curtain_open(const struct curtain_config *config, void *memory, size_t size, char *err,
                                          size_t err_size);
 
-/* The memory is the host's again. NULL is fine. */
+/* Closes the board and returns the memory to the host. NULL is ignored. */
 CURTAIN_API void curtain_close(struct curtain *c);
 
 /* ---- a frame ---- */
 
-/* What a frame has for the host; bits of curtain_frame. */
+/* Events of a frame: the bits curtain_frame returns. */
 enum {
-    CURTAIN_QUIT = 1 << 0,    /* the game asks to be left */
-    CURTAIN_ATTRACT = 1 << 1, /* it asks for a demo to be shown: curtain_attract */
-    CURTAIN_ASK = 1 << 2,     /* it asks for a screen of the host's: curtain_asked */
+    CURTAIN_QUIT = 1 << 0,    /* the game asks to quit */
+    CURTAIN_ATTRACT = 1 << 1, /* the game asks the host to show a demo: curtain_attract */
+    CURTAIN_ASK = 1 << 2,     /* the game asks for one of the host's screens: curtain_asked */
     CURTAIN_LOG = 1 << 3,     /* scripts printed, or a pool was full: curtain_log */
-    CURTAIN_SAVED = 1 << 4,   /* nvram is another, by this frame or by a state: curtain_nvram */
-    CURTAIN_MENU = 1 << 5,    /* a menu stands before a game: who has just come wants to know the keys */
-    CURTAIN_ENDED = 1 << 7,   /* the demo has come to its end */
-    CURTAIN_FAULT = 1 << 6    /* the run is over by an error: curtain_fault. Further frames do nothing. */
+    CURTAIN_SAVED = 1 << 4,   /* this frame, or a loaded state, changed nvram: curtain_nvram */
+    CURTAIN_MENU = 1 << 5,    /* a menu before the game is open: a good time to show the keys */
+    CURTAIN_ENDED = 1 << 7,   /* the demo has ended */
+    CURTAIN_FAULT = 1 << 6    /* an error ended the run: curtain_fault. Further frames do nothing. */
 };
 
-/* Plays a frame with these buttons held; returns its events. pads NULL: those of the demo, and none after its end. */
+/* Plays one frame with these buttons held; returns its events. pads NULL: uses the demo's pads, or none after the
+ * demo's end. */
 CURTAIN_API unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS]);
 
-/* Does nothing: every frame ends by itself. Hosts that call it still link. */
+/* Does nothing: every frame ends by itself. Remains so that old hosts link. */
 CURTAIN_API void curtain_interrupt(struct curtain *c);
 
-/* Of the last frame; good until the next one. Empty where there is none. */
+/* Text from the last frame, valid until the next one; "" when there is none. */
 CURTAIN_API const char *curtain_attract(const struct curtain *c); /* name of a demo in the ROM */
 CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" "replays" "practice" "keys" */
 CURTAIN_API const char *curtain_log(const struct curtain *c);     /* lines that end in \n */
 CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: what" and the traceback */
 
-/* The demo that the last frame asks for, for the .demo of another board, while this one stands still; NULL: it asks for
- * none, or the ROM has no such one. */
+/* Returns the demo the last frame asks for, or NULL when it asks for none or the ROM does not contain it. To show it,
+ * pass it as the .demo of another board while this one is paused. */
 CURTAIN_API const void *curtain_attract_demo(const struct curtain *c, size_t *size);
 
-/* ---- what is seen and heard ---- */
+/* ---- picture and sound ---- */
 
 CURTAIN_API int curtain_width(const struct curtain *c);
 CURTAIN_API int curtain_height(const struct curtain *c);
 
-/* The picture of the last frame, width x height palette indices, row by row; and its 256 colours, 0xRRGGBB. Drawn when
- * asked for, once a frame: a frame that nobody looks at costs no drawing. */
+/* Returns the picture of the last frame, width x height palette indices, row by row; and its palette of 256 colours,
+ * 0xRRGGBB. Each frame is drawn on the first call, so frames that are not shown cost no drawing. */
 CURTAIN_API const uint8_t *curtain_picture(struct curtain *c);
 CURTAIN_API const uint32_t *curtain_palette(struct curtain *c);
 
-/* The sound of the last frame, 800 stereo frames of 48 kHz, left first: writes those nobody took yet, at most so many,
- * and returns how many. What is not taken before the next frame is not heard. */
+/* Writes the next stereo frames of the last frame's sound (800 in all, at 48 kHz, left first), at most `frames`, and
+ * returns how many it wrote. Sound not read before the next curtain_frame is lost. */
 CURTAIN_API size_t curtain_sound(struct curtain *c, int16_t *lr, size_t frames);
 
-/* ---- what a run is ---- */
+/* ---- the game and the run ---- */
 
 CURTAIN_API const char *curtain_title(const struct curtain *c);
 CURTAIN_API const char *curtain_id(const struct curtain *c);
 CURTAIN_API int curtain_players(const struct curtain *c); /* 1 or 2 */
 
-/* What there is to choose in a configuration: the i-th difficulty, easiest first, -1: the game's own choice; NULL:
- * there is none. The i-th DIP switch, what it is now, and the k-th word it can be; false: there is none. */
+/* Choices for a configuration. curtain_difficulty returns the i-th difficulty, easiest first (-1: the game's default),
+ * or NULL when there is none. curtain_switches gets the i-th DIP switch and its current value, curtain_switch_value its
+ * k-th possible value; both return false when there is none. */
 struct curtain_switch {
     char name[16], value[16];
 };
@@ -155,45 +159,47 @@ CURTAIN_API const char *curtain_difficulty(const struct curtain *c, int i);
 CURTAIN_API bool curtain_switches(const struct curtain *c, int i, struct curtain_switch *out);
 CURTAIN_API bool curtain_switch_value(const struct curtain *c, int i, int k, char *value, size_t size);
 
-/* Frames played, and the hash of all that outlives a frame. */
+/* The length of the demo and of the run so far, in frames; and the hash of all state that persists between frames. */
 CURTAIN_API uint32_t curtain_demo_frames(const struct curtain *c); /* 0: there is no demo */
 CURTAIN_API uint32_t curtain_frames(const struct curtain *c);
 CURTAIN_API uint64_t curtain_hash(const struct curtain *c);
 
-/* Score tables and saves, to be kept between runs. The bytes are the same on every machine. */
+/* Returns the score tables and saves, for the host to store between runs. The bytes are the same on every machine. */
 CURTAIN_API const void *curtain_nvram(const struct curtain *c, size_t *size);
-CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* bytes it has at most */
+CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* its maximum size in bytes */
 
-/* Where the ship of player i (0 or 1) is, for hosts that steer: a finger, a mouse, a program. It decides nothing: what
- * comes of it are pads. Lengths are in 1/256 px of the field, which is as large as the picture's. False: that player is
- * not in play, and all is 0. */
+/* Gets the position of player i's ship (0 or 1), for hosts that steer it by touch, mouse or program. This does not
+ * affect the run: such hosts, too, steer by the pads they pass. Lengths are in 1/256 px of the field, whose pixels are
+ * those of the picture. Returns false, with all fields 0, when that player is not in play. */
 struct curtain_ship {
-    bool steers;                      /* its buttons move it: nobody talks, and the game does not stand still */
+    bool steers;                      /* its buttons move it: not frozen, in dialogue or just hit */
     int32_t x, y;                     /* its centre */
-    int32_t speed, slow;              /* how far it flies in a frame; with CURTAIN_FOCUS */
-    int32_t left, top, right, bottom; /* where its centre can be */
+    int32_t speed, slow;              /* distance it moves in a frame; the same with CURTAIN_FOCUS */
+    int32_t left, top, right, bottom; /* limits of its centre */
 };
 CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out);
 
 /* ---- states ----
  *
- * A state is how the run began and the pads so far, so every machine can load it. Where this process has kept the frame
- * itself (.snapshots: those of the last states, and some on the way) it comes back in microseconds; otherwise the run
- * is played again from the nearest such frame, about 10,000 frames a second. Bytes that are no state of this game, of
- * another core version or damaged are refused; whatever they are, they do no harm. */
+ * A state contains how the run started and the pads so far, so every machine can load it. When this process still has a
+ * snapshot of that frame (.snapshots: the last states saved, and some frames along the way), loading takes
+ * microseconds; otherwise the run is replayed from the nearest snapshot, at about 10,000 frames a second. Bytes that
+ * are damaged, belong to another game or core version, or are not a state at all are refused; untrusted bytes do no
+ * harm. */
 
-/* Bytes that are enough for every state of this game. */
+/* Returns a buffer size large enough for every state of this game. */
 CURTAIN_API size_t curtain_state_size(const struct curtain *c);
 
-/* Writes a state; returns its bytes, 0 when there is no room: the run has more changes of pads than .state_room has
- * room for. */
+/* Writes a state and returns its size in bytes, or 0 when `size` is too small or the run has more changes of pads than
+ * .state_room holds. */
 CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size);
 
-/* Goes to that state. False: all is as it was. */
+/* Loads a state. Returns false, and changes nothing, when it cannot. */
 CURTAIN_API bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size);
 
-/* The run as a demo, which every Curtain plays and verifies: it is played once more for it, and the board is then as it
- * was. Memory of malloc's, for curtain_demo_free; NULL as curtain_save gives 0. */
+/* Returns the run as a demo, which every Curtain can play and verify; replays the run to make it, then restores the
+ * board. Free the memory with curtain_demo_free. Returns NULL when memory is short, the run has more changes of pads
+ * than .state_room holds, or the replay stops early. */
 CURTAIN_API void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size);
 CURTAIN_API void curtain_demo_free(void *demo);
 

@@ -1,6 +1,6 @@
 /*
- * no_files.c - what recording into a file would call. The library records in memory, so none of it is called, and no
- * file is opened.
+ * no_files.c - stubs for the file functions that recording to a file uses. The library records in memory only, so they
+ * are never called and no file is opened.
  */
 #include "../../platform/platform.h"
 #include "../base/err.h"

@@ -1,5 +1,5 @@
 /*
- * pads_log.c - see pads_log.h.
+ * pads_log.c - the run-length encoding of a run's pads (pads_log.h).
  */
 #include "pads_log.h"
 

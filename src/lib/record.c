@@ -1,11 +1,12 @@
 /*
- * record.c - a run as a demo: played once more, hashed frame by frame. The board goes back to where it was.
+ * record.c - a run as a demo: replays the run, hashing every frame, then restores the board.
  */
 #include <stdlib.h>
 #include "../base/err.h"
 #include "lib.h"
 
-/* False and one sentence: no memory, or the run now ends in an error before its last frame. */
+/* Replays and records the run. Returns false and sets err when memory is short or the replay faults before the last
+ * frame. */
 static bool play_recorded(struct curtain *c, struct demo_writer *w, char *err, size_t err_size)
 {
     struct pads_run pads = pads_log_read(&c->log);

@@ -1,5 +1,5 @@
 /*
- * start.c - how a run begins: from a host's configuration, and as bytes of a state.
+ * start.c - how a run starts: from a host's configuration, and as the bytes in a state.
  */
 #include <string.h>
 #include "../base/bytes.h"
@@ -7,7 +7,7 @@
 #include "../base/hash.h"
 #include "lib.h"
 
-enum { TEXT = 64 /* bytes of a word in a configuration */ };
+enum { TEXT = 64 /* bytes of a word in a configuration, including the NUL */ };
 
 static bool plain(const char *text)
 {
@@ -17,7 +17,7 @@ static bool plain(const char *text)
     return true;
 }
 
-/* Copies a text of the host's. what: "section". */
+/* Copies a string from the host. what: its name in errors, "section". */
 static bool take(char *out, size_t size, const char *text, const char *what, char *err, size_t err_size)
 {
     if (!text)
@@ -43,7 +43,7 @@ static bool difficulty_of(struct board_start *start, const struct manifest *m, c
     return err_set(err, err_size, "unknown difficulty \"%.32s\"", name);
 }
 
-/* A whole number that takes all of the text. */
+/* Parses an integer; returns false when the whole string is not a valid number. */
 static bool number_of(const char *text, int32_t *out)
 {
     const bool minus = *text == '-';
@@ -70,7 +70,7 @@ static bool value_of(const struct dip *dip, const char *text, int32_t *out, char
     return true;
 }
 
-/* word: NAME=VALUE */
+/* word: "NAME=VALUE" */
 static bool set_switch(struct board_start *start, const struct manifest *m, char *word, char *err, size_t err_size)
 {
     char *equals = strchr(word, '=');
@@ -84,7 +84,7 @@ static bool set_switch(struct board_start *start, const struct manifest *m, char
     return err_set(err, err_size, "switches: unknown switch \"%s\"", word);
 }
 
-/* "coins=one pace=3" */
+/* text: "coins=one pace=3" */
 static bool switches_of(struct board_start *start, const struct manifest *m, const char *text, char *err,
                         size_t err_size)
 {
@@ -110,7 +110,7 @@ static bool nvram_of(struct lib_start *out, const void *nvram, size_t size, char
         return true;
     if (size > NVRAM_MOST)
         return err_set(err, err_size, "nvram: expected at most %d bytes, got %zu", NVRAM_MOST, size);
-    size = size < out->room ? size : out->room; /* what the game has no room for it never had */
+    size = size < out->room ? size : out->room; /* ignore bytes beyond the game's capacity */
     memcpy(out->nvram, nvram, size);
     out->start.nvram = out->nvram;
     out->start.nvram_size = size;
@@ -125,7 +125,7 @@ static void set_hash(struct lib_start *s)
     s->hash = hash_bytes(hash_bytes(HASH_START, head, n), s->nvram, s->start.nvram_size);
 }
 
-/* All that a demo began with. */
+/* Copies the start that a demo recorded. */
 static bool demo_start(struct lib_start *out, const struct demo *demo, const struct cart *cart, char *err,
                        size_t err_size)
 {
@@ -165,7 +165,8 @@ bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct c
 /* ---- as bytes ----
  *
  * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8
- * registers, 16 of them (32 bytes name, i32 value), u32 bytes of nvram, and these. Texts end in zeroes.
+ * number of registers, 16 registers (32 bytes name, i32 value), u32 size of nvram, and its bytes. Strings are padded
+ * with zeroes.
  */
 enum {
     DIPS = sizeof((struct board_start *)0)->dip / sizeof(int32_t),
@@ -181,7 +182,7 @@ static void put_text(uint8_t *at, const char *text, size_t size)
     memcpy(at, text, strlen(text));
 }
 
-/* False: no text that ends in zeroes. */
+/* Returns false unless the bytes are printable ASCII padded with zeroes. */
 static bool get_text(char *text, const uint8_t *at, size_t size)
 {
     memcpy(text, at, size);

@@ -1,5 +1,5 @@
 /*
- * states.c - states: how the run began and its pads, and the frames this process has kept.
+ * states.c - states: how the run started and its pads, and the frames this process has saved.
  *
  *      0  "CURTAINS"                    24  u32 frames             48  u32 CRC32 of all from byte 56 on
  *      8  u32 format (1)                28  u32 bytes of the start 52  u32 CRC32 of the first 52 bytes
@@ -7,8 +7,8 @@
  *     16  u64 game hash of the ROM      40  u64 state hash             the pads (pads_log.h)
  *                                          (36: u32 zero)
  *
- * Little-endian. A snapshot is known by its frame and by the digest of start and pads up to there: the board is
- * deterministic, so where both are equal it is that frame, whichever run it was kept in.
+ * Little-endian. A snapshot is identified by its frame and by the digest of the start and the pads up to that frame.
+ * The board is deterministic, so a snapshot that matches both is that frame, whichever run it was taken in.
  */
 #include <string.h>
 #include "../base/bytes.h"
@@ -31,7 +31,7 @@ static struct lib_snapshot *find(struct curtain *c, uint32_t frame, uint64_t dig
     return NULL;
 }
 
-/* The one wanted longest ago, of those from..to. */
+/* Returns the least recently used snapshot in from..to - 1. */
 static struct lib_snapshot *oldest(struct curtain *c, uint32_t from, uint32_t to)
 {
     struct lib_snapshot *best = NULL;
@@ -42,8 +42,8 @@ static struct lib_snapshot *oldest(struct curtain *c, uint32_t from, uint32_t to
     return best;
 }
 
-/* Of the frames kept on the way, the one whose neighbours are nearest to each other, seen from the present: so gaps
- * grow with age. The first one goes only when there is no other. */
+/* Returns the key snapshot to replace: an empty or future one if there is one, otherwise the one with the smallest gap
+ * between its neighbours relative to its age, so that gaps grow with age. */
 static struct lib_snapshot *least_missed(struct curtain *c, uint32_t present)
 {
     struct lib_snapshot *best = NULL;
@@ -84,16 +84,18 @@ void lib_keep_key(struct curtain *c)
         keep(c, least_missed(c, c->log.frames));
 }
 
-/* ---- going there ---- */
+/* ---- seeking ---- */
 
-/* Where to play from: the last frame of the pads that is kept, or that the board is at; else power-on. */
+/* Where to start replaying: the last frame of the pads that has a snapshot or that the board is at; otherwise
+ * power-on. */
 struct from {
     struct lib_snapshot *snapshot;
     bool present;
     uint32_t frame;
 };
 
-/* The pads of a run that began with that hash. now: the log that the board is at the end of; NULL: it is nowhere. */
+/* Finds the frame to start replaying the pads from. begin: the hash of how their run began. now: the log whose end the
+ * board is at; NULL: the board's current frame cannot be used. */
 static struct from search(struct curtain *c, struct pads_run pads, uint64_t begin, const struct pads_log *now)
 {
     struct pads_log empty = { 0 };
@@ -115,7 +117,7 @@ static struct from search(struct curtain *c, struct pads_run pads, uint64_t begi
     return from;
 }
 
-/* Brings the board to that frame. False: it cannot begin like that. */
+/* Brings the board to that frame. Returns false when the run cannot start like that. */
 static bool set_out(struct curtain *c, const struct from *from, char *err, size_t err_size)
 {
     c->drawn = c->sounding = false;
@@ -125,14 +127,14 @@ static bool set_out(struct curtain *c, const struct from *from, char *err, size_
     } else if (!from->present) {
         struct board *was = c->board;
         if (!lib_power(c, err, err_size)) {
-            c->board = was; /* the same place: only what is restored there is good now */
+            c->board = was; /* the same memory: it is valid again only after a restore */
             return false;
         }
     }
     return true;
 }
 
-/* Plays the pads from that frame on; c->log becomes theirs. */
+/* Replays the pads from that frame on; afterwards c->log is their log. */
 static bool go(struct curtain *c, struct pads_run pads, const struct from *from, char *err, size_t err_size)
 {
     pads_log_begin(&c->log, c->begin.hash);
@@ -188,7 +190,8 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     return HEAD + start + pads;
 }
 
-/* The pads of a state that can be loaded, and c->spare its start; false and a sentence for any other bytes. */
+/* Checks the bytes of a state, reads its start into c->spare and points *pads at its pads. Returns false and sets err
+ * for any bytes that cannot be loaded. */
 static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct pads_run *pads, char *err,
                        size_t err_size)
 {
@@ -220,7 +223,8 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
     return length <= c->log.room ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
 }
 
-/* Of nvram, and how often it was written. What was saved on the way to a state is told like what a frame saves. */
+/* Returns a hash of nvram, and the number of writes to it. Writes to nvram during a load are reported like those of a
+ * frame. */
 static uint64_t hash_of_saves(const struct curtain *c, uint32_t *writes)
 {
     size_t size;

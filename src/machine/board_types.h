@@ -1,5 +1,5 @@
 /*
- * board_types.h - what a host gives a board, and what a board hands out.
+ * board_types.h - the inputs a host passes to a board and the output a board returns.
  */
 #ifndef MACHINE_BOARD_TYPES_H
 #define MACHINE_BOARD_TYPES_H
@@ -9,17 +9,17 @@
 #include <stdint.h>
 
 enum {
-    MAX_PARTS = 64,       /* state hashes in a track: one a part; a set of parts is a uint64_t, 1 << part */
-    NVRAM_MOST = 1 << 20, /* bytes of an image of score tables and saves (nvram.h); board.nvram says what fits */
-    MAX_TEXT = 65536      /* bytes of a text in a script; a longer one is FAULT_MEMORY */
+    MAX_PARTS = 64,       /* state hashes in a track, one per part; a uint64_t holds a set of parts: 1 << part */
+    NVRAM_MOST = 1 << 20, /* bytes, the largest NVRAM image (nvram.h); a game's own limit is board.nvram */
+    MAX_TEXT = 65536      /* bytes in a script string; a longer one raises FAULT_MEMORY */
 };
 
 enum board_fault_kind {
     FAULT_NONE,
-    FAULT_SCRIPT, /* an error no pcall may catch, or an uncaught one */
+    FAULT_SCRIPT, /* an uncaught error, or one that pcall must not catch */
     FAULT_MEMORY, /* out of Lua RAM */
-    FAULT_STACK,  /* call depth */
-    FAULT_LOOP,   /* over 2 * 10^8 VM instructions, or work in C worth as many, in one tick */
+    FAULT_STACK,  /* call depth exceeded */
+    FAULT_LOOP,   /* over 2 * 10^8 VM instructions, or equivalent work in C, in one tick */
 };
 
 struct board_fault {
@@ -28,114 +28,115 @@ struct board_fault {
     char trace[2048];  /* Lua traceback, lines separated by \n */
 };
 
-/* A practice start: one section of the game, again and again, as @std/boot plays it. Zero: the game from its title.
- * With PRACTICE_LIST as its section nothing is played: from the first tick on the board tells every section there is,
- * as markers, and then MARKER_LISTED. The other fields need a section. */
+/* A practice start: @std/boot plays one section of the game repeatedly. All zero: the game starts at its title.
+ * If the section is PRACTICE_LIST, nothing is played: starting at the first tick, the board lists every section as
+ * markers, followed by MARKER_LISTED. The other fields need a section. */
 enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
 #define PRACTICE_LIST "?"
 struct practice {
     char section[64]; /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
-    int32_t lives;    /* so many in all, 1 to PRACTICE_LIVES, as player.def counts them; 0: as the ship's kind says */
-    bool invincible;  /* nothing hits a player; bullets pass through, and grazes count */
+    int32_t lives;    /* total lives, 1 to PRACTICE_LIVES, counted as in player.def; 0: the ship kind's default */
+    bool invincible;  /* nothing hits a player: bullets pass through; grazes still count */
     int32_t registers;
     struct {
         char name[32];
         int32_t value;
-    } reg[PRACTICE_REGISTERS]; /* so many registers of the ship start with these values */
+    } reg[PRACTICE_REGISTERS]; /* starting values of the ship's registers; `registers` entries are used */
 };
 
-/* All that reaches a board besides ROM and pads; every field is in the demo header. Zero is a fine default but for
- * difficulty. */
+/* Every input of a board other than ROM and pads; the demo header stores all fields. Zero is a good default for every
+ * field except difficulty. */
 struct board_start {
     uint64_t seed;
-    int32_t dip[16];    /* a value for each DIP of the manifest, in its order */
+    int32_t dip[16];    /* one value per DIP switch, in the manifest's order */
     int32_t difficulty; /* index into the manifest's list; -1: the manifest's default */
     struct practice practice;
-    char lang[16];        /* the language of texts, printable ASCII; "": none, as the game is written */
+    char lang[16];        /* language of the game's text, printable ASCII; "": the game's original language */
     const uint8_t *nvram; /* NULL: blank */
     size_t nvram_size;    /* at most NVRAM_MOST */
 };
 
 enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT, REQUEST_ASK };
 
-/* Screens of the host that a script can ask for. */
+/* Host screens that a script can request. */
 enum board_ask { ASK_SETTINGS, ASK_REPLAYS, ASK_PRACTICE, ASK_KEYS, ASKS };
 
-/* Markers by which a player finds their way in a run; and what PRACTICE_LIST tells. Telling one changes no RAM. */
+/* Markers that help a player navigate a run, and the entries that PRACTICE_LIST reports. Adding a marker changes no
+ * RAM. */
 enum board_marker_kind {
-    MARKER_STAGE, /* a stage starts; its name */
-    MARKER_MARK,  /* stage.mark; its name, of the stage */
-    MARKER_WAVE,  /* stage.wave; the kind of its enemies */
-    MARKER_BOSS,  /* a boss flies in; its name and title */
-    MARKER_PHASE, /* one of its phases starts; the phase's id, of the boss, and its spell */
-    MARKER_DEATH, /* a player dies; "1" or "2" */
-    MARKER_CLEAR, /* a stage has come to its end; its name */
-    MARKER_WON,   /* a phase was beaten; its id, of the boss */
-    MARKER_LOST,  /* a phase is over and was not beaten; its id, of the boss */
-    MARKER_START, /* a practice start's section begins, for the first time or anew */
+    MARKER_STAGE, /* a stage starts; name: the stage */
+    MARKER_MARK,  /* stage.mark; name: the mark, of: the stage */
+    MARKER_WAVE,  /* stage.wave; name: the kind of its enemies */
+    MARKER_BOSS,  /* a boss flies in; name and title: the boss's */
+    MARKER_PHASE, /* a boss phase starts; name: the phase's id, of: the boss, title: its spell */
+    MARKER_DEATH, /* a player dies; name: "1" or "2" */
+    MARKER_CLEAR, /* a stage was completed; name: the stage */
+    MARKER_WON,   /* a phase was beaten; name: its id, of: the boss */
+    MARKER_LOST,  /* a phase ended without being beaten; name: its id, of: the boss */
+    MARKER_START, /* the section of a practice start begins or restarts */
 
-    /* of PRACTICE_LIST, which tells stages, marks, bosses and phases too */
-    MARKER_SHIP,     /* a ship; its kind, and its lives in all. The first is the one practice is played with */
-    MARKER_REGISTER, /* a register of the first; name and value */
+    /* only in the output of PRACTICE_LIST, which also reports stages, marks, bosses and phases */
+    MARKER_SHIP,     /* a ship; name: its kind, value: total lives. Practice uses the first ship */
+    MARKER_REGISTER, /* a register of the first ship; its name and value */
     MARKER_LISTED,   /* the list is complete */
 
-    /* of a run again */
-    MARKER_GAME, /* a game starts; the kind of the first player's ship, value: players */
-    MARKER_OVER, /* it is over; "clear" (all stages), "over" (no lives) or "quit", value: stages that were cleared */
-    MARKER_ROW,  /* a score is entered; the table's name, of the ship, value: the row in its table, 1 the best */
+    /* markers of a run, continued */
+    MARKER_GAME, /* a game starts; name: the kind of the first player's ship, value: number of players */
+    MARKER_OVER, /* a game ends; name: "clear" (all stages), "over" (no lives) or "quit", value: stages cleared */
+    MARKER_ROW,  /* a score is entered; name: the table, of: the ship, value: the row in its table, 1 is the best */
     MARKER_KINDS
 };
 
-/* Does a marker of that kind say something about a run? Else it is of PRACTICE_LIST. */
+/* Returns whether markers of this kind describe a run; the others belong to PRACTICE_LIST. */
 static inline bool board_marks_run(enum board_marker_kind kind)
 {
     return kind < MARKER_SHIP || kind > MARKER_LISTED;
 }
 
-enum { BOARD_MARKERS = 16 /* of a tick; what is more is not told */ };
+enum { BOARD_MARKERS = 16 /* most markers per tick; the rest are dropped */ };
 struct board_marker {
     enum board_marker_kind kind;
     int32_t value;
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
-/* A pool had no room, for the first time in this run. line: the log's, with "FILE:LINE: " of the script before it. */
+/* A pool that was full for the first time in this run. line: the log line, starting with the script's "FILE:LINE: ". */
 enum { FULLS = 13 /* pools that can be full */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];
 };
 
-/* What a tick hands the cabinet; good until the next tick. Never hashed. */
+/* The output of a tick for the cabinet, valid until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
-    char attract[64];   /* the demo lump's name, with REQUEST_ATTRACT */
+    char attract[64];   /* name of the demo lump, with REQUEST_ATTRACT */
     enum board_ask ask; /* with REQUEST_ASK */
-    const char *log;    /* what print wrote in this tick, cut after LOG_BYTES, and a line for each pool that was full;
-                             lines end in \n */
+    const char *log;    /* output of print in this tick, cut off after LOG_BYTES, then a line per full pool; lines end
+                             in \n */
     size_t log_size;
     struct board_marker marker[BOARD_MARKERS];
     int markers;
     struct board_full full[FULLS];
     int fulls;
-    bool menu;                       /* a menu before a game stands: who has just come needs to know the keys */
-    const struct board_fault *fault; /* NULL: none. With a fault the run is over. */
+    bool menu;                       /* a pre-game menu is shown: the host should show the keys to a new player */
+    const struct board_fault *fault; /* NULL: none. A fault ends the run. */
 };
 
-/* The phases of a tick, so that the host can measure them: the board cannot read a clock. `done` is called at the end
- * of each phase, in this order (while the game is frozen, without motion), with the host's settings put aside. It must
- * not touch the board. NULL, as after power-on and after a restore: nothing is called. */
+/* The phases of a tick. The host measures them, because the board cannot read a clock: a board_phase_done callback runs
+ * at the end of each phase, in this order (without PHASE_MOTION while the game is frozen), with the host's settings set
+ * aside. It must not touch the board. NULL, the value after power-on and after a restore, means no callback. */
 enum board_phase {
     PHASE_SCRIPTS, /* input, and the tasks' turns */
-    PHASE_MOTION,  /* everything moves; what leaves the keep box is dropped */
-    PHASE_HITS,    /* collisions, and their events */
-    PHASE_EVENTS,  /* the effects of the events, and the scripts' handlers */
-    PHASE_REST,    /* palette, the Lua collector */
+    PHASE_MOTION,  /* everything moves; entities that leave the keep box are dropped */
+    PHASE_HITS,    /* collision detection, which raises events */
+    PHASE_EVENTS,  /* the effects of events, and script event handlers */
+    PHASE_REST,    /* palette, Lua garbage collection */
     PHASES
 };
 typedef void board_phase_done(void *context, enum board_phase phase);
 
-/* Work counters for benches: what the last frame moved, tested, hit and grazed. Derived, never hashed. */
+/* Work counters for benchmarks: entities moved, tested, hit and grazed in the last frame. Derived, never hashed. */
 struct board_counts {
     uint64_t moved, tested, hit, grazed;
 };

@@ -1,20 +1,21 @@
 /*
- * emit.c - see emit.h. The patterns are those of scripts/pattern.lua, calculated as Lua does there: with the same
- * doubles in the same order, so that they fire the same to the bit.
+ * emit.c - see emit.h. The patterns match those of scripts/pattern.lua bit for bit: the same operations on doubles, in
+ * the same order.
  */
 #include "emit.h"
 #include <assert.h>
 #include <string.h>
 #include "machine.h"
 
-enum { FIRST_ROOM = 64, A_TARGET = 8 /* looking at so many is a unit of work */ };
+enum { FIRST_ROOM = 64, A_TARGET = 8 /* targets examined per unit of work */ };
 
 void emit_none(struct board *b)
 {
     b->output->emissions = (struct emissions){ 0 };
 }
 
-/* Makes room for one more. The list of the frame before is still there, but a restore forgets where. */
+/* Grows the queue. The list of the previous frame is reused; emit_room finds it, because a restore loses the pointer.
+ */
 static void grow(const struct board *b, struct emissions *q)
 {
     size_t size = (q->room ? 2 * q->room : FIRST_ROOM) * sizeof *q->list;
@@ -26,7 +27,7 @@ static void grow(const struct board *b, struct emissions *q)
     q->room = (uint32_t)(size / sizeof *list);
 }
 
-/* Has the number a name? *v: the value that it names. */
+/* Returns whether the number refers to a named value, and stores that value in *v. */
 static bool named(const struct motion_emit *e, const struct emission *m, int number, fx *v)
 {
     bool is;
@@ -48,7 +49,7 @@ static double number(const struct motion_emit *e, const struct emission *m, int 
     return named(e, m, n, &v) ? fx_to_double(fx_clamp(v, -most * FX_ONE, most * FX_ONE)) : plain;
 }
 
-/* The emit, with values in the place of names. */
+/* Loads the emit step, with named values replaced by their numbers. */
 static void emit_of(const struct board *b, const struct emission *m, struct motion_emit *e)
 {
     fx v;
@@ -74,7 +75,7 @@ static void emit_of(const struct board *b, const struct emission *m, struct moti
             e->value[k] = v;
 }
 
-/* How many it fires from the i-th on, i < n: all but those that are skipped. */
+/* Returns how many bullets it fires from the i-th on, i < n, without the skipped ones. */
 static uint32_t left(const struct motion_emit *e, int32_t i)
 {
     const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->last < e->n ? e->last : e->n;
@@ -174,12 +175,12 @@ void emit_way(const struct emit_figure *f, int32_t i, struct emit_way *out)
     }
 }
 
-/* What one emission fires: what all of it have, and what the next has. */
+/* The bullets of one emission: what they share, and the shape of the next one. */
 struct volley {
     struct motion_emit e;
     struct bullet_shape shape;
     struct emit_figure f;
-    fx x, y; /* from where */
+    fx x, y; /* origin */
     bool aim;
 };
 
@@ -191,7 +192,7 @@ static fx nearest(double v)
     return out;
 }
 
-/* A line is aimed once, from its middle. */
+/* Prepares a line, which is aimed once, from its middle. */
 static void settle_line(struct board *b, const struct emission *m, struct volley *v)
 {
     const struct targets t = board_world(b, v->e.flags & EMIT_SHOTS).targets;
@@ -282,7 +283,7 @@ static void fire(struct board *b, const struct emission *m)
     for (int32_t i = 0; i < v.e.n; i++) {
         if (i + 1 >= v.e.first && i + 1 <= v.e.last)
             continue;
-        if (!fire_one(b, &v, i)) { /* nor will the others find room */
+        if (!fire_one(b, &v, i)) { /* the pool is full for the rest, too */
             emit_refuse(b, v.e.flags & EMIT_SHOTS, left(&v.e, i) - 1);
             break;
         }

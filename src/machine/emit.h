@@ -1,14 +1,14 @@
 /*
- * emit.h - what motion programs fire (the step `emit`).
+ * emit.h - bullets and shots fired by motion programs (the step `emit`).
  *
- * A program that comes to an emit queues it, with the place and direction of its bullet at that moment. When all have
- * moved and hits were found, the queue is fired in its order: shots' emits, then bullets', each in slot order, so the
- * order in which slots are taken is nowhere seen. What is fired moves in the next frame, as if a task had fired it at
- * the start of that. Between frames the queue is empty.
+ * A program that reaches an emit step queues it, with its bullet's position and direction at that moment. After motion
+ * and hit detection, the queue is fired in order: the emits of shots, then those of bullets, each by slot, so the order
+ * in which slots are allocated has no effect. New bullets first move in the next frame, as if a task had fired them at
+ * its start. Between frames the queue is empty.
  *
- * There is an end to it: an emit fires one bullet or more, so of those that a frame brings, no more than the pool has
- * slots can matter, and of the others only their bullets are counted, as refused. The queue stands in Lua's heap, where
- * it grows to that size as it is needed; a game whose programs fire nothing has none.
+ * The queue is bounded: every emit fires at least one bullet, so a frame cannot use more emits than the pool has slots.
+ * The bullets of any further emits are only counted, as refused. The queue is allocated in Lua's heap and grows to that
+ * size on demand; a game whose programs fire nothing has no queue.
  */
 #ifndef MACHINE_EMIT_H
 #define MACHINE_EMIT_H
@@ -22,54 +22,57 @@ struct board;
 struct emission {
     int64_t x, y; /* Q32 */
     ang dir;
-    uint32_t step; /* the emit in the list of steps */
-    uint32_t by;
-    uint16_t player, shot; /* shot: 1: a shot fires it */
-    fx value[MAX_VALUES];  /* of what fires it */
+    uint32_t step;         /* index of the emit step in the list of steps */
+    uint32_t by;           /* owner_task of the bullet or shot that fires it */
+    uint16_t player, shot; /* shot: 1 if a shot fires it, 0 for a bullet */
+    fx value[MAX_VALUES];  /* values of the bullet or shot that fires it */
 };
 _Static_assert(sizeof(struct emission) == 48, "snapshots of Lua's heap copy this struct, so it must not have padding");
 
 struct emissions {
-    struct emission *list; /* NULL: nothing was queued in this frame */
-    uint32_t n, room;
-    uint32_t of[2];   /* those of them that fire bullets, and shots */
-    uint64_t over[2]; /* bullets, and shots, of emits that found no room */
+    struct emission *list; /* NULL: nothing has been queued in this frame */
+    uint32_t n, room;      /* emissions in the list, and its capacity */
+    uint32_t of[2];        /* number of queued emits that fire bullets [0] and shots [1] */
+    uint64_t over[2];      /* bullets [0] and shots [1] of emits that did not fit in the queue */
 };
 
 /* Empties the queue. */
 void emit_none(struct board *b);
 
-/* struct motion_world's emit; its context is the board. Raises Lua's error when there is no memory. */
+/* Queues step st of bullet i: the `emit` callback of struct motion_world, whose context is the board. Raises a Lua
+ * error when out of memory. */
 void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t i, uint32_t st);
 
-/* Fires what was queued, which counts as work. For vm_call. */
+/* Fires the queued emits and counts the work. Call only inside vm_call. */
 void emit_run(struct board *b);
 
-/* A pattern of n, as numbers: the bullets of ring, fan, arc, stack and line differ in these alone. */
+/* The parameters of a pattern of n bullets: all that differs between the bullets of a ring, fan, arc, stack or line. */
 struct emit_figure {
     uint8_t pattern; /* enum emit_pattern */
     int32_t n;
     double dir, speed; /* degrees, px/frame */
-    double size;       /* as of struct motion_emit */
-    fx cos30, sin30;   /* of a line: of its direction */
+    double size;       /* see struct motion_emit */
+    fx cos30, sin30;   /* of a line's direction; unused by other patterns */
 };
 
-/* Degrees and px/frame of bullet i, 0 <= i < n, and how far a line's is from the middle: the doubles that
- * scripts/pattern.lua computes, bit for bit. */
+/* Direction (degrees) and speed (px/frame) of one bullet of a pattern and, in a line, its offset from the middle (px).
+ * The doubles are bit for bit the ones scripts/pattern.lua computes. */
 struct emit_way {
     double dir, speed, dx, dy;
 };
+
+/* Computes bullet i of the pattern, 0 <= i < n. */
 void emit_way(const struct emit_figure *f, int32_t i, struct emit_way *out);
 
-/* Sets a line's cos30 and sin30, from its dir. */
+/* Sets cos30 and sin30 of a line from its dir. */
 void emit_turn(struct emit_figure *f);
 
-/* Counts and logs n bullets (or shots) more that a full pool refused. */
+/* Counts and logs n more bullets (or shots) refused by a full pool. */
 void emit_refuse(struct board *b, bool shot, uint64_t n);
 
-/* Fires a bullet or shot: sets the shape's hp and cloud, and counts and logs it when there is no room (NO_SLOT). pace:
- * its speed in Q32, of which only fine ones have more than shape->speed. clock: of the frame in which it first moves.
- */
+/* Fires a bullet or shot, after setting the shape's hp, pierce and clouded from its kind. Returns its slot, or NO_SLOT
+ * if the pool is full, which is counted and logged. pace: the speed in Q32, used only if the shape is fine (the others
+ * use shape->speed). clock: the clock of the frame in which it first moves. */
 int32_t emit_fire(struct board *b, bool shot, struct bullet_shape *shape, int64_t pace, uint32_t clock);
 
 #endif

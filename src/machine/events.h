@@ -1,6 +1,6 @@
 /*
- * events.h - what happened this frame, in the order it was found. Empty between frames. Kept as columns, for there is
- * room for several a bullet, and a struct would be 7 bytes of padding larger.
+ * events.h - the events of the current frame, in the order they were detected. Empty between frames. Stored as columns:
+ * the list can hold several events per bullet, and an array of structs would waste 7 bytes of padding each.
  */
 #ifndef MACHINE_EVENTS_H
 #define MACHINE_EVENTS_H
@@ -11,7 +11,7 @@
 enum event_kind {
     EV_GRAZE, /* a: player, b: bullet or laser handle */
     EV_HIT,   /* a: player, b: handle of what hit it */
-    EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes the shot's damage */
+    EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes its damage */
     EV_DEATH, /* a: player */
     EV_GAME_OVER,
     EV_KILL,     /* a: enemy handle, b: player or 0 */
@@ -20,17 +20,17 @@ enum event_kind {
     EV_TAKE,     /* a: player, b: item handle */
     EV_BOMB,     /* a: player, b: 1 if the bomb saves it from a hit */
     EV_CONTINUE, /* a: player */
-    EV_SCRIPT,   /* a: index of what sys.emit queued */
-    EV_BLOCK,    /* a: bullet handle, b: enemy handle: the bullet goes */
-    EV_LASER,    /* a: handle of a player's laser that touches enemies */
-    EV_FIRED,    /* a: bullet handle, b: root of the document that fired it << 32 | label + 1 */
-    EV_MEET      /* the last: EV_MEET + n of pair n. a, b: bullet handles, of the pair's first and second tag */
+    EV_SCRIPT,   /* a: index of the event that sys.emit queued */
+    EV_BLOCK,    /* a: handle of the bullet, which despawns, b: handle of the enemy that blocks it */
+    EV_LASER,    /* a: handle of a player's laser that touches an enemy */
+    EV_FIRED,    /* a: bullet handle, b: root of the BulletML document that fired it << 32 | label + 1 */
+    EV_MEET      /* last: pair n is EV_MEET + n. a, b: handles of the bullets with the pair's first and second tag */
 };
 
 struct event {
     int64_t a, b;
     uint32_t kind; /* enum event_kind */
-    uint32_t pair; /* of EV_MEET; else 0 */
+    uint32_t pair; /* index of the tag pair, for EV_MEET; otherwise 0 */
 };
 
 struct events {
@@ -39,10 +39,10 @@ struct events {
     uint8_t *kind;
 };
 
-/* Bytes of RAM that so many take. */
+/* Returns the bytes of RAM that cap events take. */
 uint64_t events_size(uint32_t cap);
 
-/* Points the columns into memory of events_size(cap) bytes, aligned as an int64_t, and empties them. */
+/* Initialises an empty list of capacity cap in the events_size(cap) bytes at `at`, aligned for int64_t. */
 void events_layout(struct events *e, uint32_t cap, uint8_t *at);
 
 static inline struct event events_at(const struct events *e, uint32_t i)
@@ -52,7 +52,8 @@ static inline struct event events_at(const struct events *e, uint32_t i)
     return (struct event){ e->a[i], e->b[i], kind - pair, pair };
 }
 
-/* False: no room, which ends the run (the capacity holds all that one frame can raise by itself). */
+/* Appends an event. Returns false if the list is full, which ends the run: the capacity covers every event that a frame
+ * can raise by itself. */
 static inline bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
 {
     if (e->n == e->cap)

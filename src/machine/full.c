@@ -1,7 +1,8 @@
 /*
- * full.c - the log line of a pool that is full. A full pool is no error: a new thing is not made, and `refused` counts
- * up. As its cause is hard to find for an author who did not mean it, a run's first refusal is a line of the log.
- * Whether it was logged follows from `refused`, so a run that goes on from a snapshot logs it in the same frame.
+ * full.c - the log line of a full pool. A full pool is not an error: the new entity is not made, and `refused` is
+ * incremented. Because an author who did not intend this would find the cause hard to track down, the first refusal of
+ * a run is logged. Whether it was logged follows from `refused`, so a run resumed from a snapshot logs it in the same
+ * frame.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,8 +11,8 @@
 struct wording {
     const struct chip *chip;
     const char *pool;
-    const char *effect; /* of the full pool */
-    const char *set_by; /* the capacity's name in rom.lua's board */
+    const char *effect; /* what a full pool causes */
+    const char *set_by; /* name of the capacity in `board` of rom.lua */
 };
 
 static const struct wording wordings[] = {
@@ -44,7 +45,8 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     return NULL;
 }
 
-/* The log has room for FULLS of these lines behind LOG_BYTES of print. A print that was cut gets a line's end. */
+/* Appends a line to the log, which has room for FULLS of them after LOG_BYTES of print output. If that output was cut
+ * off, its last byte becomes \n. */
 static void add_line(struct output *o, const char *line)
 {
     size_t n = strlen(line), room = sizeof o->log - o->log_size;
@@ -58,7 +60,7 @@ static void add_line(struct output *o, const char *line)
     o->log_size += n + 1;
 }
 
-/* Removes that line from the log, if it is in it. */
+/* Removes this line from the log, if present. */
 static void remove_line(struct output *o, const char *line)
 {
     const size_t n = strlen(line);
@@ -90,7 +92,7 @@ void board_full(struct board *b, const struct slots *s)
 
     if (!w)
         return;
-    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* of what is counted, a slot */
+    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* units reported per slot */
     b->calls->where(b, place, sizeof place);
     f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;

@@ -1,6 +1,6 @@
 /*
- * handle.h - handles: whole numbers by which scripts name things. Bits 63..62 are 01, then come 30 bits generation, 8
- * bits kind, 24 bits slot. A handle is dead when its generation is not the slot's.
+ * handle.h - handles: integers by which scripts refer to things. Bits 63..62 are 01, followed by 30 bits of generation,
+ * 8 bits of kind and 24 bits of slot. A handle is dead when its generation differs from its slot's.
  */
 #ifndef MACHINE_HANDLE_H
 #define MACHINE_HANDLE_H
@@ -9,8 +9,8 @@
 #include <stdint.h>
 #include "../base/slots.h"
 
-/* H_GROUP, H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups: of bullets, shots and so on. Their slot is a tag, 0:
- * all. */
+/* H_GROUP, H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups (of bullets, shots and so on); their slot field is a
+ * tag, 0: all. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,
@@ -25,7 +25,7 @@ enum handle_kind {
     H_ITEM,
     H_ITEMS,
     H_LINE,
-    H_LAYER, /* of the background; its slot is that of struct bg */
+    H_LAYER, /* a background layer; the slot is one of struct bg */
     H_PLANE,
     H_LASER,
     H_LASERS,

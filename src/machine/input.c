@@ -31,14 +31,14 @@ static uint64_t *presses(struct input *in, uint32_t p, uint32_t button, enum pre
     return &in->presses[(p * PRESS_SIDES + (uint32_t)side) * PAD_BUTTONS + button];
 }
 
-/* Presses of at most n frames. */
+/* Returns the mask of presses that are at most n frames old. */
 static uint64_t younger(uint32_t n)
 {
     return ((uint64_t)2 << n) - 1;
 }
 
-/* Buttons that are down repeat after a while: counts their frames. Of those that are not it is 0, and was unless they
- * were down. */
+/* Counts the frames for which buttons are held, and sets `repeated`. The count of a button that is up is 0, so only
+ * buttons that are or were down need an update. */
 static void count_frames(struct input *in, uint32_t p, unsigned now, unsigned was)
 {
     for (unsigned m = now | was; m; m &= m - 1) {

@@ -1,5 +1,5 @@
 /*
- * item.c - items on the board: where they come from, and what attracts them.
+ * item.c - items on the board: spawning them, and what attracts them.
  */
 #include "machine.h"
 #include "../base/trig.h"
@@ -34,7 +34,7 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y)
     put(b, kind, x, y);
 }
 
-/* Is the register at its most at which all items come to player i? */
+/* Returns whether the register that makes player i attract all items is at its maximum. */
 static bool draws_all(const struct board *b, uint32_t i)
 {
     const uint8_t full = b->player_kinds.full[b->player.kind[i]];

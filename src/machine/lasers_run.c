@@ -1,7 +1,7 @@
 /*
  * lasers_run.c - see lasers_run.h.
  *
- * A laser and its head, a bullet, are taken and dropped together, so they have the same slot and the same generation.
+ * A laser and its head, a bullet, are allocated and released together, so they have the same slot and generation.
  */
 #include "lasers_run.h"
 #include <assert.h>
@@ -36,7 +36,7 @@ static bool dangerous(const struct board *b, uint32_t i, uint32_t age)
     return s == LASER_GROW || s == LASER_ON;
 }
 
-/* Where the end of a beam or bolt is that its head is not at. */
+/* Updates the end of a beam or bolt that is opposite its head. */
 static void place_end(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -91,8 +91,8 @@ void lasers_remove(struct board *b, uint32_t i)
 
 /* ---- moves ---- */
 
-/* Where a thing is, or was a frame before; all others have moved when lasers do. Another laser is always where it was,
- * so that it does not matter whose slot is lower. */
+/* Stores the position of an entity now or, with `before`, before this frame's move; all others have moved when lasers
+ * do. For another laser both are its position before the move, so that the order of slots does not matter. */
 static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
 {
     const struct board *b = w->context;
@@ -137,7 +137,7 @@ static struct motion_world world(const struct board *b, bool shoots)
     return w;
 }
 
-/* Where a thing looks; false: it has no direction. */
+/* Stores the direction of an entity. Returns false if it has none. */
 static bool looks(const struct board *b, int64_t h, ang *dir)
 {
     const uint32_t i = handle_slot(h);
@@ -162,7 +162,7 @@ static fx within_world(int64_t v)
     return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
 }
 
-/* The beam goes where what it follows is. False: that one is gone. */
+/* Moves laser i to the entity it follows. Returns false if that is dead. */
 static bool follow(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -182,7 +182,7 @@ static bool follow(struct board *b, uint32_t i)
     return true;
 }
 
-/* Has everything of it left the keep box? */
+/* Returns whether all of the laser is outside the keep box. */
 static bool is_outside(const struct board *b, uint32_t i)
 {
     fx x, y, x0 = FX_MAX, y0 = FX_MAX, x1 = FX_MIN, y1 = FX_MIN;
@@ -202,7 +202,7 @@ static bool is_kept(const struct board *b, fx x, fx y)
     return x >= b->keep.x0 && x <= b->keep.x1 && y >= b->keep.y0 && y <= b->keep.y1;
 }
 
-/* A bolt comes out of where it was fired. */
+/* Moves a bolt, which grows out of the point where it was fired. */
 static void move_bolt(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -215,14 +215,14 @@ static void move_bolt(struct board *b, uint32_t i)
         l->flags[i] |= LASER_GONE;
 }
 
-/* A head that leaves stands; the body goes on until it has left too. */
+/* Moves a curve. When its head has left the keep box, the head stops, and the body moves on until it has left, too. */
 static void move_curve(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     const struct bullets *h = &b->laser_heads;
     const int64_t dx = (int64_t)h->x[i] - l->was_x[i], dy = (int64_t)h->y[i] - l->was_y[i];
 
-    if (int64_abs(dx) > most_move || int64_abs(dy) > most_move) /* it jumped, and its body with it */
+    if (int64_abs(dx) > most_move || int64_abs(dy) > most_move) /* the head jumped: move the body with it */
         lasers_shift(l, &b->laser_points, i, fx_sat(dx), fx_sat(dy));
     lasers_advance(l, &b->laser_points, i, h->x[i], h->y[i]);
     if (!is_kept(b, h->x[i], h->y[i]))
@@ -231,7 +231,7 @@ static void move_curve(struct board *b, uint32_t i)
         l->flags[i] |= LASER_GONE;
 }
 
-/* Did either end move further than anything moves in a frame? */
+/* Returns whether either end moved further than an entity can move in a frame. */
 static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
 {
     const int64_t far =
@@ -241,7 +241,7 @@ static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
     return far > most_move;
 }
 
-/* False: its program has removed it. */
+/* Returns false if its program removed it. */
 static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint32_t age)
 {
     struct lasers *l = &b->lasers;
@@ -266,7 +266,7 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
     return true;
 }
 
-/* The move of a frame of laser i. False: it is gone. */
+/* Moves laser i by a frame. Returns false if it ends. */
 static bool move(struct board *b, const struct motion_world *w, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -304,7 +304,7 @@ void lasers_move(struct board *b)
 
     bullets_begin(&b->laser_heads);
     note_where_all_were(l, &b->laser_heads);
-    for (int follows = 0; follows < 2; follows++) /* what follows moves after what it may follow */
+    for (int follows = 0; follows < 2; follows++) /* lasers that follow something move last */
         EACH_LIVE (i, &l->s) {
             const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
             if ((l->follow[i] != 0) != follows || move(b, &w[shoots], i))
@@ -323,7 +323,7 @@ void lasers_end_frame(struct board *b)
             lasers_remove(b, i);
 }
 
-/* ---- its line ---- */
+/* ---- the line of a laser ---- */
 
 uint32_t lasers_corners(const struct board *b, uint32_t i)
 {
@@ -363,7 +363,7 @@ uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struc
 {
     const uint32_t n = lasers_corners(b, i);
     uint32_t places = 0;
-    int64_t next = every / 2; /* from corner k */
+    int64_t next = every / 2; /* px from the last corner to the next position */
     fx x, y, to_x, to_y;
 
     lasers_corner(b, i, 0, &x, &y);
@@ -381,7 +381,8 @@ uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struc
     return 1;
 }
 
-/* Does the piece of line from corner k to the next touch what moves from (x, y) to (to_x, to_y), within r? */
+/* Returns whether the segment from corner k to the next comes within r of a point moving from (x, y) to (to_x, to_y).
+ */
 static bool piece_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
 {
     struct geom_bar bar;
@@ -401,9 +402,9 @@ static uint32_t pieces(const struct board *b, uint32_t i)
     return n > 1 ? n - 1 : 1;
 }
 
-enum { NEAR = 256 /* differences are in 256ths of a px, so that products fit */ };
+enum { NEAR = 256 /* fx per 1/256 px: distances in that unit keep products below 2^63 */ };
 
-/* How far (x, y) is from (to_x, to_y), squared, in those units. */
+/* Returns the squared distance from (x, y) to (to_x, to_y), in 1/256 px. */
 static int64_t apart(fx x, fx y, fx to_x, fx to_y)
 {
     const int64_t dx = ((int64_t)to_x - x) / NEAR, dy = ((int64_t)to_y - y) / NEAR;
@@ -411,7 +412,7 @@ static int64_t apart(fx x, fx y, fx to_x, fx to_y)
     return dx * dx + dy * dy;
 }
 
-/* The place of the piece from (ax, ay) to (*to_x, *to_y) that is nearest to (x, y), into the latter. */
+/* Sets (*to_x, *to_y) to the point nearest to (x, y) on the segment from (ax, ay) to (*to_x, *to_y). */
 static void nearest_of_piece(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
 {
     const int64_t wx = ((int64_t)*to_x - ax) / NEAR, wy = ((int64_t)*to_y - ay) / NEAR;
@@ -445,7 +446,7 @@ void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx 
     }
 }
 
-/* Half of its width as it is drawn now. */
+/* Returns half the width of laser i as it is drawn now. */
 static int64_t half_width(const struct board *b, uint32_t i)
 {
     return lasers_width(&b->lasers, i, lasers_age(b, i)) / 2;

@@ -1,5 +1,5 @@
 /*
- * machine.c - see machine.h: what handles name, and what happens to several parts at once.
+ * machine.c - see machine.h: resolves handles, and functions that involve several parts.
  */
 #include "machine.h"
 
@@ -11,7 +11,9 @@ struct targets board_players(const struct board *b)
     return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in };
 }
 
-/* Enemies and players have moved when bullets do, and shots too, unless it is shots that move. */
+/* Stores the position of an entity for the motion of bullets or shots; with `before`, its position before this frame's
+ * move. Enemies and players move before bullets and shots do, and shots before bullets. For the pool that is moving,
+ * both are the position before the move. */
 static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
 {
     const struct board *b = w->context;
@@ -58,7 +60,8 @@ struct motion_world board_world(const struct board *b, bool shots)
     return w;
 }
 
-/* The list holds all that a frame raises by itself (event_room); only scripts can raise more, which is their fault. */
+/* The list holds every event that a frame raises by itself (event_room), so only scripts can overfill it: FAULT_SCRIPT.
+ */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
@@ -77,7 +80,7 @@ uint64_t board_chance(void *board, uint64_t below)
     return v;
 }
 
-/* Demos and the cabinet's font have printable ASCII only. */
+/* Copies a string, replacing all but printable ASCII, which is all that demos and the cabinet's font support. */
 static void copy_plain(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from);
@@ -220,7 +223,7 @@ uint8_t board_player_of(const struct board *b, int64_t h)
     return (uint8_t)(1 + (kind == H_PLAYER ? handle_slot(h) : b->options.player[handle_slot(h)]));
 }
 
-/* Where sprite i is; in the corner, if what it follows has just gone. */
+/* Stores the position of sprite i. If the entity it follows no longer exists, the position is relative to (0, 0). */
 static void sprite_where(const struct board *b, uint32_t i, fx *x, fx *y)
 {
     int64_t followed = board_followed(b, i);

@@ -1,13 +1,12 @@
 /*
- * machine.h - the board's insides: every part, in the order of RAM and of the hash track.
+ * machine.h - the internals of the board: every part, in the order of RAM and of the hash track.
  *
- * Three words:
+ * Three terms:
  *   chip  a struct of columns with the code that works on them, most in src/entities. struct chip describes its
- *         columns (slots.h). A chip may be there twice: bullets and shots are both of struct bullets.
+ *         columns (slots.h). Several parts may use one chip's struct: bullets and shots are both struct bullets.
  *   slot  a numbered row of a chip: the i-th value of each column. A handle names a slot and its generation.
- *   part  what the board lists, hashes, saves and names: a chip. Two chips are registers alone, without slots:
- *         script and core, which is named "board".
- *         machine_parts[] is all of them, PART_LIST in parts.c their order.
+ *   part  a chip as the board lists, hashes, saves and names it. Two parts have registers but no slots: script, and
+ *         core, which is named "board". machine_parts[] lists all parts; PART_LIST in parts.c defines their order.
  */
 #ifndef MACHINE_H
 #define MACHINE_H
@@ -43,45 +42,45 @@
 #include "video/view.h"
 #include "vm_state.h"
 
-/* The registers of the part that is named "board". */
+/* The registers of the part named "board". */
 struct core {
     struct slots s;
     uint32_t frame; /* ticks since power-on */
-    uint32_t clock; /* ticks of game time: stands still while frozen */
+    uint32_t clock; /* ticks of game time; stopped while frozen */
     uint32_t difficulty;
-    uint64_t random[4];      /* the game's stream */
-    int64_t frozen;          /* scope whose tasks alone get turns, 0: none; below 0: a hit-stop, counted up */
-    uint64_t notes;          /* what board.note folded in */
-    uint32_t extended[PADS]; /* extends each player has had */
-    uint32_t over;           /* 1: EV_GAME_OVER was raised */
+    uint64_t random[4];      /* state of the game's random number generator */
+    int64_t frozen;          /* scope whose tasks alone run, 0: not frozen; below 0: a hit-stop, counted up to 0 */
+    uint64_t notes;          /* digest of the values passed to board.note */
+    uint32_t extended[PADS]; /* extends each player has received */
+    uint32_t over;           /* 1: EV_GAME_OVER has been raised */
     uint32_t since;          /* clock when the game began */
-    uint8_t continues[PADS]; /* how often each player can go on after its last life */
-    uint8_t continued[PADS]; /* how often it did */
-    uint64_t drawn;          /* numbers taken from the stream since it began */
+    uint8_t continues[PADS]; /* continues each player has left */
+    uint8_t continued[PADS]; /* continues each player has used */
+    uint64_t drawn;          /* numbers drawn from the generator since it was seeded */
 };
 
-/* A running digest of what scripts do: it differs from the frame on in which the scripts of two runs act differently.
- */
+/* A running digest of the actions of scripts. Two runs have different digests from the first frame in which their
+ * scripts act differently. */
 struct script {
     struct slots s;
     uint64_t digest;
     uint64_t calls;
 };
 
-/* What a tick hands out; outside the snapshot. */
+/* The output of a tick, not part of snapshots. */
 struct output {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
-    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* print's, and a line for each full pool */
-    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last allocation that failed */
-    size_t long_text;        /* bytes of a text that was too long, 0: none */
-    char dead_field[32];     /* the last property that was read of a thing that had despawned, and where */
+    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* of print, then a line per full pool */
+    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last failed allocation */
+    size_t long_text;        /* bytes of a string that was too long, 0: none */
+    char dead_field[32];     /* last property read from a despawned entity; dead_place: where */
     char dead_place[VM_PLACE];
-    bool deep;                 /* that allocation was in many nested calls */
-    const struct force *force; /* that force_run runs */
-    const char *line;          /* that board_eval runs */
-    struct values *values;     /* where board_eval_values puts its values */
+    bool deep;                 /* the failed allocation was in deeply nested calls */
+    const struct force *force; /* being run by force_run */
+    const char *line;          /* being run by board_eval */
+    struct values *values;     /* output of board_eval_values */
     struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
     void *phase_context;
@@ -92,15 +91,15 @@ struct board {
     struct board_start start;
     uint8_t *ram;
     size_t ram_size;
-    bool reset;              /* board.reset was called this frame */
-    struct box keep, area;   /* where things live; where players may go */
-    struct sprite *pictures; /* of the ROM, by index */
-    struct words words;      /* of the language that the start asks for */
+    bool reset;              /* board.reset was called in this frame */
+    struct box keep, area;   /* entities outside `keep` despawn; players stay inside `area` */
+    struct sprite *pictures; /* the ROM's sprites, by index */
+    struct words words;      /* text in the language of start.lang */
     struct output *output;
     struct vm vm;
     const struct vm_calls *calls;
     struct name_list names[NAME_LISTS];
-    struct option_plan **option_plans; /* by kind of ship, in the Lua heap; NULL: no ship has options */
+    struct option_plan **option_plans; /* by ship kind, in the Lua heap; NULL: no ship has options */
     struct events events;
     struct ml_fresh ml_fresh;
     struct board_counts counts;
@@ -150,108 +149,111 @@ struct board {
     struct ml_params ml_params;
 };
 
-/* A part: its chip's description, and where the chip's struct stands. */
+/* A part: its chip, and the location of the chip's struct in struct board. */
 struct part {
     const struct chip *chip;
-    size_t at, size; /* of the struct, in struct board */
+    size_t at, size; /* offset and size, in bytes */
 };
 enum {
     PARTS = 42,
-    PARTS_ALWAYS = 20 /* those after the first so many have no hash where they have no room */
+    PARTS_ALWAYS = 20 /* these first parts always have a hash; the others have none if their capacity is 0 */
 };
 extern const struct part machine_parts[PARTS];
 
-/* The slots and the groups of columns of each part. */
+/* The number of slots and the column groups of each part. */
 struct part_room {
     uint32_t slots[PARTS], groups[PARTS];
 };
 struct part_room parts_room(const struct manifest *m);
 
-/* Where part i's struct stands. */
+/* Returns the struct of part i. */
 static inline void *part_of(const struct board *b, int i)
 {
     return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
 }
 
-/* The slots of the part of that name ("bullets"); NULL: there is none. */
+/* Returns the slots of the part with this name ("bullets"), or NULL if there is none. */
 const struct slots *part_named(const struct board *b, const char *name);
 
-enum { MOTION_WORK = 8 /* the work of a motion step */ };
+enum { MOTION_WORK = 8 /* work per motion step */ };
 
-/* The pools that motion programs read. shots: with the enemies as targets; else with the players. */
+/* Returns the pools that motion programs read. Targets are the enemies if `shots`, otherwise the players, which
+ * board_players returns. */
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
-/* Moves everything. What leaves the field is held or marked, so that hit_run still tests it. */
+/* Moves everything. Entities that leave the field are held or marked, so that hit_run still tests them. */
 void board_move(struct board *b);
 
-/* A number of the game's stream below that; below 0: of all 64 bits. */
+/* Draws a number in [0, below) from the game's random number generator; if `below` is 0, any 64-bit number. */
 uint64_t board_chance(void *board, uint64_t below);
 
-/* Adds work in C to that of the tick, which vm_charge counts too: a unit is at most about 10 ns. False: that is more
- * than a tick may do, and the caller raises board_too_much. For vm_call. */
+/* Adds work done in C to the tick's total, which vm_charge adds to as well; a unit is at most about 10 ns. Returns
+ * false if the total exceeds the tick's limit: the caller must raise board_too_much. Call only inside vm_call. */
 static inline bool board_work(struct board *b, uint64_t work)
 {
     b->vm.work += work;
     return b->vm.work <= b->vm.limit;
 }
 
-/* Raises a fault no pcall catches. For vm_call. */
+/* Raises a fault that pcall does not catch. Call only inside vm_call. */
 void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Raises the fault that a frame has too much to do. The text says what there is too much of, with counts, and what to
+/* Raises FAULT_LOOP: too much work in one frame. The message says which work is excessive, with counts, and what to
  * change. */
 void board_too_much(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What the picture of the board as it is will take to draw, as work; over the limit that is a fault. For vm_call. */
+/* Adds the work of drawing the board in its present state; raises a fault if that exceeds the limit. Call only inside
+ * vm_call. */
 void board_charge_picture(struct board *b);
 
-/* Raises an event, or the fault that there is no room for it. */
+/* Raises an event, or a fault if the event list is full. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Tells the cabinet of a marker. */
+/* Adds a marker to the tick's output; drops it if BOARD_MARKERS were added already. */
 void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
                       int32_t value);
 
-/* Was this board powered only to list what can be practised (PRACTICE_LIST)? */
+/* Returns whether this board was started only to list the sections for practice (PRACTICE_LIST). */
 bool board_lists(const struct board *b);
 
-/* Which presses pad.take sees now: the game's, or those for the screen that freezes it. */
+/* Returns which presses pad.take reads now: the game's, or those of the screen that freezes the game. */
 static inline enum press_side board_presses(const struct board *b)
 {
     return b->core.frozen > 0 ? PRESS_PAUSE : PRESS_GAME;
 }
 
-/* The buttons of player p that scripts and ships do not see now (PAD_ bits). What freezes the board sees all. */
+/* Returns the buttons (PAD_ bits) of player p that are currently hidden from scripts and ships; none while the board is
+ * frozen. */
 static inline unsigned board_withheld(const struct board *b, uint32_t p)
 {
     return b->core.frozen ? 0 : player_withheld(&b->player, p);
 }
 
-/* sparks_burst, and board_full when there is no room. */
+/* Calls sparks_burst, and board_full if the pool was full. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
-/* What an item is made from, and how it sets out. */
+/* Where dropped items spawn, and how they start to move. */
 struct item_drop {
     fx x, y;
     ang dir;
-    uint64_t spread; /* 2^32: all round */
+    uint64_t spread; /* 2^32: a full circle */
     fx speed;
     uint16_t tag;
 };
 
-/* Makes n[k] items of each of `kinds` kinds, all of them laid out evenly, in this order; board_full when there is no
- * room. */
+/* Spawns n[k] items of each of `kinds` kinds, in this order, with directions spread evenly over all of them; calls
+ * board_full for each that does not fit. */
 void board_drop(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds);
 
-/* An item at rest, in the place of something. */
+/* Spawns an item at rest at (x, y), in place of another entity. */
 void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
 
-/* What each player attracts. */
+/* Stores how each player attracts items. */
 void board_pulls(const struct board *b, struct item_pull pull[PADS]);
 
-/* The row of register reg of player p's ship; its value; and a write, which stops at what it may be. */
+/* Register reg of player p's ship: its row, its value, and a write, which clamps to the register's range. */
 static inline uint32_t board_register_row(const struct board *b, uint32_t p, uint32_t reg)
 {
     return b->player_kinds.first[b->player.kind[p]] + reg;
@@ -267,7 +269,7 @@ static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg,
     registers_set(&b->registers, board_register_row(b, p, reg), p, v);
 }
 
-/* The same of the run's. */
+/* The same for the run's registers. */
 static inline int32_t board_run_register(const struct board *b, uint32_t reg)
 {
     return registers_get(&b->registers, b->registers.first + reg, 0);
@@ -283,19 +285,22 @@ static inline void board_set_run_register(struct board *b, uint32_t reg, int64_t
     registers_set(&b->registers, b->registers.first + reg, 0, v);
 }
 
-/* The spark that bullet i's kind leaves when the bullet is cleared. */
+/* Spawns the spark that bullet i's kind leaves when the bullet is cleared, if any. */
 void board_vanish(struct board *b, uint32_t i);
 
-/* To be called after a pool refused something; a run's first refusal is logged. */
+/* Call after the pool s refused an entity: logs the first refusal of the run. */
 void board_full(struct board *b, const struct slots *s);
 
-/* Takes back what board_full reported in this frame: an endless loop filled the pools, and its fault says so. */
+/* Withdraws the reports of board_full in this frame, when an endless loop filled the pools: its fault is reported
+ * instead. */
 void board_full_forget(struct board *b);
 
-/* Player i's score goes up, or down; it stops at 0 and at 999,999,999,999. Lives come at the manifest's extends. */
+/* Adds points (may be negative) to player i's score, clamped to 0..999,999,999,999, and awards a life at each of the
+ * manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 
-/* The name of an index, the last of several; NULL: it has none. Good until the next tick. */
+/* Returns the name of an index (the last one, if there are several), or NULL if it has none. Valid until the next tick.
+ */
 static inline const char *board_name(const struct board *b, enum name_kind kind, int index)
 {
     const struct name_list *t = &b->names[kind];
@@ -310,27 +315,28 @@ static inline void script_fold(struct board *b, uint64_t v)
     b->script.digest ^= b->script.digest >> 29;
 }
 
-/* The handle of a live slot of that kind, or a dead one for NO_SLOT. */
+/* Returns the handle of a live slot of this kind, or a dead handle for NO_SLOT. */
 int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot);
 
-/* Is what the handle names alive? A group (of all bullets with a tag) and a motion program always are. */
+/* Returns whether the entity of handle h is alive. Groups and motion programs always are. */
 bool board_alive(const struct board *b, int64_t h);
 
-/* Can it still be read? An enemy that died or left, and a bullet or shot that left and touched something on the way,
- * can until the frame's handlers have run. */
+/* Returns whether the entity of handle h can still be read. Besides live entities, until the frame's handlers have run,
+ * these are enemies that died or left, and bullets, shots and items that left the field and are still held. */
 bool board_there(const struct board *b, int64_t h);
 
-/* What sprite i follows, or 0. */
+/* Returns the handle of the entity that sprite i follows, or 0. */
 int64_t board_followed(const struct board *b, uint32_t i);
 
-/* Whose it is: of a player's or an option's handle the player, 1 or 2; else, or if it is dead, 0. */
+/* Returns the player number, 1 or 2, for a live player or option handle; otherwise 0. */
 uint8_t board_player_of(const struct board *b, int64_t h);
 
-/* Where a thing is; false: dead, or not a thing that is anywhere. */
+/* Stores the position of the entity of handle h. Returns false if it cannot be read (board_there) or has no position.
+ */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
 
-/* Which palette of the ROM is loaded: the one most like the colours in RAM (pal_likeness); of equals main, then the
- * first by name. */
+/* Returns the index of the ROM palette that is loaded: the one most similar to the colours in RAM (pal_likeness). Ties
+ * go to main, then to the first by name. */
 int board_palette(const struct board *b);
 
 #endif

@@ -1,12 +1,12 @@
 /*
- * names.h - the names that scripts declare, by number.
+ * names.h - the names that scripts declare, indexed by number.
  */
 #ifndef MACHINE_NAMES_H
 #define MACHINE_NAMES_H
 
 #include <stdint.h>
 
-/* What is declared under a name. */
+/* The kinds of declared names. */
 enum name_kind {
     N_BULLET,
     N_SHOT,
@@ -18,16 +18,16 @@ enum name_kind {
     N_OPTION,
     N_MOTION,
     N_TAG,
-    N_BULLET_VALUE, /* value.def: by the number of the column */
+    N_BULLET_VALUE, /* value.def, by column number */
     N_SHOT_VALUE,
     N_ENEMY_VALUE,
-    N_ITEM_REGISTER, /* registers of players that items give, by their number among the items' */
+    N_ITEM_REGISTER, /* player registers that items give, numbered separately */
     NAME_LISTS
 };
 
 /* The names of one kind, in the Lua heap; api_names.c declares them. */
 struct name_list {
-    const char **at; /* `room` of them, NULL: none */
+    const char **at; /* `room` entries, NULL where there is no name */
     uint32_t n, room;
 };
 

@@ -1,5 +1,5 @@
 /*
- * nvram.c - see nvram.h. A record is found by walking from the first; one that grows or goes moves those behind it.
+ * nvram.c - see nvram.h. Finding a record walks from the first; resizing or removing one moves all records after it.
  */
 #include "nvram.h"
 #include <assert.h>
@@ -19,9 +19,9 @@ enum {
     MAGIC = 4,
     HEAD = 3,
     ROW = 24,
-    ROW_FAR = NV_NAME, /* in a row: how far that score went */
+    ROW_FAR = NV_NAME, /* offset in a row of the progress byte */
     ROW_SCORE = 16,
-    KEY_MOST = 2 * NV_KEY + 1 /* of a table: its name and a ship's */
+    KEY_MOST = 2 * NV_KEY + 1 /* most bytes of a table record's name, with a ship */
 };
 
 static const char magic[] = "NV02", old_magic[] = "NV01";
@@ -38,7 +38,7 @@ static const uint8_t *value_of(const uint8_t *r)
     return r + HEAD + r[1];
 }
 
-/* Where the record of a name is: a save's or a table's. The image's size: there is none. */
+/* Returns the offset of the save or table record with this name, or the image's size if there is none. */
 static uint32_t find(const struct nvram *nv, bool table, const char *name)
 {
     size_t n = strlen(name);
@@ -68,8 +68,8 @@ static void drop(struct nvram *nv, uint32_t at)
     nv->s.live -= size;
 }
 
-/* Makes the record at `at`, or a new one at the end, one of a value of m bytes, and returns where these go. What was
- * there of it stays in the first of them. NULL: there is no room, and nothing changed. */
+/* Resizes the record at `at`, or adds one at the end, for a value of m bytes, and returns the address of the value. Its
+ * first bytes keep the old value. Returns NULL, and changes nothing, if there is no room. */
 static uint8_t *put(struct nvram *nv, uint32_t at, enum nv_type type, const char *name, size_t m)
 {
     uint8_t *r = nv->bytes + at;
@@ -160,7 +160,7 @@ static struct nv_value old_value(const uint8_t *r)
     return v;
 }
 
-/* The first of two records of one key is the one that was found. */
+/* Loads an old image. Of two records with the same key, the first counts, as it did for old versions. */
 static void load_old(struct nvram *nv, const uint8_t *image)
 {
     for (int i = 0; i < OLD_SAVES; i++) {
@@ -251,7 +251,7 @@ static int64_t score_of(const uint8_t *row)
     return (int64_t)bytes_get64(row + ROW_SCORE);
 }
 
-/* Is the record the table of that name, or of one of its ships? That one's name is `ship` then, or "". */
+/* Returns whether the record is this table, or one of its ships' tables; stores the ship's name, or "", in `ship`. */
 static bool is_table(const uint8_t *r, const char *table, char ship[NV_KEY + 1])
 {
     size_t n = strlen(table), all = r[1];
@@ -267,7 +267,7 @@ static bool is_table(const uint8_t *r, const char *table, char ship[NV_KEY + 1])
     return true;
 }
 
-/* Puts a row below those of n that are better or equal; returns how many there are then. */
+/* Inserts a row into n rows, below those that are better or equal. Returns the new number of rows, at most NV_ROWS. */
 static int sort_in(struct nv_row rows[NV_ROWS], int n, const uint8_t *from, const char *ship)
 {
     int at = n;

@@ -1,5 +1,5 @@
 /*
- * parts.c - the parts of the board, in their order, and what each has room for.
+ * parts.c - the parts of the board, in order, with their capacities.
  */
 #include "machine.h"
 
@@ -21,13 +21,13 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
 
 enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
-/* The first n groups of values. */
+/* Returns the first n groups of values. */
 static uint32_t value_groups(int32_t n)
 {
     return SLOTS_GROUP(GROUP_VALUE + n) - SLOTS_GROUP(GROUP_VALUE);
 }
 
-/* The groups of columns that manifest m asks for. */
+/* Return the column groups that manifest m requires. */
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
@@ -52,8 +52,8 @@ static uint32_t laser_groups(const struct manifest *m)
     return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
 }
 
-/* The parts, in the order of struct board, of RAM, of the hashes and of demos. A line: the chip, the member of struct
- * board, the number of slots, and the groups of columns, by manifest m. */
+/* The parts, in the order of struct board, RAM, hashes and demos. Each line gives the chip, the member of struct board,
+ * the number of slots and the column groups, computed from manifest m. */
 #define PART_LIST(PART)                                                                                                \
     PART(script_chip, script, 0, 0)                                                                                    \
     PART(core_chip, core, 0, 0)                                                                                        \

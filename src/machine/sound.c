@@ -1,6 +1,5 @@
 /*
- * sound.c - see sound.h. The sequencers say what happens to which voice; here it is done
- * with the instruments of the ROM.
+ * sound.c - see sound.h. Applies the sequencers' events to the voices, with the instruments of the ROM.
  */
 #include "sound.h"
 
@@ -11,7 +10,7 @@ static const uint8_t *rom(const struct board *b)
     return b->cart.tune_data;
 }
 
-/* A volume of 127 is a third of full scale, so that some voices together stay below the limiter. */
+/* Returns a voice's volume. 127 is a third of full scale, so that a few voices together stay below the limiter. */
 static uint16_t loud(int volume, int of, int tune_volume)
 {
     const int64_t third = VOICE_LOUD / 3;
@@ -19,14 +18,14 @@ static uint16_t loud(int volume, int of, int tune_volume)
     return (uint16_t)(third * volume * volume / (TUNE_LOUD * TUNE_LOUD) * of / 256 * tune_volume / 255);
 }
 
-/* What a sequencer's event does, of whichever of the two. */
+/* The target of a sequencer event, of either the music or a sound. */
 struct part_played {
     struct board *b;
-    uint32_t tune; /* its place in the ROM */
+    uint32_t tune; /* offset in the ROM's tune data */
     int voice;
     uint16_t vol;
     uint8_t pan, inst;
-    int32_t pitch; /* higher */
+    int32_t pitch; /* added to the pitch of every note */
     uint32_t tempo;
 };
 
@@ -122,7 +121,7 @@ static void start_music(struct board *b, uint16_t index)
     seq_start(&b->music, index, &t);
 }
 
-/* Behind a fade nothing of the old piece is heard, and the new one is at once. */
+/* Silences the old piece's voices after a fade, and makes the new piece audible at once. */
 static void silence_music(struct board *b)
 {
     for (int i = 0; i < VOICE_SLOTS; i++)
@@ -149,7 +148,7 @@ static void bring_back(struct board *b)
     seq_back(&b->music);
 }
 
-/* What was asked for begins at that sample of the frame, or comes back. */
+/* Starts, or resumes, the requested piece at this sample of the frame. */
 static void change_music(struct board *b, int sample)
 {
     struct seq *s = &b->music;
@@ -168,7 +167,7 @@ static void change_music(struct board *b, int sample)
         start_music(b, s->next);
 }
 
-/* A sound that ducks the music does so within some frames; when it has ended, the music comes back slowly. */
+/* Ducks the music within a few frames while a sound requires it; afterwards the music returns slowly. */
 static void step_duck(struct board *b)
 {
     struct voices *v = &b->voices;
@@ -185,7 +184,7 @@ static void step_duck(struct board *b)
         v->ducked = (uint16_t)(v->ducked - (v->ducked - most + 15) / 16);
 }
 
-/* What is left of the music's gain at the end of this frame. */
+/* Returns the music's gain at the end of this frame. */
 static uint16_t gain(const struct board *b)
 {
     const struct seq *s = &b->music;
@@ -196,13 +195,13 @@ static uint16_t gain(const struct board *b)
     return (uint16_t)(left * s->level / SEQ_FULL * (VOICE_GAIN - b->voices.ducked) / VOICE_GAIN);
 }
 
-/* Is it on its way out, for another or for none? */
+/* Returns whether the current piece is about to end, for another one or for silence. */
 static bool goes(const struct seq *s)
 {
     return s->fade_over || s->next_waits;
 }
 
-/* Its last notes ring on. */
+/* Ends the current piece, whose last notes ring out, and resumes the one set aside last, if any. */
 static void end_piece(struct board *b)
 {
     if (b->music.aside)
@@ -219,7 +218,7 @@ static void step_level(struct seq *s)
     s->level_over--;
 }
 
-/* A frame of the music, unless a pause holds it. */
+/* Plays a frame of the music, unless a pause holds it. */
 static void step_music(struct board *b)
 {
     struct seq *s = &b->music;
@@ -253,7 +252,7 @@ void sound_begin(struct board *b)
     voices_step(&b->voices, rom(b));
 }
 
-/* A frame of the sounds. */
+/* Plays a frame of the sounds. */
 static void step_cues(struct board *b)
 {
     struct cues_run run = { 0 };
@@ -273,7 +272,7 @@ void sound_end(struct board *b)
     b->voices.gain1 = gain(b);
 }
 
-/* ---- what is asked for ---- */
+/* ---- requests for sounds ---- */
 
 static uint32_t ringing(const struct board *b)
 {
@@ -311,7 +310,7 @@ int16_t sound_place(const struct board *b, fx x)
     return (int16_t)place;
 }
 
-/* Many in a row are a noise: frames from one to the next. */
+/* Least frames between two cues of a kind, because many in a row sound like noise. */
 static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
 
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
@@ -326,7 +325,7 @@ void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
 
 /* ---- music ---- */
 
-/* What is asked for begins when what plays has faded: one that fades already does not become louder for it. */
+/* Fades out the current piece, after which the requested one starts. A fade in progress never becomes louder. */
 static void begin_fade(struct board *b, int32_t fade)
 {
     struct seq *s = &b->music;
@@ -338,12 +337,12 @@ static void begin_fade(struct board *b, int32_t fade)
     s->fade = (uint16_t)fade;
 }
 
-/* Piece `index`, 0: none, begins now, at a beat or a bar, or after a fade. */
+/* Requests piece `index`, 0: silence: it starts now, at a beat or bar, or after a fade. */
 static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
 {
     struct seq *s = &b->music;
 
-    s->next_back = how->back && !(s->fade_over && !s->next); /* what ends is not put aside */
+    s->next_back = how->back && !(s->fade_over && !s->next); /* a piece that is fading to silence is not set aside */
     s->next = index;
     s->next_waits = 0;
     s->when = 0;
@@ -357,7 +356,7 @@ static void ask_music(struct board *b, uint16_t index, const struct music_how *h
         change_music(b, 0);
 }
 
-/* What was asked for is not: what plays goes on. */
+/* Cancels the requested piece; the current one continues. */
 static void forget_next(struct seq *s)
 {
     s->next = s->fade = s->fade_over = 0;
@@ -409,10 +408,10 @@ void sound_music_back(struct board *b, int tune, int32_t fade)
 
     if (goes(s) && s->next == index && s->next_back)
         forget_next(s);
-    else if (goes(s) && s->next == index && kept >= 0) { /* it was to come back */
+    else if (goes(s) && s->next == index && kept >= 0) { /* it was about to resume */
         drop_kept(b, kept);
         s->next = s->aside ? s->kept[s->aside - 1] : 0;
-    } else if (s->tune == index && goes(s) && s->next_back) /* another covers it: that will be alone */
+    } else if (s->tune == index && goes(s) && s->next_back) /* the next piece was to set it aside: drop it instead */
         s->next_back = 0;
     else if (s->tune == index && !goes(s))
         ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
@@ -447,14 +446,14 @@ void sound_game(struct board *b)
     sound_music_stop(b, 0);
 }
 
-/* ---- on the way to a mark ---- */
+/* ---- skipping to a mark ---- */
 
 enum {
-    PASS_WORK = 64,             /* of a frame of music */
-    LONGEST_PASS = 60 * 60 * 60 /* frames: an hour, on all of the way */
+    PASS_WORK = 64,             /* work per frame of music */
+    LONGEST_PASS = 60 * 60 * 60 /* frames in total while skipping: an hour */
 };
 
-/* n frames of the music alone, each the rest of one tick and the beginning of the next. */
+/* Advances the music alone by n frames, each the end of one tick and the start of the next. Returns the work. */
 static uint64_t pass(struct board *b, int64_t n)
 {
     struct seq *s = &b->music;

@@ -1,26 +1,27 @@
 /*
- * sound.h - sounds and music of a board: how a tick moves them, and what scripts and events ask for.
+ * sound.h - the sounds and music of a board: their progress in a tick, and requests by scripts and events.
  *
- * All of it is for a game that declares sounds or music; of another the parts have no room, and nothing may be called
- * but sound_cue, which does nothing then.
+ * For games that declare sounds or music. In other games the sound parts have no slots, and only sound_cue may be
+ * called; it does nothing then.
  */
 #ifndef MACHINE_SOUND_H
 #define MACHINE_SOUND_H
 
 #include "machine.h"
 
-/* The beginning of a tick: what sounded moves on by a frame. Its end: music and sounds play the frame. */
+/* sound_begin, at the start of a tick, advances the voices by a frame; sound_end, at its end, plays a frame of music
+ * and sounds. */
 void sound_begin(struct board *b);
 void sound_end(struct board *b);
 
 /* Plays a sound (seq.h). */
 void sound_play(struct board *b, const struct cue *cue);
 
-/* Ends the sound at that place in the ROM, 0: all. */
+/* Ends the sound at this position in the ROM; 0: all sounds. */
 void sound_stop(struct board *b, uint32_t tune);
 
-/* Plays the sound of that name, if the game has one, as if from there; grazes and items not in every frame. x: in the
- * field. */
+/* Plays the game's sound for this cue, if it has one, panned for position x in the field. Graze and item sounds do not
+ * repeat in every frame. */
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x);
 static inline void sound_cue(struct board *b, enum cart_cue cue, fx x)
 {
@@ -28,39 +29,42 @@ static inline void sound_cue(struct board *b, enum cart_cue cue, fx x)
         sound_cue_at(b, cue, x);
 }
 
-/* How far to a side something at x is heard, of TUNE_PAN: from the field's edges two thirds. */
+/* Returns the pan of a sound at x, -TUNE_PAN to TUNE_PAN; the field's edges are at two thirds of TUNE_PAN. */
 int16_t sound_place(const struct board *b, fx x);
 
-/* ---- music: a piece by its index ---- */
+/* ---- music; `tune` is the index of a piece ---- */
 
 enum music_at { MUSIC_AT_ONCE, MUSIC_AT_BEAT, MUSIC_AT_BAR };
 struct music_how {
-    int32_t fade;     /* frames in which what plays fades first */
-    enum music_at at; /* in place of a fade: on the beat or the bar of what plays */
-    bool again;       /* from its beginning, though it plays or was put aside */
-    bool back;        /* what plays is put aside, until this one has ended or sound_music_back ends it */
+    int32_t fade;     /* frames in which the current piece fades out first */
+    enum music_at at; /* instead of a fade: start on a beat or bar of the current piece */
+    bool again;       /* start over, even if the piece is playing or set aside */
+    bool back;        /* set the current piece aside until this one ends, by itself or by sound_music_back */
 };
 
-/* Begins a piece. What plays already goes on, and what was put aside goes on where it was. One that has ended plays no
- * more. False: nothing changed. */
+/* Starts a piece. Unless how->again is set, a piece that was set aside resumes where it was. Returns false if the piece
+ * is already playing or about to start: it continues, and a pending change to another piece is cancelled. A piece that
+ * has ended no longer counts as playing. */
 bool sound_music(struct board *b, int tune, const struct music_how *how);
 
-/* Ends that piece, if it plays, is to begin or was put aside: what was below it goes on, else there is silence. */
+/* Ends a piece if it is playing, about to start or set aside. The piece below it then continues, if there is one;
+ * otherwise there is silence. fade: frames. */
 void sound_music_back(struct board *b, int tune, int32_t fade);
 
-/* Ends the music in so many frames, and what was put aside. */
+/* Fades out the music in `fade` frames, and ends the pieces set aside. */
 void sound_music_stop(struct board *b, int32_t fade);
 
-/* How loud music is, of SEQ_FULL, in so many frames. */
+/* Changes the music volume to `level`, out of SEQ_FULL, in `over` frames. */
 void sound_volume(struct board *b, uint16_t level, int32_t over);
 
-/* Power-on; a new game begins: silence, and nothing was heard. */
+/* sound_power resets the volumes at power-on. sound_game, at the start of a game, stops the music and clears the list
+ * of pieces heard. */
 void sound_power(struct board *b);
 void sound_game(struct board *b);
 
-/* On the way to a mark, which begins and ends with sound_skip, the music goes the way that it would have gone: the
- * stage waits n frames; its clock is put n frames on, waits included; a fight is passed over, in which all fades end.
- * They return work (vm.h). */
+/* Skipping to a mark, which sound_skip starts and ends, advances the music as if the stage had been played.
+ * sound_pass_* are called when the stage waits n frames; when its clock is moved n frames ahead, including waits; and
+ * when a fight is skipped, in which all fades end. They return work (vm.h). */
 void sound_skip(struct board *b, bool on);
 uint64_t sound_pass_wait(struct board *b, int64_t n);
 uint64_t sound_pass_clock(struct board *b, int64_t n);

@@ -30,7 +30,7 @@ bool tasks_owner_alive(const struct board *b, int64_t owner)
     return !owner || board_alive(b, owner);
 }
 
-/* A chain of owners can be as long as the pool is large: no recursion. */
+/* Not recursive, because a chain of owners can be as long as the pool is large. */
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
 {
     const struct tasks *t = &b->tasks;
@@ -67,7 +67,7 @@ struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
 {
     struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
 
-    /* what an enemy without a scene makes must not end with the scene of what killed it */
+    /* entities made by an enemy without a scene must not end with the scene of its killer */
     tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }

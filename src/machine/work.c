@@ -1,9 +1,9 @@
 /*
- * work.c - work in C that a tick counts, so that no frame goes on without bound: the fault, and what a picture takes.
+ * work.c - counting work done in C, so that every frame is bounded: the fault, and the work of drawing a picture.
  *
- * A unit is worth about as much time as the dearest VM instruction, at most 10 ns, and all work has one sum and one
- * limit (vm.h). Loops over two pools count what they look at while they run. What is done once for each thing of a pool
- * is not counted: the manifest bounds it.
+ * A unit takes about as long as the slowest VM instruction, at most 10 ns; all work shares one sum and one limit
+ * (vm.h). Loops over two pools count the entities they examine. Work done once per entity of a pool is not counted,
+ * because the manifest bounds it.
  */
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
- * bulletml.c - see bulletml.h. A command's words have ML_COMMAND and no others do, so one pass over them knows whether
- * a place is that of a command; and a value begins where the step before it is STEP_DONE.
+ * bulletml.c - see bulletml.h. Only the first word of a command has ML_COMMAND set, so a place can be checked by
+ * looking at its word. A value starts at the first step or after a STEP_DONE.
  */
 #include "bulletml.h"
 #include <inttypes.h>
@@ -13,7 +13,7 @@ const char *const ml_operands[ML_OPS] = {
     [ML_BULLET] = "lp",    [ML_VANISH] = "", [ML_TURN] = "vv",      [ML_SPEED] = "vv",         [ML_ACCEL] = "vvv",
 };
 
-/* The pieces of the lump, without a look at what stands in them. */
+/* Finds the sections of the lump, without checking their contents. Returns the size that the header implies. */
 static uint64_t layout(struct ml *m, const uint8_t *data)
 {
     const uint64_t n[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
@@ -55,7 +55,7 @@ static bool value_ok(const struct ml *m, uint32_t v)
     return v < m->steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
 }
 
-/* One operand, of the form that `form` says. */
+/* Checks one operand, whose type is `form` (see ml_operands). Stores a count in *n. */
 static bool operand_ok(const struct ml *m, char form, uint32_t v, uint32_t *n)
 {
     switch (form) {
@@ -71,7 +71,7 @@ static bool operand_ok(const struct ml *m, char form, uint32_t v, uint32_t *n)
     }
 }
 
-/* The command at *at; *at moves on to the next. */
+/* Checks the command at *at and advances *at to the next one. */
 static bool command_ok(const struct ml *m, uint32_t *at)
 {
     const uint32_t w = ml_word(m, *at);
@@ -105,7 +105,7 @@ static bool commands_ok(const struct ml *m)
     return m->words && is_end(m, 0) && is_end(m, m->words - 1);
 }
 
-/* A step, with so many numbers on the stack before it. */
+/* Checks a step. *stack: the numbers on the stack before the step; updated to those after it. */
 static bool step_ok(const struct ml *m, uint32_t w, int *stack)
 {
     const uint32_t argument = ML_ARGUMENT(w);
@@ -199,7 +199,7 @@ int64_t ml_multiply(int64_t a, int64_t b)
     return with_sign(high >> 32 ? UINT64_MAX : high << 32 | up >> 32, (a ^ b) < 0);
 }
 
-/* 2^32 a / b: the whole part, then 32 bits more, then the half. */
+/* Computes 2^32 a / b: the integer part, then 32 fraction bits, then the rounding. */
 int64_t ml_divide(int64_t a, int64_t b)
 {
     const uint64_t ua = size_of(a), ub = size_of(b);

@@ -1,23 +1,24 @@
 /*
- * bulletml.h - a BulletML document as it stands in a ROM, lump bulletml/NAME: a program for bullets, and its
- * arithmetic.
+ * bulletml.h - a BulletML document in a ROM, lump bulletml/NAME: a compiled program for bullets, and its arithmetic.
  *
- * Little endian:
+ * Little-endian:
  *
- *   u32 magic, u32 horizontal (1: it is), u32 tops, u32 labels, u32 numbers, u32 words, u32 steps, u32 bytes of text
- *   i64 number[numbers]    Q31.32: those that the program names
- *   u32 top[tops]          where the actions begin that run by themselves, in the order of the document
- *   u32 label[labels]      of bullets that are fired: where its text begins, each ends with a NUL
+ *   u32 magic, u32 horizontal (0 or 1), u32 tops, u32 labels, u32 numbers, u32 words, u32 steps, u32 bytes of text
+ *   i64 number[numbers]    the program's constants, Q31.32
+ *   u32 top[tops]          where the top actions, which run by themselves, start; in the document's order
+ *   u32 label[labels]      labels of fired bullets: offset in the text, each ends with a NUL
  *   u32 word[words]        the commands
- *   u32 step[steps]        how values are worked out
+ *   u32 step[steps]        the steps that compute values
  *   text
  *
- * A command is a word, ML_COMMAND and ML_OP and ML_TYPE and ML_LINE, and the words without ML_COMMAND that its
- * operation says: v a value, p a place, n a count of values, l a label + 1 or 0. The first and the last are ML_END. A
- * value is the index of a number, or ML_WORKED_OUT and the index of a step: those from there on, ML_STEP and
- * ML_ARGUMENT, up to STEP_DONE. Of a program that ml_check has passed every place is that of a command, and every value
- * is one, with at most ML_STACK numbers at once; that repeats and calls fit each other is the compiler's word, and what
- * runs it stays in bounds without.
+ * A command is a word with ML_COMMAND set, which contains ML_OP, ML_TYPE and ML_LINE, followed by the operands of its
+ * operation, words without ML_COMMAND: v is a value, p the place of a command, n a count of values, l a label + 1 or 0.
+ * The first and the last command are ML_END.
+ *
+ * A value is the index of a number, or ML_WORKED_OUT and the index of the first of its steps, which run up to
+ * STEP_DONE; a step contains ML_STEP and ML_ARGUMENT. In a program that passed ml_check, every place is that of a
+ * command and every value is valid and needs at most ML_STACK numbers at once. ml_check does not verify that repeats
+ * and calls are properly nested; the interpreter stays in bounds even if they are not.
  */
 #ifndef ROM_BULLETML_H
 #define ROM_BULLETML_H
@@ -34,9 +35,9 @@
 
 enum {
     ML_HEADER = 32,      /* bytes */
-    ML_STACK = 16,       /* numbers that a value takes at once */
+    ML_STACK = 16,       /* maximum numbers on the stack while a value is computed */
     ML_PARAMS = 9,       /* $1 to $9 */
-    ML_MOST_PARAMS = 64, /* that a reference may give: all are worked out */
+    ML_MOST_PARAMS = 64, /* parameters that a reference may give; all are computed */
     ML_MAX_TOPS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
@@ -44,36 +45,36 @@ enum {
     ML_MAX_TEXT = 1 << 20
 };
 
-/* How a direction, speed or component is meant. */
+/* What a direction, speed or component is relative to. */
 enum ml_type { ML_NONE, ML_AIM, ML_ABSOLUTE, ML_RELATIVE, ML_SEQUENCE, ML_TYPES };
 
 enum ml_op {
     ML_END,              /* no more actions */
-    ML_NEXT,             /* a bullet's next action follows, and begins in the next frame */
-    ML_AGAIN,            /* p: the end of a repeat's body */
-    ML_RETURN,           /* with nothing to go back to it is ML_END */
-    ML_ENDS = ML_RETURN, /* up to this one no command is an element: they are done with the element before them */
-    ML_WAIT,             /* v */
-    ML_REPEAT,           /* v: what follows is done so often, up to its ML_AGAIN; at least once */
-    ML_CALL,             /* p n v..: n values are $1 to $n there, up to ML_RETURN */
-    ML_GO,               /* p n v..: the same, at the end of an action: nothing is left to come back to */
-    ML_LEAVE,            /* p n v..: the same, and nothing that was begun is gone back to: of an action that is a top */
-    ML_FIRE,             /* a shot is prepared: neither speed nor direction are set */
-    ML_FIRE_REF,         /* p n v..: as ML_CALL, of a fire */
-    ML_FIRED,            /* the end of a fire that has a label: back to where ML_FIRE_REF stood, if one led here */
-    ML_SHOT_SPEED,       /* v, ML_TYPE of it */
-    ML_SHOT_DIRECTION,   /* v, ML_TYPE of it */
-    ML_BULLET_REF,       /* p n v..: as ML_CALL, of a bullet */
-    ML_BULLET, /* l p: it is fired; p where its actions begin, 0: it has none. After it what followed ML_BULLET_REF */
+    ML_NEXT,             /* the bullet's next action follows; it starts in the next frame */
+    ML_AGAIN,            /* p: end of a repeat's body, which starts at p */
+    ML_RETURN,           /* return from ML_CALL; ML_END if there is nothing to return to */
+    ML_ENDS = ML_RETURN, /* the commands up to here are not elements; they run with the element before them */
+    ML_WAIT,             /* v: frames */
+    ML_REPEAT,           /* v: runs what follows, up to its ML_AGAIN, v times, at least once */
+    ML_CALL,             /* p n v..: runs p up to ML_RETURN, with the n values as $1 to $n */
+    ML_GO,               /* p n v..: the same at the end of an action, as a tail call: does not return */
+    ML_LEAVE,            /* p n v..: as ML_GO, and drops all open calls and repeats: for a top action */
+    ML_FIRE,             /* starts to prepare a shot: speed and direction are unset */
+    ML_FIRE_REF,         /* p n v..: as ML_CALL, for a fire */
+    ML_FIRED,            /* end of a labelled fire: returns to the ML_FIRE_REF that led here, if any */
+    ML_SHOT_SPEED,       /* v, with its ML_TYPE */
+    ML_SHOT_DIRECTION,   /* v, with its ML_TYPE */
+    ML_BULLET_REF,       /* p n v..: as ML_CALL, for a bullet */
+    ML_BULLET, /* l p: fires the shot; p: its actions, 0: none. Returns to the ML_BULLET_REF that led here, if any */
     ML_VANISH,
-    ML_TURN,  /* v v: term, direction, ML_TYPE of it */
-    ML_SPEED, /* v v: term, speed, ML_TYPE of it */
-    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: that of x, and ML_TYPE_Y times that of y; ML_NONE: no such part */
+    ML_TURN,  /* v v: term, direction, with its ML_TYPE */
+    ML_SPEED, /* v v: term, speed, with its ML_TYPE */
+    ML_ACCEL, /* v v v: term, x, y; ML_TYPE: x's type + ML_TYPE_Y * y's type; ML_NONE: component absent */
     ML_OPS
 };
 enum { ML_TYPE_Y = 8 };
 
-/* Of a command: its operation, its type, and the line of its element (ML_LINES: that one or a later one). */
+/* The operation of a command, its type, and the line of its element (ML_LINES: that line or a later one). */
 #define ML_OP(word)   ((word)&0xff)
 #define ML_TYPE(word) ((word) >> 8 & 0xff)
 #define ML_LINE(word) ((word) >> 16 & 0x7fff)
@@ -84,13 +85,13 @@ static inline uint32_t ml_command(enum ml_op op, unsigned type, int line)
     return ML_COMMAND | (uint32_t)op | type << 8 | (uint32_t)(line > ML_LINES ? ML_LINES : line) << 16;
 }
 
-/* The steps of a value. */
+/* The steps that compute a value, on a stack. */
 enum ml_step {
     STEP_DONE,
     STEP_NUMBER, /* argument: the index of a number */
     STEP_RAND,
     STEP_RANK,
-    STEP_PARAM, /* argument: 0 to 9; $0, and what was not given, is 1; $0 is 0 where any was given */
+    STEP_PARAM, /* argument: 0 to 9. A missing parameter is 1; $0 is 1 without parameters, otherwise 0 */
     STEP_ADD,
     STEP_SUBTRACT,
     STEP_MULTIPLY,
@@ -101,20 +102,20 @@ enum ml_step {
 #define ML_STEP(word)     ((word)&0xff)
 #define ML_ARGUMENT(word) ((word) >> 8)
 
-/* Where the pieces of a program are. */
+/* The sections of a program. */
 struct ml {
     const uint8_t *number, *top, *label, *word, *step, *text;
     uint32_t tops, labels, numbers, words, steps, bytes;
     bool horizontal;
 };
 
-/* The words behind a command: v, p, n and l as above, '*' n values. */
+/* The operands of each operation: v, p, n and l as above, '*': n values. */
 extern const char *const ml_operands[ML_OPS];
 
-/* Is that a program, to the last byte? False and one sentence else. */
+/* Returns whether data is exactly one valid program; if not, err is one sentence. */
 bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* Of a program that was checked. */
+/* Finds the sections of a program that was checked. */
 void ml_open(struct ml *m, const uint8_t *data);
 
 static inline uint32_t ml_word(const struct ml *m, uint32_t at)
@@ -143,9 +144,8 @@ static inline const char *ml_label(const struct ml *m, uint32_t at)
 }
 
 /*
- * Arithmetic in Q31.32. Sums and products that do not fit are the greatest or least number there is; products and
- * quotients are rounded to the nearest, halves away from 0. x / 0 is the greatest or least number by the sign of x, and
- * 0 / 0 is 0.
+ * Arithmetic in Q31.32. Results that do not fit saturate to INT64_MAX or INT64_MIN; products and quotients are rounded
+ * to nearest, halves away from 0. x / 0 saturates by the sign of x, and 0 / 0 is 0.
  */
 #define ML_ONE ((int64_t)1 << 32)
 
@@ -171,8 +171,8 @@ static inline int64_t ml_subtract(int64_t a, int64_t b)
     return ((a ^ b) & (a ^ less)) < 0 ? (a >> 63) ^ INT64_MAX : less;
 }
 
-/* A count of frames or rounds: cut to a whole number, and what is below one by less than 2^-20 is one. What is too
- * large for a number of documents counts as none, as it does there. */
+/* Converts a count of frames or rounds to a whole number by truncation, except that a value at most 2^-20 short of a
+ * whole number is rounded to it. INT64_MAX, the result of an overflow, counts as 0, as documents expect. */
 static inline int32_t ml_whole(int64_t v)
 {
     const int64_t hair = 1 << 12;
@@ -182,7 +182,7 @@ static inline int32_t ml_whole(int64_t v)
     return (int32_t)(v < 0 ? -(ml_add(ml_negate(v), hair) >> 32) : ml_add(v, hair) >> 32);
 }
 
-/* a * b / 2^shift, to the nearest, |it| < 2^63, 1 <= shift <= 63. */
+/* Returns a * b / 2^shift, rounded to nearest, for 1 <= shift <= 63. The result's magnitude must be below 2^63. */
 static inline int64_t ml_scale(int64_t a, int64_t b, int shift)
 {
 #if defined(__SIZEOF_INT128__) && !defined(FX_NO_INT128)
@@ -197,7 +197,7 @@ static inline int64_t ml_scale(int64_t a, int64_t b, int shift)
 #endif
 }
 
-/* The next of the stream that $rand draws from, 0 <= it < 1; *state is never 0. Marsaglia's xorshift, 13 17 5. */
+/* Returns the next value of $rand, from 0 to below 1, Q31.32. *state must not be 0. Marsaglia's xorshift, 13 17 5. */
 static inline int64_t ml_rand(uint32_t *state)
 {
     uint32_t s = *state;
@@ -209,10 +209,10 @@ static inline int64_t ml_rand(uint32_t *state)
     return (int64_t)(s >> 8) << 8;
 }
 
-/* Directions are degrees in Q31.32, from 0 up to and without 360 (a turn as documents write it: 0 up, clockwise). */
+/* Directions are degrees in Q31.32, from 0 to below 360; as in documents, 0 is up and angles grow clockwise. */
 #define ML_TURN_ROUND (360 * ML_ONE)
 
-/* Brought into that range. */
+/* Returns direction d wrapped into that range. */
 static inline int64_t ml_wrap(int64_t d)
 {
     if ((uint64_t)d < (uint64_t)ML_TURN_ROUND)
@@ -223,7 +223,7 @@ static inline int64_t ml_wrap(int64_t d)
     return d < 0 ? d + ML_TURN_ROUND : d;
 }
 
-/* The nearest angle (2^32 a turn) of degrees in that range; and degrees of an angle, exactly. */
+/* Converts degrees in that range to the nearest angle (2^32 a turn); ml_degrees is the exact inverse conversion. */
 static inline ang ml_angle(int64_t d)
 {
     return (ang)(((uint64_t)d + 180) / 360);

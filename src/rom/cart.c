@@ -1,6 +1,6 @@
 /*
- * cart.c - see cart.h. All that is trusted later is checked here: sizes, multiplied in 64 bits, and every pixel,
- * because a blit copies eight of them at a time and would show what stands in a picture's padding.
+ * cart.c - see cart.h. Everything that is trusted later is checked here: sizes, computed in 64 bits, and every pixel,
+ * because a blit copies eight pixels at a time and would show the contents of a picture's padding.
  */
 #include "cart.h"
 
@@ -25,7 +25,7 @@ static bool find(const struct rom *rom, const char *name, struct lump *l)
     return i >= 0;
 }
 
-/* The lump folder + name + tail, if there is one. */
+/* Finds the lump folder + name + tail. Returns false if there is none. */
 static bool find_in(const struct rom *rom, const char *folder, const char *name, const char *tail, struct lump *l)
 {
     char full[ROM_NAME];
@@ -34,7 +34,8 @@ static bool find_in(const struct rom *rom, const char *folder, const char *name,
     return n > 0 && n < ROM_NAME && find(rom, full, l);
 }
 
-/* Lumps first to first + *n share the prefix; after is the prefix with its last byte raised. */
+/* Returns the index of the first lump with a prefix, and stores the number of such lumps in *n. after: the prefix with
+ * its last byte incremented. */
 static int range(const struct rom *rom, const char *prefix, const char *after, int *n)
 {
     int first = rom_first(rom, prefix);
@@ -71,7 +72,7 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
     return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
-/* The rule that makes this table. */
+/* Returns the blend rule with the same result as a table, or BLIT_TABLE. */
 static uint8_t rule_of(const uint8_t table[CART_BLEND])
 {
     for (uint8_t rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
@@ -118,7 +119,7 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* What palette i has of its own stands in for what main has. */
+/* Opens the tables of palette i; those it does not have are main's. */
 static bool open_look(struct cart *c, int i, char *err, size_t err_size)
 {
     struct cart_look *look = &c->looks[i];
@@ -244,7 +245,7 @@ static bool header_ok(const struct sprite *s)
            in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
 }
 
-/* Eight pixels at a time: each is 0, or its upper half the bank and its lower half not 0. */
+/* Checks eight pixels at a time: each must be 0, or have the bank in its upper half and not 0 in its lower half. */
 static bool row_ok(const uint8_t *row, const struct sprite *s)
 {
     const uint64_t ones = 0x0101010101010101, uppers = 0xf0 * ones, lowers = 0x0f * ones;
@@ -296,7 +297,7 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* ---- hit shapes ---- */
+/* ---- hitboxes ---- */
 
 void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT])
 {
@@ -322,7 +323,8 @@ static void read_hit(const uint8_t *p, struct cart_hit *hit)
     }
 }
 
-/* Is that row one of the shape? Lengths are not negative, and what the shape does not have is 0. */
+/* Returns whether row i is valid for the shape: lengths are not negative, and values that the shape does not use are
+ * 0. */
 static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
 {
     const int64_t most = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
@@ -398,7 +400,7 @@ static bool map_header_ok(const struct map *m)
            m->bank <= 15;
 }
 
-/* Tile 0 is empty; `solid` is 1 where no pixel is 0. */
+/* Checks a tile: tile 0 must be empty, and `solid` must be 1 for exactly the tiles without a 0 pixel. */
 static bool tile_ok(const struct map *m, int tile)
 {
     const int n = m->side * m->side;
@@ -474,7 +476,7 @@ static bool open_bulletml(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* The samples of a stream, which music alone may be. */
+/* Returns whether a stream's samples are valid. Only music can be a stream. */
 static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
 {
     struct lump l;
@@ -483,7 +485,7 @@ static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
            samples_open(l.data, l.size, sides);
 }
 
-/* The tunes of a folder. */
+/* Checks the n tunes of a folder. */
 static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
 {
     struct lump l;
@@ -513,7 +515,7 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 
     c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
     c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
-    if (c->sounds + c->tunes > 0) { /* their lumps stand one behind the other */
+    if (c->sounds + c->tunes > 0) { /* their lumps are adjacent in the ROM */
         rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
         c->tune_data = first.data - TUNES_FIRST;
     }
@@ -553,7 +555,7 @@ const char *cart_sprite_name(const struct cart *cart, int i)
     return l.name + strlen("gfx/");
 }
 
-/* The lump folder + name, counted from the folder's first; -1: none. */
+/* Returns the index of the lump folder + name, relative to lump `first`, or -1. */
 static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
 {
     char full[ROM_NAME];
@@ -757,7 +759,7 @@ int cart_find_sound(const struct cart *cart, const char *name)
     return index_in(cart, "sound/", name, cart->first_sound);
 }
 
-/* The samples of the recording at that place; 0: it is none. */
+/* Returns the place of the samples of the recording at place `tune`; 0: none. */
 static uint32_t samples_of(const struct cart *cart, uint32_t tune)
 {
     const uint32_t at = bytes_get32(cart->tune_data + tune + 12);

@@ -1,12 +1,13 @@
 /*
- * compressed.h - a ROM's file made small. In it is the ROM, byte by byte: lumps and hashes are of the plain one.
+ * compressed.h - compressed ROM files. Decompression restores the plain ROM byte by byte, so lumps and hashes do not
+ * change.
  *
  * Little-endian:
  *
  *      0  "CURTAINZ"
  *      8  u32 format (1)                       16  u32 bytes of the plain ROM      24  u32 CRC32 of the plain ROM
  *     12  u32 CRC32 of all bytes from 16       20  u32 bytes of this file          28  u32 zero
- *     32  the ROM (base/rom.h) as an LZMA stream: lzma.h
+ *     32  the ROM (rom.h) as an LZMA stream (lzma.h)
  */
 #ifndef ROM_COMPRESSED_H
 #define ROM_COMPRESSED_H
@@ -15,23 +16,25 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* A file whose header claims more is rejected, since it could exhaust memory; the writer leaves such a ROM plain. */
 enum {
     COMPRESSED_HEADER = 32,
-    COMPRESSED_MOST =
-        256 << 20,          /* bytes of the plain ROM, and how many times as many as the file has: what says more */
-    COMPRESSED_TIMES = 1000 /* is there to fill a memory. The writer leaves such a ROM plain. */
+    COMPRESSED_MOST = 256 << 20, /* maximum bytes of the plain ROM */
+    COMPRESSED_TIMES = 1000      /* maximum ratio of its size to the file's */
 };
 
-/* Does it begin as one? Then it is no plain ROM. */
+/* Returns whether data starts like a compressed ROM, which a plain ROM never does. */
 bool compressed_is(const void *data, size_t size);
 
-/* Bytes of the ROM in it; 0 and one sentence, without the file's name, for one that is damaged or says too much. */
+/* Returns the bytes of the plain ROM; 0, with one sentence in err (without the file's name), if the file is damaged or
+ * claims too much. */
 size_t compressed_size(const void *data, size_t size, char *err, size_t err_size);
 
-/* Writes these bytes into out. False and one sentence. They are looked at by rom_open like any others. */
+/* Decompresses the plain ROM into out, which has compressed_size bytes. Returns false, with one sentence in err, if the
+ * file is damaged. rom_open still has to check the result. */
 bool compressed_read(const void *data, size_t size, void *out, char *err, size_t err_size);
 
-/* Puts the header before a stream of `size - COMPRESSED_HEADER` bytes that stands behind it. */
+/* Writes the header at out, in front of a stream of `size - COMPRESSED_HEADER` bytes that is already there. */
 void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * face.c - see face.h. Pixels are checked one by one, for a blit copies eight at a time and would show what stands in
- * the padding.
+ * face.c - see face.h. Every pixel is checked, because a blit copies eight at a time and would show the contents of the
+ * padding.
  */
 #include "face.h"
 

@@ -1,10 +1,10 @@
 /*
- * face.h - a font of a game whose characters have widths of their own: what the packer makes of one of `fonts` in
- * rom.lua.
+ * face.h - a game's proportional font, compiled by the packer from one of `fonts` in rom.lua.
  *
- * The lump "fonts/NAME": u16 height of a line in px, u16 zero, u32 how many glyphs; for each, ascending by code, u32
- * code, u32 where its pixels begin in the lump, u8 w h, i8 x y of its top left corner from the pen and the line's top,
- * u8 advance, 3 zero bytes; then the pixels, rows of w padded with zeros to a multiple of 8, shades 0 to 15.
+ * The lump "fonts/NAME": u16 height of a line in px, u16 zero, u32 number of glyphs; for each glyph, ascending by code,
+ * u32 code, u32 offset of its pixels in the lump, u8 w h, i8 x y of its top left corner, relative to the pen and the
+ * line's top, u8 advance, 3 zero bytes; then the pixels, in rows of w padded with zeros to a multiple of 8, shades 0 to
+ * 15.
  */
 #ifndef ROM_FACE_H
 #define ROM_FACE_H
@@ -17,7 +17,7 @@ enum {
     FACE_HEAD = 8,
     FACE_GLYPH = 16, /* bytes */
     FACE_MAX = 65536,
-    FACE_SIDE = 64, /* px of a glyph, each way */
+    FACE_SIDE = 64, /* maximum width and height of a glyph, px */
     FACE_HEIGHT = 128
 };
 
@@ -33,13 +33,14 @@ struct face_glyph {
     int x, y, advance;
 };
 
-/* Checks a lump once; it must outlive face. False and one sentence else. */
+/* Checks a lump and opens it. The lump must outlive f. Returns false, with one sentence in err, if it is not a valid
+ * font. */
 bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* The same of a lump that was checked. */
+/* Opens a lump that was checked. */
 struct face face_of(const uint8_t *data);
 
-/* The glyph of a code; false: it has none. */
+/* Finds the glyph of a code. Returns false if the font has none. */
 bool face_find(const struct face *f, uint32_t code, struct face_glyph *out);
 
 #endif

@@ -1,10 +1,10 @@
 /*
  * lzma.c - see lzma.h.
  *
- * The range coder halves a range of numbers, by the odds of a bit, until the number that the stream is lies alone in
- * it. Odds move by 1/32 of what they were off. Whatever the bytes are, a symbol is read from them: so what is checked
- * is that no distance leads before the beginning, that no match goes past the end, and that stream and output end
- * together.
+ * The range coder splits a range of numbers in proportion to the odds of each bit, until only the number that the
+ * stream encodes is left in the range. Odds move by 1/32 of their error. Any bytes decode to some symbols, so the
+ * reader checks that no distance points before the start of the output, that no match runs past its end, and that
+ * stream and output end together.
  */
 #include "lzma.h"
 
@@ -16,7 +16,7 @@ void lzma_model_reset(struct lzma_model *m)
 {
     const lzma_odds even = EVEN;
 
-    for (size_t i = 0; i < sizeof *m; i += sizeof even) /* it has nothing but odds */
+    for (size_t i = 0; i < sizeof *m; i += sizeof even) /* the struct contains only odds */
         memcpy((uint8_t *)m + i, &even, sizeof even);
 }
 
@@ -39,7 +39,7 @@ int lzma_after(int state, enum lzma_match match)
 struct reader {
     const uint8_t *in, *end;
     uint32_t range, code;
-    bool over; /* bytes were wanted that are not there */
+    bool over; /* the reader needed bytes after the end of the stream */
     uint8_t *out;
     size_t at, size;
     uint32_t rep[LZMA_REPS]; /* distances less 1 */
@@ -74,7 +74,7 @@ static unsigned read_bit(struct reader *r, lzma_odds *odds)
     return bit;
 }
 
-/* Bits, the highest first; which odds a bit has follows from those before it. */
+/* Reads a number of `bits` bits, the highest first. The odds of each bit depend on the bits before it. */
 static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
 {
     unsigned m = 1;
@@ -84,7 +84,7 @@ static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
     return m - (1u << bits);
 }
 
-/* The same, the lowest first. */
+/* As read_tree, the lowest bit first. */
 static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
 {
     unsigned m = 1;
@@ -98,7 +98,7 @@ static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
     return out;
 }
 
-/* Bits of which nothing is expected. */
+/* Reads bits with even odds, the highest first. */
 static uint32_t read_even(struct reader *r, int bits)
 {
     uint32_t out = 0;
@@ -120,7 +120,7 @@ static void read_literal(struct reader *r)
     unsigned m = 1;
 
     if (r->state >= LZMA_LITERALS) {
-        const unsigned match = r->out[r->at - r->rep[0] - 1]; /* which differs, or the match were longer */
+        const unsigned match = r->out[r->at - r->rep[0] - 1]; /* differs, or the match would be longer */
         for (int i = 7; i >= 0 && m < 0x100; i--) {
             const unsigned would = match >> i & 1, bit = read_bit(r, &r->m.literal[1 + would][m]);
             m = m << 1 | bit;
@@ -167,7 +167,7 @@ static void recall(struct reader *r, int i)
     r->rep[0] = distance;
 }
 
-/* A match of a distance that was there before; returns its length. */
+/* Reads a match with a remembered distance. Returns its length. */
 static uint32_t read_again(struct reader *r)
 {
     struct lzma_model *m = &r->m;
@@ -187,7 +187,7 @@ static uint32_t read_again(struct reader *r)
     return length;
 }
 
-/* The same of a new distance. */
+/* Reads a match with a new distance. Returns its length. */
 static uint32_t read_new(struct reader *r)
 {
     const uint32_t length = read_length(r, &r->m.length);
@@ -198,18 +198,18 @@ static uint32_t read_new(struct reader *r)
     return length;
 }
 
-/* False: it leads out of what there is. */
+/* Copies a match. Returns false if it starts before the output or ends after it. */
 static bool copy(struct reader *r, uint32_t length)
 {
     if (r->rep[0] >= r->at || length > r->size - r->at)
         return false;
     const uint8_t *from = r->out + r->at - r->rep[0] - 1;
     for (uint8_t *to = r->out + r->at; length > 0; length--, r->at++)
-        *to++ = *from++; /* byte by byte, for what is copied may be what this has just written */
+        *to++ = *from++; /* byte by byte, because source and destination can overlap */
     return true;
 }
 
-/* All has been read: the number is the range's beginning, and no byte is left. */
+/* Returns whether the whole stream has been read: the number is the start of the range, and no byte is left. */
 static bool ended(const struct reader *r)
 {
     return r->code == 0 && r->in == r->end && !r->over;
@@ -237,7 +237,7 @@ bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
         if (again && r.at == 0)
             return false;
         const uint32_t length = again ? read_again(&r) : read_new(&r);
-        if (!again && r.rep[0] == UINT32_MAX) /* an end mark, which some writers put */
+        if (!again && r.rep[0] == UINT32_MAX) /* an end marker, which some encoders write */
             return r.at == size && ended(&r);
         if (!copy(&r, length))
             return false;

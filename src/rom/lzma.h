@@ -1,8 +1,8 @@
 /*
- * lzma.h - bytes made small as LZMA does it: matches, and a range coder over bits that are expected.
+ * lzma.h - LZMA: matches, and a range coder with adaptive bit probabilities.
  *
- * A stream is what liblzma calls raw LZMA1 with lc = 0, lp = 0 and pb = 0, whose dictionary is all that came before.
- * Other programs can write and read it; tests/cli/compressed.sh has Python's do both.
+ * A stream is what liblzma calls raw LZMA1 with lc = 0, lp = 0 and pb = 0; its dictionary is all preceding output.
+ * Other programs can write and read it; tests/cli/compressed.sh does both with Python's lzma module.
  */
 #ifndef ROM_LZMA_H
 #define ROM_LZMA_H
@@ -12,43 +12,45 @@
 #include <stdint.h>
 
 enum {
-    LZMA_SHORTEST = 2, /* bytes of a match */
+    LZMA_SHORTEST = 2, /* minimum bytes of a match */
     LZMA_LONGEST = 273,
-    LZMA_REPS = 4, /* distances that are remembered */
+    LZMA_REPS = 4, /* number of remembered distances */
     LZMA_STATES = 12,
-    LZMA_LITERALS = 7, /* states below it are those after a literal */
-    LZMA_LENGTHS = 4,  /* how slots of distances are told apart: by matches of 2, 3, 4 and more bytes */
-    LZMA_NEAR = 14,    /* slots below it have all their bits expected */
-    LZMA_ALIGN = 4,    /* bits at a distance's end that are expected where the others are not */
+    LZMA_LITERALS = 7, /* states below this one follow a literal */
+    LZMA_LENGTHS = 4,  /* models of distance slots: for matches of 2, 3, 4, and 5 or more bytes */
+    LZMA_NEAR = 14,    /* in slots below this one all bits have odds */
+    LZMA_ALIGN = 4,    /* lowest bits of a distance, which have odds in all other slots too */
     LZMA_SCALE = 11,
-    LZMA_PACE = 5,     /* odds move by 1/32 of what they were off */
-    LZMA_TOP = 1 << 24 /* a range below it takes another byte */
+    LZMA_PACE = 5,     /* odds move by 1/32 of their error */
+    LZMA_TOP = 1 << 24 /* a range below this one needs another byte */
 };
 
-/* How likely a bit is 0, of 2048. */
+/* The probability that a bit is 0, of 2048. */
 typedef uint16_t lzma_odds;
 
 struct lzma_length {
     lzma_odds choice[2], low[8], middle[8], high[256];
 };
 
-/* What has been seen of each kind of bit so far; the writer's and the reader's are the same at each byte. */
+/* The odds of each kind of bit, learned so far; the writer and the reader have the same at each byte. */
 struct lzma_model {
     lzma_odds match[LZMA_STATES], rep[LZMA_STATES], rep_0[LZMA_STATES], rep_0_long[LZMA_STATES], rep_1[LZMA_STATES],
         rep_2[LZMA_STATES];
     lzma_odds slot[LZMA_LENGTHS][64], near[128], align[1 << LZMA_ALIGN];
     struct lzma_length length, rep_length;
-    lzma_odds literal[3][256]; /* plain; after a match, by the bit that would have gone on with it */
+    lzma_odds literal[3][256]; /* plain; after a match, by the bit that would have continued the match */
 };
 
 void lzma_model_reset(struct lzma_model *m);
 
-/* The state after a literal, and after a match: plain, of a remembered distance, of one byte of the last distance. */
+/* Return the state after a literal, and after a match: with a new distance, with a remembered distance, or of one byte
+ * at the last distance. */
 enum lzma_match { LZMA_MATCH, LZMA_REP, LZMA_SHORT_REP };
 int lzma_after_literal(int state);
 int lzma_after(int state, enum lzma_match match);
 
-/* Reads a stream that is just `size` bytes plain. False: it is not; what out has then is of no use. */
+/* Decompresses a stream of exactly `size` plain bytes. Returns false if the stream is damaged or of another size; the
+ * contents of out are then undefined. */
 bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * manifest.c - see manifest.h: defaults, ranges and the binary form. The text form is read in manifest_text.c.
- * One walk over the struct serves both directions of the binary form, so they cannot disagree.
+ * manifest.c - see manifest.h: defaults, ranges and the binary form. manifest_text.c reads the text form. The same walk
+ * over the struct reads and writes the binary form, so the two cannot disagree.
  */
 #include "manifest.h"
 
@@ -17,8 +17,9 @@
 #include "../entities/options.h"
 #include "../entities/registers.h"
 
-/* The first word of the lump, and how many of the numbers a lump of each format has: core versions to 4 wrote format 1,
- * core version 5 wrote format 2, core version 6 format 3; format 5 is that of games that run BulletML documents. */
+/* The lump's first word is its format. numbers_of: how many of manifest_numbers a lump of each format has. Core
+ * versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. Games that run BulletML documents
+ * have format 5, other games format 4. */
 enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
 static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
 
@@ -135,7 +136,7 @@ static bool all_zero(const void *p, size_t n)
     return n == 0;
 }
 
-/* Ended inside its array, nothing but zeros after the end, no character that may not be shown. */
+/* Returns whether s ends inside its array, has only zeros after its end, and contains only printable characters. */
 static bool text_ok(const char *s, size_t n)
 {
     const char *p = s, *end = memchr(s, '\0', n);
@@ -200,7 +201,7 @@ static bool check_extends(const struct manifest *m, char *err, size_t err_size)
     return true;
 }
 
-/* n words, all different, nothing after them. */
+/* Returns whether the first n words are valid and distinct, and the rest are zero. */
 static bool words_ok(const char words[][MAX_WORD], int n, int max)
 {
     for (int i = 0; i < n; i++) {
@@ -265,7 +266,7 @@ bool manifest_check(const struct manifest *m, char *err, size_t err_size)
            check_difficulties(m, err, err_size) && check_dips(m, err, err_size);
 }
 
-/* A walk over the struct: it writes the bytes, or reads them. */
+/* A walk over the struct that writes or reads the bytes of the lump. */
 struct walk {
     uint8_t *out;      /* NULL: reading */
     const uint8_t *in; /* NULL: writing */
@@ -387,8 +388,8 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     if (!format)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
-    m->nvram_kib = NV_KIB;        /* of format 1 */
-    m->registers = MAX_REGISTERS; /* of format 3: as many as its ships could have */
+    m->nvram_kib = NV_KIB;        /* format 1 has no nvram_kib */
+    m->registers = MAX_REGISTERS; /* formats 1 to 3 have no registers; ships could have this many */
     walk_manifest(&w, m, format);
     if (!w.good)
         return err_set(err, err_size, "unknown format");

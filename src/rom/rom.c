@@ -1,6 +1,6 @@
 /*
- * rom.c - see rom.h. rom_open does every check there is, so the other functions read without looking. The layout
- * rom_write makes is the only one accepted but for slack between the parts: names ascend, data ascends, nothing
+ * rom.c - see rom.h. rom_open makes all checks; the other functions read without checking. Only the layout that
+ * rom_write writes is accepted, except that gaps between sections are allowed: names ascend, data ascends, nothing
  * overlaps.
  */
 #include "rom.h"
@@ -15,7 +15,7 @@
 
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 0x1a };
 
-/* Where the header's checksum begins to count. */
+/* The offset where the header's checksum starts. */
 enum { CRC_FROM = 16 };
 
 static const uint8_t *entry(const struct rom *rom, uint32_t i)
@@ -72,7 +72,7 @@ static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_
     return true;
 }
 
-/* *end: where the lump before ended; moved to where this one ends. */
+/* Checks the data of lump i. *end: the end of the previous lump; set to the end of this one. */
 static bool check_data(const struct rom *rom, uint32_t i, size_t *end, char *err, size_t err_size)
 {
     const uint8_t *e = entry(rom, i);
@@ -181,7 +181,7 @@ static uint64_t align_up(uint64_t n)
     return (n + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
 }
 
-/* Where the data begins. */
+/* Returns the offset of the data. */
 static uint64_t data_start(const struct lump *lumps, int n)
 {
     uint64_t at = ROM_HEADER + (uint64_t)n * ROM_ENTRY;

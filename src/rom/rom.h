@@ -1,7 +1,7 @@
 /*
- * rom.h - the archive a game travels in: named lumps in one flat read-only block.
+ * rom.h - the archive format of a game: named lumps in one flat read-only block.
  *
- * Little-endian, no pointers, so that it can be mapped or linked into a program:
+ * Little-endian and without pointers, so that it can be mapped or linked into a program:
  *
  *      0  "CURTAIN\x1a"
  *      8  u32 version (ROM_VERSION)        16  u32 lumps        24  u32 zero
@@ -19,16 +19,16 @@
 enum {
     ROM_VERSION = 1,
     ROM_HEADER = 32, /* bytes before the directory */
-    ROM_ENTRY = 16,  /* bytes a lump has in the directory */
+    ROM_ENTRY = 16,  /* bytes per lump in the directory */
     ROM_ALIGN = 16,
-    ROM_NAME = 128 /* longest name with its NUL */
+    ROM_NAME = 128 /* maximum bytes of a name, with its NUL */
 };
 
 struct rom {
     const uint8_t *data;
     size_t size;
     uint32_t count; /* lumps */
-    uint32_t crc;   /* of everything but the first 16 bytes: names this very file */
+    uint32_t crc;   /* of everything but the first 16 bytes; identifies this file */
 };
 
 struct lump {
@@ -37,32 +37,33 @@ struct lump {
     uint32_t size;
 };
 
-/* Checks every byte the reader will rely on, once. False and one sentence in err (without the file's name) for a block
- * that is not a whole, undamaged ROM. The block must outlive rom. */
+/* Checks, once, every byte that the reader relies on. Returns false, with one sentence in err (without the file's
+ * name), if the block is not a complete, undamaged ROM. The block must outlive rom. */
 bool rom_open(struct rom *rom, const void *data, size_t size, char *err, size_t err_size);
 
-/* The lump's index, or -1. */
+/* Returns the index of the lump with that name, or -1. */
 int rom_find(const struct rom *rom, const char *name);
 
-/* Lump i, 0 <= i < count. */
+/* Reads lump i, 0 <= i < count. */
 void rom_lump(const struct rom *rom, int i, struct lump *out);
 
-/* The index of the first lump whose name is not before prefix; lumps that share a prefix stand together from there. */
+/* Returns the index of the first lump whose name does not sort before prefix; lumps with that prefix start there. */
 int rom_first(const struct rom *rom, const char *prefix);
 
-/* All lumps: names and bytes. */
+/* Returns a hash of the names and bytes of all lumps. */
 uint64_t rom_hash(const struct rom *rom);
 
-/* The lumps that tick can read: manifest, script/, data/, lang/, tune/ and hit/. Art, sounds and demos are left out. */
+/* Returns a hash of lumps that ticks can read: manifest, script/, data/, lang/, tune/ and hit/. It leaves out
+ * bulletml/, art, sounds and demos. */
 uint64_t rom_game_hash(const struct rom *rom);
 
-/* May this be a lump's name? 1 to ROM_NAME - 1 printable ASCII characters. */
+/* Returns whether name is valid for a lump: 1 to ROM_NAME - 1 printable ASCII characters. */
 bool rom_name_ok(const char *name);
 
-/* Bytes of the ROM that rom_write makes of n lumps; 0: more than 4 GiB. */
+/* Returns the bytes that rom_write writes for n lumps; 0: 4 GiB or more. */
 size_t rom_write_size(const struct lump *lumps, int n);
 
-/* Writes a ROM of n lumps with good, ascending, different names into out (rom_write_size bytes). */
+/* Writes a ROM of n lumps into out (rom_write_size bytes). The names must be valid, distinct and ascending. */
 void rom_write(void *out, const struct lump *lumps, int n);
 
 #endif

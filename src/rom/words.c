@@ -19,7 +19,7 @@ const char *words_entry(const struct words *w, uint32_t i, const char **words)
     return (const char *)w->data + bytes_get32(entry);
 }
 
-/* Does a string that is no longer than it may be begin there? */
+/* Returns whether a string of valid length starts at offset `at`, which must not be before `first`. */
 static bool string_ok(const uint8_t *data, size_t size, size_t first, uint32_t at)
 {
     size_t most = at < size ? size - at : 0;
@@ -43,7 +43,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
     return true;
 }
 
-/* As strcmp of a string and the n bytes of a text. */
+/* Compares a string with the n bytes of a text, like strcmp. */
 static int compare(const char *s, const char *text, size_t n)
 {
     size_t m = strlen(s);

@@ -1,8 +1,8 @@
 /*
- * words.h - a language of a game: texts and what stands for each, as the packer makes it of lang/NAME.txt.
+ * words.h - a language of a game: strings and their translations, compiled by the packer from lang/NAME.txt.
  *
- * The lump "lang/NAME": u32 how many; for each, ascending by text, u32 where its text and u32 where its words begin in
- * the lump; then all these, each ended by a NUL.
+ * The lump "lang/NAME": u32 number of entries; for each, ascending by original string, u32 offset of the original and
+ * u32 offset of its translation in the lump; then all these strings, each ended by a NUL.
  */
 #ifndef ROM_WORDS_H
 #define ROM_WORDS_H
@@ -11,20 +11,20 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { WORDS_MAX = 16384, WORDS_TEXT = 1024 /* bytes of a text or its words, with the NUL */ };
+enum { WORDS_MAX = 16384, WORDS_TEXT = 1024 /* maximum bytes of an original or a translation, with the NUL */ };
 
 struct words {
     const uint8_t *data; /* NULL: no language */
     uint32_t n;
 };
 
-/* Checks a lump once; it must outlive words. False and one sentence else. */
+/* Checks a lump and opens it. The lump must outlive w. Returns false, with one sentence in err, if it is not valid. */
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* Entry i: its text and its words. */
+/* Returns the original string of entry i, and stores its translation in *words unless words is NULL. */
 const char *words_entry(const struct words *w, uint32_t i, const char **words);
 
-/* What stands for the n bytes of a text; NULL: nothing does. */
+/* Returns the translation of a text of n bytes, or NULL. */
 const char *words_find(const struct words *w, const char *text, size_t n);
 
 #endif

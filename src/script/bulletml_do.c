@@ -1,35 +1,34 @@
 /*
- * bulletml_do.c - the commands of BulletML documents, one runner at a time, and how values are worked out.
+ * bulletml_do.c - executes the commands of BulletML documents, one runner at a time, and evaluates their expressions.
  *
- * The end of a list comes with its last element, also if that is a wait: a runner that has nothing behind its wait is
- * over, and a bullet's next action, due when the wait ends, begins then and not a frame later.
+ * A list of actions ends with its last element, even if that is a wait: a runner with nothing after its wait is over at
+ * once, and a bullet's next action, due when the wait ends, starts in that frame and not one later.
  *
- * A fire needs no time: what is between its beginning and its bullet stands in C, not in RAM. A repeat and a call of an
- * action may, so they have frames of their own in a pool.
+ * A fire completes within one turn, so its state is in C variables and not in RAM. A repeat or an action call can last
+ * many turns, so each has an entry (a frame of the call stack) in a pool.
  */
 #include <assert.h>
 #include <string.h>
 #include "bulletml_parts.h"
 
-/* A fire that is prepared: its speed and direction so far, and where the commands go on after the parts of it that
- * stand elsewhere. */
+/* A fire being prepared: its speed and direction so far, and where execution continues after a fireRef or bulletRef. */
 struct shot {
     bool sped, turned;
     int64_t speed, direction;
-    uint32_t after_fire, after_bullet; /* 0: it stands in line */
+    uint32_t after_fire, after_bullet; /* program positions; 0: inline, nowhere to return to */
 };
 
-/* All that the commands of a turn work with. */
+/* The working state of one turn. */
 struct work {
     struct turn *t;
     struct ml_runners *r;
     uint32_t at;
     struct shot shot;
-    struct given own, fire, bullet; /* parameters of the action, and of a fire and a bullet that refs lead to */
-    struct given *given;            /* those in force */
+    struct given own, fire, bullet; /* parameters of the action, the fireRef and the bulletRef */
+    struct given *given;            /* the one in force */
     int64_t fire_value[ML_PARAMS], bullet_value[ML_PARAMS];
-    bool yields;    /* what follows is for the next frame */
-    uint64_t steps; /* of the values worked out since work was last counted */
+    bool yields;    /* the rest waits for the next frame */
+    uint64_t steps; /* expression steps since work was last counted */
 };
 
 static uint32_t next_word(struct work *w)
@@ -44,11 +43,11 @@ static int64_t param(const struct given *g, uint32_t i)
     return i <= (uint32_t)g->n ? g->value[i - 1] : ML_ONE;
 }
 
-/* Works out the value whose steps begin there. */
+/* Evaluates the expression whose steps start at `at`. */
 static int64_t work_out(struct work *w, uint32_t at)
 {
     struct ml_roots *o = &w->t->b->ml_roots;
-    int64_t stack[ML_STACK + 1], *top = stack; /* the topmost number; below the first there is room for none */
+    int64_t stack[ML_STACK + 1], *top = stack; /* top: the topmost number; stack[0] is unused */
     const uint32_t first = at;
 
     for (;; at++) {
@@ -102,7 +101,7 @@ static int64_t next_value(struct work *w)
     return value(w, next_word(w));
 }
 
-/* Works n values out into at most ML_PARAMS places; returns how many stand there. */
+/* Evaluates n values and stores the first ML_PARAMS of them. Returns how many it stored. */
 static int next_values(struct work *w, uint32_t n, int64_t out[ML_PARAMS])
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -113,7 +112,7 @@ static int next_values(struct work *w, uint32_t n, int64_t out[ML_PARAMS])
     return (int)(n < ML_PARAMS ? n : ML_PARAMS);
 }
 
-/* A direction as documents resolve it: from 0 to 360, and 360 where it came out so. */
+/* Resolves a direction to degrees in [0, 360]; a positive multiple of 360 becomes 360, not 0. */
 static int64_t resolve_direction(const struct work *w, enum ml_type type, int64_t v)
 {
     struct ml_runners *r = w->r;
@@ -151,7 +150,8 @@ static int64_t resolve_speed(const struct work *w, enum ml_type type, int64_t v)
     return v;
 }
 
-/* A timed change begins: to a value, or (`each`) by so much a frame. */
+/* Starts a timed change from `from` to `to` that takes `term` frames, at least 1. If `each` is not 0, it is the
+ * change per frame. */
 static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term, int64_t each)
 {
     struct ml_runners *r = w->r;
@@ -170,7 +170,7 @@ static void begin_change(const struct work *w, int change, int64_t from, int64_t
     r->flags[i] |= (uint16_t)(1u << change);
 }
 
-/* The way round: the shorter one, and of two as long that against the sign of the difference. */
+/* Starts a turn the shorter way round; of two equally long ways, the one opposite in sign to the plain difference. */
 static void turn(struct work *w, enum ml_type type)
 {
     const int32_t term = ml_whole(next_value(w));
@@ -217,7 +217,7 @@ static void accel(struct work *w, uint32_t types)
 
 /* ---- repeats and calls ---- */
 
-/* A new innermost frame; false: there is no room, and the runner's actions are over. */
+/* Pushes a new innermost frame. If the pool is full, ends the runner's actions and returns false. */
 static bool push(struct work *w, uint32_t command, int32_t left, uint32_t back, uint32_t given)
 {
     struct ml_frames *f = &w->t->b->ml_frames;
@@ -250,7 +250,7 @@ static void pop(struct work *w)
     slots_drop(&f->s, k);
 }
 
-/* The runner's own parameters are that list (+ 1) from now on, which is used for it already. */
+/* Makes `list` (slot + 1; 0: none) the runner's own parameters. Takes over the caller's reference to it. */
 static void set_given(struct work *w, uint32_t list)
 {
     const struct ml_params *p = &w->t->b->ml_params;
@@ -259,7 +259,8 @@ static void set_given(struct work *w, uint32_t list)
     w->own = (struct given){ list ? p->n[list - 1] : 0, list ? p->value + (size_t)(list - 1) * ML_VALUES : NULL, list };
 }
 
-/* Works the parameters of a call out, as a list. False: there is no room. */
+/* Evaluates the n parameters of a call into a new list, *list (slot + 1; 0 if there are none). If the pool is full,
+ * ends the runner's actions and returns false. */
 static bool call_list(struct work *w, uint32_t n, uint32_t *list)
 {
     int64_t out[ML_PARAMS];
@@ -353,7 +354,7 @@ static void fire(struct work *w)
     w->shot.sped = w->shot.turned = false;
 }
 
-/* What is still unset is set; then it appears. */
+/* Fires the bullet. Unset speed and direction get their defaults: speed 1, aimed at the player. */
 static void bullet(struct work *w)
 {
     struct shot *s = &w->shot;
@@ -457,7 +458,7 @@ static void command(struct work *w, uint32_t c)
 
 enum { A_COMMAND = 8, A_STEP = 1 /* work */ };
 
-/* Counts the command that was done, and the values it worked out. */
+/* Charges for the executed command c and its expression steps. */
 static void count(struct work *w, uint32_t c)
 {
     struct ml_runners *r = w->r;

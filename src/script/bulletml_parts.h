@@ -1,6 +1,6 @@
 /*
- * bulletml_parts.h - what the two halves of BulletML's run share: bulletml_run.c, which keeps the books of roots,
- * runners and bullets, and bulletml_do.c, which does the commands.
+ * bulletml_parts.h - what the two halves of the BulletML interpreter share: bulletml_run.c, which manages roots,
+ * runners and bullets, and bulletml_do.c, which executes the commands.
  */
 #ifndef SCRIPT_BULLETML_PARTS_H
 #define SCRIPT_BULLETML_PARTS_H
@@ -10,61 +10,64 @@
 #include "vm.h"
 
 enum {
-    MOST_COMMANDS = 100000, /* of a runner in a frame */
-    MOST_DEPTH = 4096,      /* repeats and calls in one another */
-    LONGEST = 1 << 30       /* frames, of a wait or a term */
+    MOST_COMMANDS = 100000, /* per runner and frame */
+    MOST_DEPTH = 4096,      /* nested repeats and calls */
+    LONGEST = 1 << 30       /* frames, for a wait or a term */
 };
 
-/* The step of a change of that kind is kept in units of 2^-32 / bulletml_fine, so that all of them together are as the
- * straight line says; one that is too large for that is 0, and worked out anew. */
+/* Returns the extra precision of a change's step, which is stored in units of 2^-32 / bulletml_fine so that the
+ * steps add up to the exact straight line. A step too large for that is stored as 0, and the value is interpolated
+ * each frame. */
 static inline int64_t bulletml_fine(int change)
 {
     return change == CHANGE_DIRECTION ? 1 << 12 : 1 << 20;
 }
 
-/* A runner that has its turn. */
+/* A runner's turn. */
 struct turn {
     struct board *b;
     const struct ml *ml;
     uint32_t runner, root, body;
-    uint32_t now; /* the clock */
-    fx x, y;      /* of its bullet, or root */
+    uint32_t now; /* the board's clock, in frames */
+    fx x, y;      /* position of its bullet, or of the root */
     bool vanishes;
-    bool steers; /* direction, speed or velocity are others */
+    bool steers; /* direction, speed or velocity changed */
 };
 
-/* What $1.. are in a part of a document: of a list of the pool, or not of one yet. */
+/* The values of $1, $2, ... in a part of a document, from a list in the parameter pool or not stored there yet. */
 struct given {
     int n;
     const int64_t *value;
-    uint32_t list; /* + 1, 0: of none */
+    uint32_t list; /* slot + 1; 0: not in the pool */
 };
 
-/* A bullet as it is fired. */
+/* A bullet about to be fired. */
 struct fired {
-    int64_t direction, speed; /* degrees from 0 up to 360; Q31.32 */
-    uint32_t label;           /* + 1, 0: none */
-    uint32_t at;              /* where its actions begin, 0: it has none */
+    int64_t direction, speed; /* degrees in [0, 360), and document speed; both Q31.32 */
+    uint32_t label;           /* label + 1; 0: none */
+    uint32_t at;              /* program position of its actions; 0: it has none */
 };
 
-/* Does the commands that are due. */
+/* Executes the runner's due commands. */
 void bulletml_do(struct turn *t);
 
-/* Fires it from where the runner is. */
+/* Fires f from the runner's position. */
 void bulletml_fire(const struct turn *t, const struct fired *f, struct given *given);
 
-/* A list of parameters is used once more, once less; a new one, used once, its slot + 1, or 0: there is no room. */
+/* Reference counting of parameter lists, named by slot + 1; 0 is ignored. bulletml_keep adds a reference,
+ * bulletml_let_list drops one and frees an unused list. bulletml_list returns a new list of n values with one
+ * reference; 0: pool full. */
 void bulletml_keep(struct board *b, uint32_t list);
 void bulletml_let_list(struct board *b, uint32_t list);
 uint32_t bulletml_list(struct board *b, const int64_t *value, int n);
 
-/* The direction from the runner to the nearest player. */
+/* Returns the document's direction from the runner to the nearest player, in degrees, Q31.32. */
 int64_t bulletml_aim(const struct turn *t);
 
-/* Raises the fault that names the runner's document, and the line of the command w. */
+/* Raises a script fault that names the runner's document and the line of command w. */
 void bulletml_fault(const struct turn *t, uint32_t w, const char *what);
 
-/* The same where all documents together have more to do than a frame may. */
+/* Raises the fault for more BulletML work, in all documents together, than a frame may take. */
 void bulletml_too_much(const struct turn *t, uint32_t w);
 
 #endif

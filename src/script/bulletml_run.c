@@ -1,14 +1,15 @@
 /*
- * bulletml_run.c - BulletML documents in a tick: roots, runners and their bullets. Commands are done by bulletml_do.c.
+ * bulletml_run.c - runs BulletML documents in a tick: roots, runners and their bullets. bulletml_do.c executes the
+ * commands.
  *
- * Runners have their turns in the order in which they were made, before bullets move. In its turn a runner reads what
- * scripts wrote into its bullet, applies the changes that go on, does the commands that are due, and writes the
- * bullet's velocity. One that only waits costs a look at the clock; whether its bullet is still there is then asked in
- * one frame of WAITING alone. What is fired appears where its shooter was, when the hits are done: it moves, and has
- * its own first turn, in the next frame.
+ * Runners get their turns in the order in which they were created, before bullets move. In its turn a runner reads what
+ * scripts wrote to its bullet, applies the changes in progress, executes the due commands, and writes the bullet's
+ * velocity. A runner that only waits costs one comparison with the clock; whether its bullet still exists is then
+ * checked only every WAITING frames. A fired bullet spawns where its shooter was, after the hits; it first moves, and
+ * its runner gets its first turn, in the next frame.
  *
- * A document's directions are degrees, 0 up, clockwise: as it was written. How the root is turned, mirrored and scaled
- * comes in only where velocities are written and where directions of the board are read.
+ * A document's directions are degrees as written: 0 is up, clockwise. The root's rotation, mirroring and scale are
+ * applied only when velocities are written to the board and when directions are read from it.
  */
 #include <stdio.h>
 #include <string.h>
@@ -19,7 +20,7 @@
 enum { WAITING = 16 };
 
 static const ang UP = 0xc0000000u;
-static const int64_t NOBODY = (int64_t)H_BULLET << 24; /* the handle of a bullet that is not there */
+static const int64_t NOBODY = (int64_t)H_BULLET << 24; /* the handle of a bullet that does not exist */
 
 /* ---- parameter lists ---- */
 
@@ -96,13 +97,13 @@ void bulletml_too_much(const struct turn *t, uint32_t w)
 
 /* ---- velocities ---- */
 
-/* What a polar speed and an extra velocity of a document come to on the board. */
+/* A document's polar speed and extra velocity, converted to the board: px a frame. */
 struct flight {
     fx speed, vx, vy;
     int64_t fine_x, fine_y; /* vx, vy in Q31.32 */
 };
 
-/* A direction on the board, and its parts in Q30. */
+/* A direction on the board, with its cosine and sine in Q30. */
 struct heading {
     ang dir;
     int32_t cosine, sine;
@@ -115,7 +116,7 @@ static int64_t in_speed(int64_t v)
     return int64_clamp(v, -most, most);
 }
 
-/* A document's speed in px a frame, at most MAX_SPEED. */
+/* Converts a document's speed to px a frame, Q31.32, at most MAX_SPEED. */
 static inline int64_t scaled(int64_t v, int64_t pace)
 {
     const int64_t most = (int64_t)1 << 46;
@@ -123,7 +124,7 @@ static inline int64_t scaled(int64_t v, int64_t pace)
     return in_speed(pace == ML_ONE ? v : ml_scale(int64_clamp(v, -most, most), pace, 32));
 }
 
-/* The nearest fx, of at most MAX_SPEED. */
+/* Rounds v, Q31.32 and at most MAX_SPEED, to the nearest fx. */
 static inline fx nearest(int64_t v)
 {
     return (fx)((v + (1 << 15)) >> 16);
@@ -141,7 +142,7 @@ static inline __attribute__((always_inline)) struct heading heading_of(const str
     return h;
 }
 
-/* A body has another direction. */
+/* Sets a body's direction. */
 static inline __attribute__((always_inline)) void head_for(struct ml_runners *r, const struct ml_roots *o,
                                                            uint32_t root, uint32_t body, int64_t direction)
 {
@@ -162,7 +163,7 @@ static inline __attribute__((always_inline)) struct flight flight(const struct m
     return (struct flight){ nearest(v), nearest(x), nearest(y), x, y };
 }
 
-/* Adds a velocity of the document's: one sum, rounded once. */
+/* Adds a velocity of the document to f. The sum is rounded only once. */
 static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
@@ -181,7 +182,7 @@ static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root
     f->vy = nearest(f->fine_y);
 }
 
-/* What a body's state comes to. */
+/* Converts the speed, direction and velocity of body i to the board. */
 static inline __attribute__((always_inline)) struct flight
 flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
 {
@@ -194,7 +195,7 @@ flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, u
 
 /* ---- runners ---- */
 
-/* A new runner, the last of all; NO_SLOT: there is no room. */
+/* Creates a runner, last in the order. Returns NO_SLOT if the pool is full. */
 static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32_t at, uint32_t wake)
 {
     struct ml_runners *r = &b->ml_runners;
@@ -227,7 +228,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
     return i;
 }
 
-/* Its frames and parameters go. */
+/* Releases a runner's frames and parameters. */
 static void clear_runner(struct board *b, uint32_t i)
 {
     struct ml_runners *r = &b->ml_runners;
@@ -253,7 +254,7 @@ static void drop_runner(struct board *b, uint32_t i)
 
 /* ---- firing ---- */
 
-/* A runner for what is fired, the bullet of which comes later; returns its slot + 1, or 0. */
+/* Creates the runner of a fired bullet, which spawns later. Returns its slot + 1, or 0 if a pool is full. */
 static uint32_t equip(const struct turn *t, const struct fired *f, const struct flight *way, const struct heading *h,
                       struct given *given)
 {
@@ -342,7 +343,7 @@ void bulletml_let_go(struct board *b)
 
 /* ---- turns ---- */
 
-/* The value of a change that is not over. */
+/* Returns the current value of a change in progress. */
 static inline int64_t changed(const struct ml_runners *r, size_t c, int change, uint32_t now)
 {
     const int64_t k = now - r->begun[c], term = r->over[c] - r->begun[c];
@@ -352,7 +353,8 @@ static inline int64_t changed(const struct ml_runners *r, size_t c, int change, 
     return ml_add(r->from[c], ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
 }
 
-/* A direction in range; a turn that goes round goes on from as much less, so that it never is far out of it. */
+/* Wraps a direction into range. If it wraps, shifts both ends of the turn by the same amount, so that a turn over
+ * many rounds stays near the range. */
 static inline int64_t wrap_turn(struct ml_runners *r, size_t c, int64_t v)
 {
     const int64_t in = ml_wrap(v);
@@ -394,7 +396,7 @@ static void apply_changes(struct turn *t)
     t->steers = true;
 }
 
-/* What scripts wrote into its bullet is what it goes on from. */
+/* Takes over what scripts wrote to the runner's bullet, and ends the changes that this overrides. */
 static void read_back(const struct turn *t, uint32_t bullet)
 {
     const struct bullets *s = &t->b->bullets;
@@ -422,7 +424,7 @@ static void read_back(const struct turn *t, uint32_t bullet)
     r->put_vy[i] = vy;
 }
 
-/* Changes, then commands. */
+/* Applies the changes in progress, then executes the due commands. */
 static void run_one(struct turn *t)
 {
     struct ml_runners *r = &t->b->ml_runners;
@@ -452,7 +454,7 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     bullets_set_flight(s, bullet, f.vx, f.vy);
 }
 
-/* A runner's bullet stands: its time does too. */
+/* Delays runner i by a frame, because its bullet is frozen. */
 static void stay(struct ml_runners *r, uint32_t i)
 {
     r->wake[i]++;
@@ -462,7 +464,7 @@ static void stay(struct ml_runners *r, uint32_t i)
     }
 }
 
-/* The turn of a bullet's runner; false: it has none any more. */
+/* Runs the turn of a bullet's runner. Returns false if the runner is to be dropped. */
 static bool run_bullet(struct turn *t)
 {
     struct board *b = t->b;
@@ -471,7 +473,7 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: it goes on in this move */
+    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: resumes in this move */
         stay(r, i);
         return true;
     }
@@ -490,7 +492,7 @@ static bool run_bullet(struct turn *t)
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
 }
 
-/* The value of a change that goes on; false: it ends in this frame, or its step is not known. */
+/* Sets *v to the value of a change. Returns false if the change ends in this frame or has no step. */
 static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint32_t now, int64_t *v)
 {
     if ((int32_t)(now - r->over[c]) >= 0 || !r->step[c])
@@ -499,7 +501,7 @@ static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint
     return true;
 }
 
-/* Is its bullet there, and as it was left? */
+/* Returns whether runner i's bullet, slot k, still exists and is as the runner left it. */
 static inline bool untouched(const struct ml_runners *r, const struct bullets *s, uint32_t i, uint32_t k)
 {
     return slots_has(&s->s, k, handle_gen(r->bullet[i])) && !s->motion[k] &&
@@ -508,8 +510,8 @@ static inline bool untouched(const struct ml_runners *r, const struct bullets *s
 }
 
 /*
- * A turn in which a bullet's runner has nothing due, and only changes go on: the common one, done without the rest.
- * False: it is not such a turn.
+ * The fast path for the most common turn: a bullet's runner with no command due and only changes in progress. Returns
+ * false, with nothing changed, for any other turn.
  */
 static inline bool glide(struct board *b, uint32_t i, uint32_t now)
 {
@@ -544,7 +546,7 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     return true;
 }
 
-/* A root goes through all runners to find its own: counts as work. */
+/* Charges for a root's search through all runners for its own. */
 static void count_search(struct board *b)
 {
     const struct ml_runners *r = &b->ml_runners;
@@ -556,7 +558,7 @@ static void count_search(struct board *b)
                        b->ml_roots.s.live, r->n);
 }
 
-/* All tops of a root begin anew. */
+/* Restarts all top-level runners of a root. */
 static void restart(struct board *b, uint32_t root, const struct ml *ml, uint32_t now)
 {
     struct ml_runners *r = &b->ml_runners;
@@ -578,7 +580,7 @@ static void restart(struct board *b, uint32_t root, const struct ml *ml, uint32_
     b->ml_roots.flags[root] &= (uint8_t)~ROOT_ENDED;
 }
 
-/* The turn of one of a root's own; false: the root is over. */
+/* Runs the turn of one of a root's top-level runners. Returns false if the root is over. */
 static bool run_top(struct turn *t)
 {
     struct board *b = t->b;
@@ -654,7 +656,7 @@ static fx in_world(int64_t v)
     return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
 }
 
-/* A root is where what it follows is. */
+/* Moves a root to the entity it follows. */
 static void find_place(struct board *b, uint32_t i)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -665,8 +667,8 @@ static void find_place(struct board *b, uint32_t i)
     o->y[i] = in_world((int64_t)y + o->dy[i]);
 }
 
-/* Before the turns: roots whose owner, or what they follow, is gone are over; what was over a frame ago, and its
- * bullets' actions too, is dropped. */
+/* Before the turns: ends roots whose owner or followed entity no longer exists, updates the positions of followers,
+ * and drops ended roots that have no runners left, neither their own nor their bullets'. */
 static void find_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -681,7 +683,8 @@ static void find_roots(struct board *b)
     }
 }
 
-/* Moves a coordinate that has 16 more bits. Some documents let a root wander all game long, and aim from it. */
+/* Moves a coordinate by `by`, Q31.32; *more is its 16 extra fraction bits. The precision matters because some
+ * documents move a root during the whole game and aim from it. */
 static void move_fine(fx *at, int16_t *more, int64_t by)
 {
     const int64_t most = (int64_t)WORLD << 32;
@@ -691,7 +694,7 @@ static void move_fine(fx *at, int16_t *more, int64_t by)
     *at = (fx)whole;
 }
 
-/* A root that moves itself, or an enemy that it steers. */
+/* Moves a root by its own velocity, together with the enemy that it steers. */
 static void move_root(struct board *b, uint32_t i)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -714,7 +717,7 @@ static void move_root(struct board *b, uint32_t i)
     }
 }
 
-/* Have all of its own ended? */
+/* Returns whether all top-level runners of a root have ended. */
 static bool all_ended(struct board *b, uint32_t root)
 {
     const struct ml_runners *r = &b->ml_runners;
@@ -726,7 +729,7 @@ static bool all_ended(struct board *b, uint32_t root)
     return true;
 }
 
-/* After the turns. */
+/* After the turns: ends roots that vanished or have finished, and moves the others. */
 static void end_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -742,13 +745,13 @@ static void end_roots(struct board *b)
     slots_trim(&o->s);
 }
 
-/* The program of the runner before, which is mostly the next one's too. */
+/* The program of the previous runner, which is usually the next one's too. */
 struct opened {
     uint32_t program; /* UINT32_MAX: none */
     struct ml ml;
 };
 
-/* One turn; false: the runner has none any more. */
+/* Runs one turn. Returns false if the runner is to be dropped. */
 static bool run_turn(struct board *b, uint32_t i, uint32_t now, struct opened *o)
 {
     struct turn t = {

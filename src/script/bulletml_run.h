@@ -1,5 +1,5 @@
 /*
- * bulletml_run.h - BulletML documents on the board.
+ * bulletml_run.h - runs BulletML documents on the board.
  */
 #ifndef SCRIPT_BULLETML_RUN_H
 #define SCRIPT_BULLETML_RUN_H
@@ -7,33 +7,34 @@
 #include <lua.h>
 #include "../machine/machine.h"
 
-/* A frame of all that runs, before bullets move; what they fired appears when
- * the hits are done. */
+/* Runs all documents for one frame; called before bullets move. bulletml_let_go spawns the bullets they fired, after
+ * the frame's hits. */
 void bulletml_run(struct board *b);
 void bulletml_let_go(struct board *b);
 
-/* What a document is started with. */
+/* The arguments for starting a document. */
 struct bulletml_start {
-    uint16_t program;      /* of the ROM's */
-    int64_t owner, follow; /* handles, 0: the board, none */
-    fx x, y, dx, dy;       /* dx, dy: from what it follows */
+    uint16_t program;      /* index among the ROM's documents */
+    int64_t owner, follow; /* handles; owner 0: the board; follow 0: nothing */
+    fx x, y, dx, dy;       /* dx, dy: offset from the followed entity */
     uint16_t kind, tag;
-    const uint16_t *kinds; /* ML_KINDS */
-    uint8_t bank, flags;   /* ROOT_ */
+    const uint16_t *kinds; /* ML_KINDS entries: bullet kind by label */
+    uint8_t bank, flags;   /* flags: ROOT_* */
     uint32_t seed;         /* not 0 */
-    int64_t rank, pace;    /* Q31.32 */
+    int64_t rank, pace;    /* Q31.32; pace: px a frame for speed 1 */
     ang angle;
     int params;
     const int64_t *param;
 };
 
-/* Starts one; returns its slot, or NO_SLOT: there is no room, or it has no action that begins by itself. */
+/* Starts a document. Returns its slot, or NO_SLOT if a pool is full or the document has no top-level action. */
 int32_t bulletml_begin(struct board *b, const struct bulletml_start *start);
 
-/* The document in slot i is over: its bullets go on. */
+/* Ends the document in slot i. Its bullets continue. */
 void bulletml_stop(struct board *b, uint32_t i);
 
-/* on_fire of the root in slot i is what is on top of the stack (popped); and calls it, for a bullet and a label + 1. */
+/* bulletml_set_handler sets on_fire of the root in slot i to the value on top of the stack (popped). bulletml_tell
+ * calls it with a bullet's handle and the name of a label (given + 1; 0: nil). */
 void bulletml_set_handler(lua_State *L, uint32_t i);
 void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
 

@@ -1,11 +1,12 @@
 /*
  * events_run.c - see events_run.h.
  *
- * Handlers are in the Lua registry: a list of functions for each event that has any, and a table of functions by enemy
- * kind ("on_hit 3"), by bullet kind ("bullet's on_death 3"), by pair of tags ("on_meet 3"), by item kind ("item's
- * on_take 3"), or by enemy (slot + 1; every spawn sets it, so that none is left of the slot's last tenant); and there
- * are lists of drops ("drops 3", "bullet's drops 3", or by enemy, -slot - 1). A handler may raise further events; they
- * are applied in the same frame, after those raised before.
+ * The Lua registry holds the handlers: a list of functions for each event that has any, and one table of functions and
+ * drop lists. Its keys are, for functions, enemy kinds ("on_hit 3"), bullet kinds ("bullet's on_death 3"), pairs of
+ * tags ("on_meet 3"), item kinds ("item's on_take 3") and single enemies (slot + 1); for drop lists "drops 3",
+ * "bullet's drops 3" and single enemies (-slot - 1). Every spawn sets the entries of its slot, so nothing is left from
+ * the slot's previous tenant. A handler may raise further events; they are applied in the same frame, after those
+ * raised before.
  */
 #include "bulletml_run.h"
 #include "events_run.h"
@@ -78,7 +79,7 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     return true;
 }
 
-enum { AN_EVENT = 30, A_HANDLER = 10 /* work of an event, and of each handler called, apart from the handler's own */ };
+enum { AN_EVENT = 30, A_HANDLER = 10 /* work per event and per handler call, without the handler's own */ };
 
 static void count(struct board *b, uint64_t work)
 {
@@ -163,7 +164,7 @@ bool events_push_function(lua_State *L, uint16_t kind, const char *what)
     return false;
 }
 
-/* Drops the list on top of the stack (popped), if it is one. */
+/* Drops the items of the list on top of the stack (popped), if it is a list. */
 static void drop(lua_State *L, struct board *b, fx x, fx y)
 {
     if (lua_type(L, -1) == LUA_TSTRING)
@@ -172,7 +173,7 @@ static void drop(lua_State *L, struct board *b, fx x, fx y)
         lua_pop(L, 1);
 }
 
-/* What this enemy drops, else what its kind does. */
+/* Drops the enemy's own list, or else its kind's. */
 static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
@@ -185,7 +186,7 @@ static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
     drop(L, b, b->enemies.x[i], b->enemies.y[i]);
 }
 
-/* Pushes the on_death of one enemy, else of its kind; false (nothing pushed): neither has one. */
+/* Pushes the enemy's own on_death, or else its kind's. Returns false, with nothing pushed, if neither exists. */
 static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
@@ -197,7 +198,7 @@ static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
     return events_push_function(L, kind, "on_death");
 }
 
-/* spark: its kind + 1, 0: none. */
+/* spark: spark kind + 1; 0: none. */
 static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
 {
     if (spark)
@@ -206,7 +207,7 @@ static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
                    .x = x, .y = y, .speed = 2 << 16, .spread = UINT32_MAX, .kind = (uint16_t)(spark - 1), .n = 12 });
 }
 
-/* Calls an enemy's own handler with the n values on top of the stack (popped). */
+/* Calls an enemy's own handler, in the enemy's scene, with the n values on top of the stack (popped). */
 static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
 {
     struct tasks_now was = tasks_act_for_scene(b, b->enemies.owner[i]);
@@ -215,7 +216,7 @@ static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
     tasks_act_for(b, was);
 }
 
-/* A body died: its parts leave their sparks and are gone, in slot order, each after its own. */
+/* Removes the parts of a body that died, with their sparks, in slot order; each part after its own parts. */
 static void burst_parts(struct board *b, uint32_t body)
 {
     struct enemies *e = &b->enemies;
@@ -247,7 +248,7 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
     b->enemies.hp[i] = 0;
     if (b->items.s.cap)
         enemy_drops(L, b, i);
-    if (push_death(L, i, kind)) { /* it can still read where it died */
+    if (push_death(L, i, kind)) { /* it can still read where the enemy died */
         push_thing(L, h);
         push_thing(L, p);
         call_own(b, L, i, 2);
@@ -256,7 +257,7 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
         burst_parts(b, i);
 }
 
-/* Does an event that names h still have its effect? Not if h was removed or killed since. */
+/* Returns whether an event that names h still takes effect: not if h was removed or killed since. */
 static bool counts(const struct board *b, int64_t h)
 {
     if (!board_there(b, h))
@@ -264,7 +265,8 @@ static bool counts(const struct board *b, int64_t h)
     return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
 }
 
-/* Takes an amount of 2^-32 hp from one enemy. Returns what of it goes on to its body, *body: 0 if there is none. */
+/* Takes `amount`, in 2^-32 hp, from one enemy. Sets *body to the enemy's body, 0 if it has none, and returns the
+ * share of the amount that passes on to the body. */
 static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player, int64_t *body)
 {
     struct enemies *e = &b->enemies;
@@ -279,7 +281,7 @@ static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amo
     return on;
 }
 
-/* The same where enemies may be parts. A handler may take the body away before its share comes. */
+/* events_enemy_hurt when enemies may be parts. A handler may remove the body before it takes its share. */
 static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
@@ -306,7 +308,7 @@ bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     return true;
 }
 
-/* Takes a bullet or shot away that is live or held. */
+/* Removes a bullet or shot that is live or held. */
 static void take_away(struct board *b, struct bullets *s, int64_t h)
 {
     if (board_alive(b, h))
@@ -315,14 +317,14 @@ static void take_away(struct board *b, struct bullets *s, int64_t h)
         bullets_release(s, handle_slot(h));
 }
 
-/* Shot h hit a thing: it is used up, or goes through it. */
+/* Uses up shot h, which hit `thing`, unless it pierces it. */
 static void spend(struct board *b, int64_t h, int64_t thing)
 {
     if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), thing, b->core.clock))
         take_away(b, &b->shots, h);
 }
 
-/* A bullet's hp are at 0. Its on_death can read it, but it is not alive. */
+/* Destroys bullet h, whose hp reached 0. Its on_death can still read it, but it is no longer alive. */
 static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
@@ -347,7 +349,7 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
         bullets_release(&b->bullets, i);
 }
 
-/* A shot hits a bullet that has hp, or cancels one that has none. An earlier event may have changed either. */
+/* A shot damages a bullet that has hp, or cancels one that has none. An earlier event may have changed both. */
 static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
 {
     const struct bullets *s = &b->bullets;
@@ -371,7 +373,7 @@ static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-/* A shot hits: it is used up by an enemy that is still there, safe or not. */
+/* A shot hits. An enemy that still exists uses it up, even if the enemy is safe. */
 static void apply_shot(struct board *b, lua_State *L, const struct event *e)
 {
     if (!counts(b, e->a) || !counts(b, e->b))
@@ -392,14 +394,14 @@ static void apply_shot(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-/* Player or 0 of a laser, or of a shot. */
+/* Returns the handle of the player who fired a laser or shot, or 0. */
 static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t i)
 {
     return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
 }
 
-/* A player's laser hurts all enemies that it touches, in slot order; a handler may have moved or removed any of them,
- * or the laser. */
+/* A player's laser hurts all enemies that it touches, in slot order. A handler may move or remove any of them, or
+ * the laser. */
 static void apply_laser(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t i = handle_slot(e->a);
@@ -428,14 +430,15 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-/* The blocker takes it, unless a shot of this frame killed that. */
+/* Removes a blocked bullet, unless a shot of this frame killed its blocker. */
 static void apply_block(struct board *b, const struct event *e)
 {
     if (counts(b, e->a) && counts(b, e->b))
         bullets_drop(&b->bullets, handle_slot(e->a));
 }
 
-/* A pair takes away bullet h, which leaves the pair's spark or its kind's; not what is gone, or not clearable. */
+/* Removes bullet h of a pair that met, leaving the pair's spark or else its kind's. Does nothing if h is gone, or if
+ * its kind cannot be cleared and the pair does not clear all. */
 static void meet_take(struct board *b, uint32_t pair, int64_t h)
 {
     const struct bullets *s = &b->bullets;
@@ -453,7 +456,7 @@ static void meet_take(struct board *b, uint32_t pair, int64_t h)
     take_away(b, &b->bullets, h);
 }
 
-/* Two bullets of a pair met: its handler is told while both are there. */
+/* Two bullets of a pair met: calls the pair's handler while both exist, then removes those the pair removes. */
 static void apply_meet(struct board *b, lua_State *L, const struct event *e)
 {
     uint8_t flags = b->bullets.meet_flags[e->pair];
@@ -486,7 +489,8 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
     tell(L, e);
 }
 
-/* At its most, the register that fills up, the ship's or else the run's, leaves an item with its points alone. */
+/* Returns whether the register that makes the item kind full, the ship's or else the run's, is at its maximum. The
+ * item then gives only points. */
 static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
     const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
@@ -498,7 +502,7 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
     return reg >= 0 && board_run_full(b, (uint32_t)reg);
 }
 
-/* The ship's registers, or the run's. */
+/* Adds what the item gives to the ship's registers, or else to the run's. */
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
     for (int k = 0; k < ITEM_REGISTERS; k++) {
@@ -533,8 +537,8 @@ static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
     board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
 }
 
-/* The handlers can read the item, which is not alive. A player who was hit in this frame takes it all the same: that it
- * died comes behind. */
+/* Handlers can still read the item, which is no longer alive. A player hit in this frame still takes it, because
+ * EV_DEATH comes after it. */
 static void apply_take(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
@@ -586,7 +590,7 @@ void events_player_die(struct board *b, uint32_t p)
     b->player.lives[p]--;
 }
 
-/* What a ship was firing stops when it is hit: its beams fade. */
+/* Fades the beams that player p is firing. */
 static void let_beams_go(struct board *b, uint32_t p)
 {
     const struct bullets *h = &b->laser_heads;
@@ -600,13 +604,13 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (b->start.practice.invincible) /* tested only here; `safe`, which scripts read and write, stays as it is */
+    if (b->start.practice.invincible) /* tested only here; does not affect `safe`, which scripts read and write */
         return;
     if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b)) /* a handler may have
                                                                                                removed it */
         return;
     tell(L, e);
-    if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved it */
+    if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved the player */
         return;
     sound_cue(b, CUE_HIT, b->player.x[p]);
     let_beams_go(b, p);
@@ -615,7 +619,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
         events_player_die(b, p);
 }
 
-/* The handlers of on.death see the player where it died; then it returns to its start or leaves. */
+/* The handlers of on.death see the player where it died; then the player respawns or leaves the game. */
 static void apply_death(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
@@ -636,8 +640,8 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     events_game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can read the enemy, which is dropped after them. One killed on its way out did
- * not leave. */
+/* The handlers of on.kill and on.leave can still read the enemy, which is dropped after them. An enemy killed while
+ * leaving raises no on.leave. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
     if (e->kind == EV_LEAVE && !counts(b, e->a))

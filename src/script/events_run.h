@@ -1,6 +1,6 @@
 /*
- * events_run.h - after the hits of a tick: the effects of this frame's events and the scripts' handlers, in the order
- * of the events.
+ * events_run.h - applies a frame's events after the hits of the tick: their effects and the scripts' handlers, in the
+ * order of the events.
  */
 #ifndef SCRIPT_EVENTS_RUN_H
 #define SCRIPT_EVENTS_RUN_H
@@ -9,62 +9,64 @@
 #include "tasks.h"
 #include "vm.h"
 
-/* The names of on.NAME: the first eleven in the order of enum event_kind, NULL for EV_SHOT, which has no handlers; then
- * those that only scripts raise. */
+/* The names in on.NAME: the first eleven in the order of enum event_kind, with NULL for EV_SHOT, which has no
+ * handlers; then the events that only scripts raise. */
 extern const char *const events_names[];
 
-/* Applies all events, those raised meanwhile too. For vm_call. */
+/* Applies all events, including those raised meanwhile. For vm_call. */
 int events_run(lua_State *L);
 
-/* Enemy i dies: score for player (1, 2; 0: nobody), sparks, EV_KILL. */
+/* Kills enemy i: scores for player (1 or 2; 0: nobody), emits sparks, raises EV_KILL, drops items, calls its
+ * on_death. */
 void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player);
 
-/* Takes n from enemy i unless it is safe; true when that killed it. */
+/* Takes n hp from enemy i unless it is safe. Returns whether the enemy died. */
 bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
 
-/* What an item of that kind is worth to player p where it is. */
+/* Returns the points player p gets for an item of that kind at p's position. */
 int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind);
 
-/* Handlers of events that only scripts raise, by the number of their name. */
+/* Events that only scripts raise: indices into events_names. */
 enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
 
-/* EV_GAME_OVER, if nobody is in, and nobody can go on. */
+/* Raises EV_GAME_OVER, once, if no player is in the game and none can continue. */
 void events_game_over(struct board *b);
 
-/* A game begins: calls the handlers of on.start at once. What they start belongs to that scope. */
+/* Calls the handlers of on.start at once. Tasks they start belong to the scope `game`. */
 void events_start(lua_State *L, int64_t game);
 
-/* Player p loses a life: EV_DEATH. */
+/* Takes a life from player p and raises EV_DEATH. */
 void events_player_die(struct board *b, uint32_t p);
 
-/* Bombs, and the frames after a hit in which one saves: once a frame, before the moves. */
+/* Starts and ends bombs, and counts down the deathbomb window after a hit. Called once a frame, before the moves. */
 void events_players(struct board *b, lua_State *L);
 
-/* Where player p enters and returns. */
+/* Sets *x, *y to the position where player p enters and respawns. */
 void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y);
 
-/* Makes the empty tables of handlers. */
+/* Creates the empty handler tables. */
 void events_open(lua_State *L);
 
 /* Adds the function on top of the stack (popped) to the handlers of on.NAME, NAME = events_names[kind]. */
 void events_on(lua_State *L, int kind);
 
-/* Queues the n values on top of L's stack (popped) for the handlers of `name`. False: no such event. */
+/* Queues the n values on top of L's stack (popped) for the handlers of `name`. Returns whether that event exists. */
 bool events_emit(struct board *b, lua_State *L, const char *name, int n);
 
-/* Sets an enemy kind's run, on_hit, on_death, drops or parts to what is on top of the stack (popped). */
+/* Sets a kind's function, drops or parts, as named by `what` ("on_hit", "bullet's drops"), to the value on top of
+ * the stack (popped). */
 void events_set_function(lua_State *L, uint16_t kind, const char *what);
 
-/* The same of the on_death, or nil, of the enemy just spawned in that slot. */
+/* Sets on_death of the enemy just spawned in `slot` to the function or nil on top of the stack (popped). */
 void events_set_death(lua_State *L, uint32_t slot);
 
-/* The same of its drops: a list that api_drops made, or nil. */
+/* Sets that enemy's drops to the value on top of the stack (popped): a list made by api_drops, or nil. */
 void events_set_drops(lua_State *L, uint32_t slot);
 
-/* Pushes what events_set_function set, or nil. */
+/* Pushes the value set by events_set_function, or nil. */
 void events_push_set(lua_State *L, uint16_t kind, const char *what);
 
-/* Pushes an enemy kind's run, on_hit or on_death; false (nothing pushed): it has none. */
+/* Pushes a kind's function such as "run" or "on_hit". Returns false, with nothing pushed, if the kind has none. */
 bool events_push_function(lua_State *L, uint16_t kind, const char *what);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * force.c - see force.h. Each raises the event that the hits or the player would have raised; what follows from it is
- * events_run's.
+ * force.c - see force.h. Each kind raises the event that collisions or the player would have raised; events_run.c
+ * handles the rest.
  */
 #include "force.h"
 #include "api/api.h"
@@ -8,10 +8,11 @@
 
 enum {
     SAFE = 60 * 60, /* frames */
-    FORCE_HP = 5000 /* few enough that what is not meant to be destroyed stays */
+    FORCE_HP = 5000 /* few enough that an enemy meant to be indestructible survives */
 };
 
-/* A bullet that can be grazed, or hit a player; 0: there is none. */
+/* Returns the handle of a bullet that can be grazed, or one that can hit a player if not `grazes`; 0 if there is
+ * none. */
 static int64_t bullet_that(const struct board *b, bool grazes)
 {
     const struct bullets *s = &b->bullets;
@@ -25,7 +26,7 @@ static int64_t bullet_that(const struct board *b, bool grazes)
     return 0;
 }
 
-/* What hits players, or 0. */
+/* Returns the handle of a bullet or enemy that can hit players, or 0. */
 static int64_t danger(const struct board *b)
 {
     const int64_t bullet = bullet_that(b, false);

@@ -31,7 +31,7 @@ static int rank_of(lua_State *L, int at)
     }
 }
 
-/* Less than 0: key a comes before b; 0: they are equal, or no order tells them apart. */
+/* Compares the keys at a and b. Returns less than 0 if a comes first, 0 if they are equal or have no defined order. */
 static int compare(lua_State *L, int a, int b)
 {
     const int rank = rank_of(L, a), order = rank - rank_of(L, b);
@@ -72,7 +72,7 @@ int luakeys_next(lua_State *L, int at)
 
 int luakeys_return(lua_State *L, int n)
 {
-    enum { ABOVE = 4 /* slots that a walk uses and pops */ };
+    enum { ABOVE = 4 /* slots that a walk uses above the top */ };
     const int top = lua_gettop(L), used = top + ABOVE > LUA_MINSTACK ? top + ABOVE : LUA_MINSTACK;
 
     lua_checkstack(L, ABOVE);

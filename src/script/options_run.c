@@ -1,11 +1,11 @@
 /*
- * options_run.c - options on the board: how many each ship has, by its register, and that they go with it.
+ * options_run.c - options on the board: spawns as many as each ship's register calls for, and moves them with the ship.
  */
 #include "api/api.h"
 #include "events_run.h"
 #include "options_run.h"
 
-/* What player p's ship says of its options now; false: it has none. */
+/* Fills in the current state of player p's ship for its options. Returns false if it has no options. */
 static bool ship_of(const struct board *b, uint32_t p, struct option_ship *ship)
 {
     const struct player *s = &b->player;
@@ -45,7 +45,7 @@ void options_count(struct board *b, lua_State *L)
 
     for (uint32_t p = 0; p < PADS; p++) {
         const uint32_t n = ship_of(b, p, &ship) ? ship.level->n : 0;
-        uint32_t there = 0; /* a bit an option */
+        uint32_t there = 0; /* one bit per existing option */
         EACH_LIVE (i, &b->options.s)
             if (b->options.player[i] == p)
                 there |= 1u << b->options.index[i];

@@ -1,15 +1,15 @@
 /*
- * options_run.h - options on the board.
+ * options_run.h - spawns, removes and moves the ships' options.
  */
 #ifndef SCRIPT_OPTIONS_RUN_H
 #define SCRIPT_OPTIONS_RUN_H
 
 #include "../machine/machine.h"
 
-/* Each ship gets the options of its level, and loses those it has no more: once a frame, before the moves. */
+/* Spawns and removes options so that each ship has those of its level. Called once a frame, before the moves. */
 void options_count(struct board *b, lua_State *L);
 
-/* They go where their ships went. */
+/* Moves options along with their ships. */
 void options_follow(struct board *b);
 
 #endif

@@ -1,14 +1,14 @@
 /*
- * players_run.c - what is a player's between the tasks' turns and the moves: bombs, and the frames after a hit in which
- * one saves.
+ * players_run.c - updates players between the tasks' turns and the moves: bombs, and the deathbomb window after a hit,
+ * in which a bomb saves the player.
  */
 #include "events_run.h"
 #include "api/api.h"
 
-enum { BUTTON_BOMB = 5 }; /* of PAD_NAMES */
+enum { BUTTON_BOMB = 5 }; /* index in PAD_NAMES */
 _Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
 
-/* What the bomb started ends with it. */
+/* Counts down player p's bomb. The bomb's scope ends with it. */
 static void count_bomb(struct board *b, uint32_t p)
 {
     const int64_t scope = b->player.bomb[p];

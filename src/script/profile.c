@@ -1,9 +1,9 @@
 /*
  * profile.c - see profile.h.
  *
- * Lua calls the hook before each instruction. What was counted and allocated since the last call is the last
- * instruction's, and so its line's; between the turns of scripts it is nobody's. A function of @std works for the
- * author's line that called it, or that started its task.
+ * Lua calls the hook before each instruction. Work and allocations since the previous call belong to the previous
+ * instruction and so to its line; between the turns of scripts they belong to no line. A function of @std counts for
+ * the author's line that called it or started its task.
  */
 #include "profile.h"
 
@@ -19,7 +19,7 @@ uint64_t profile_work(const struct profile_line *line)
     return line->instructions + line->calls;
 }
 
-/* The entry of that place; `other` when there is no room for one more. */
+/* Returns the entry of that place, or `other` if there is no room for a new one. */
 static struct profile_line *entry(struct profile *p, const char *place, size_t n)
 {
     uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_ROOM;
@@ -49,7 +49,7 @@ static bool is_library(const lua_Debug *ar)
     return strncmp(ar->source, "@@std/", 6) == 0;
 }
 
-/* For whom a function of the library works. */
+/* Returns the line that a running library function counts for. */
 static struct profile_line *caller(struct profile *p, lua_State *L)
 {
     lua_Debug ar, nearest = { .currentline = 0 };
@@ -69,7 +69,7 @@ static struct profile_line *caller(struct profile *p, lua_State *L)
     return entry(p, place, n < PROFILE_PLACE ? (size_t)n : PROFILE_PLACE - 1);
 }
 
-/* For whom the instruction counts that comes next. Most stand in the same line as the one before. */
+/* Returns the line that the next instruction counts for. Usually that is the same line as for the previous one. */
 static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug *ar)
 {
     lua_getinfo(L, "Sl", ar);
@@ -87,7 +87,8 @@ static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug
     return entry_at(p, ar);
 }
 
-/* Gives the last line what was counted since. A board that was reset has a new heap, whose work begins at 0. */
+/* Adds the work and allocations since the last call to the last line. A board that was reset has a new heap, whose
+ * count of allocated bytes starts at 0. */
 static void settle(struct profile *p, const struct vm *vm)
 {
     const uint64_t allocated = heap_work(vm->heap);

@@ -1,9 +1,9 @@
 /*
- * profile.h - what each line of a game's scripts costs, counted: instructions of Lua, and what functions of the API
- * count as. The same run gives the same numbers on every machine.
+ * profile.h - counts the cost of each line of a game's scripts: Lua instructions, and the work of API functions. The
+ * same run gives the same counts on every machine.
  *
- * The counts stand in the host's memory, so that a run is the same with them and without: nothing in RAM that is hashed
- * knows of them. While they are taken a tick takes many times as long; while they are not, nothing asks.
+ * The counts are in host memory and never in hashed RAM, so profiling does not change a run. Profiling makes a tick
+ * many times slower; when it is off, nothing runs per instruction.
  */
 #ifndef SCRIPT_PROFILE_H
 #define SCRIPT_PROFILE_H
@@ -14,36 +14,36 @@
 struct board;
 
 enum {
-    PROFILE_ROOM = 1 << 14, /* lines, a power of two; what is more is counted in `other` */
+    PROFILE_ROOM = 1 << 14, /* lines, a power of two; further lines are counted in `other` */
     PROFILE_PLACE = 72      /* bytes of "stages/one.lua:42" */
 };
 
-/* Work is counted in instructions, as the guard against endless loops counts it (vm_count.c). */
+/* Work is in instructions, counted as for the infinite-loop guard (vm_count.c). */
 struct profile_line {
-    char place[PROFILE_PLACE]; /* "": this entry is free. A line of the author's, if one led there; else @std's */
-    uint64_t instructions;     /* of Lua */
-    uint64_t calls;            /* work of functions in C that it called: 100 a function of the API, more for many */
-    uint64_t bytes;            /* allocated: about, for tables grow as their keys happen to fall */
-    uint64_t library;          /* of the instructions: those in functions of @std that the line called */
+    char place[PROFILE_PLACE]; /* the author's line if there is one in the call chain, otherwise @std's; "": unused */
+    uint64_t instructions;     /* Lua instructions */
+    uint64_t calls;            /* work of C functions called: 100 per API function, more for costly ones */
+    uint64_t bytes;            /* allocated; approximate, because table growth depends on hash order */
+    uint64_t library;          /* the part of `instructions` executed in @std functions that the line called */
 };
 
 struct profile {
     struct profile_line line[PROFILE_ROOM]; /* in no order */
-    struct profile_line other;              /* of lines for which there was no room */
-    struct profile_line all;                /* of all lines */
+    struct profile_line other;              /* lines that did not fit */
+    struct profile_line all;                /* the sum of all lines */
 
-    /* of profile.c */
-    struct profile_line *now; /* the last instruction's; NULL: none since scripts had a turn */
-    const char *source; /* where the last instruction of an author's function stood, and what it was counted for */
+    /* private to profile.c */
+    struct profile_line *now; /* the last instruction's line; NULL: none yet in this turn */
+    const char *source;       /* chunk of the last instruction, if it was the author's; `at` is its line */
     int at;
-    uint64_t seen, allocated;
+    uint64_t seen, allocated; /* work and allocated bytes (heap_work) counted so far */
 };
 
-/* Counts from now on into p, zeroes at first; NULL: no more. Call it after power-on and after a restore. An
- * endless loop is found as it is without. */
+/* Starts counting into p, which must be zeroed; NULL stops. Call it after power-on and after a restore. The
+ * infinite-loop guard works as without a profile. */
 void board_profile(struct board *b, struct profile *p);
 
-/* A line's work in all: instructions and calls. */
+/* Returns a line's total work: instructions and calls. */
 uint64_t profile_work(const struct profile_line *line);
 
 #endif

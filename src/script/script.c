@@ -1,7 +1,7 @@
 /*
- * script.c - see script.h. A scanner of Lua's tokens as far as they matter: comments, strings with their escapes,
- * names. A string's value is decoded, so that "\95_gc" does not slip through; no more of it is kept than tells the
- * names apart.
+ * script.c - see script.h. Scans the Lua tokens that matter here: comments, strings with their escapes, and names. The
+ * value of a string is decoded, so that "\95_gc" is found too; only enough of it is stored to recognize the forbidden
+ * names.
  */
 #include "script.h"
 
@@ -20,7 +20,7 @@ static const char no_mode[] = "__mode is not available (weak tables hold differe
 struct scan {
     struct cursor at;
     char word[8]; /* the first bytes of the last name or string */
-    size_t size;  /* all its bytes */
+    size_t size;  /* its length in bytes */
 };
 
 static void keep(struct scan *s, unsigned c)
@@ -37,7 +37,7 @@ static const char *refused(const struct scan *s)
     return s->size == 6 && memcmp(s->word, "__mode", 6) == 0 ? no_mode : NULL;
 }
 
-/* A long bracket to its end. Its first line end is not part of the string. */
+/* Scans a long bracket to its end. A newline right after the opening bracket is not part of the string. */
 static void long_string(struct scan *s, int level)
 {
     s->at.p += level + 2;
@@ -65,7 +65,7 @@ static void comment(struct scan *s)
         s->at.p++;
 }
 
-/* \u{XXX}: the names are ASCII, so what is above counts as one odd byte. */
+/* \u{XXX}: the forbidden names are ASCII, so any other character counts as one byte, 255. */
 static void escape_unicode(struct scan *s)
 {
     unsigned v = 0;
@@ -99,7 +99,7 @@ static void escape_hex(struct scan *s)
     keep(s, v);
 }
 
-/* What follows a backslash inside quotes. */
+/* Scans an escape sequence in quotes, after its backslash. */
 static void escape(struct scan *s)
 {
     char c = cursor_peek(&s->at, 0);
@@ -114,7 +114,7 @@ static void escape(struct scan *s)
         for (s->at.p++; s->at.p < s->at.end && strchr(" \t\n\v\f\r", *s->at.p) != NULL && *s->at.p != '\0';)
             cursor_step(&s->at);
     } else if (s->at.p < s->at.end) {
-        keep(s, '\n'); /* a letter or a line's end: some character that is in neither name */
+        keep(s, '\n'); /* a letter or a line end: any character that is in neither name */
         cursor_step(&s->at);
     }
 }
@@ -143,7 +143,7 @@ static void name(struct scan *s)
         keep(s, (unsigned char)*s->at.p++);
 }
 
-/* One token; returns what is wrong with it. */
+/* Scans one token. Returns what is wrong with it, or NULL. */
 static const char *token(struct scan *s)
 {
     char c = *s->at.p;
@@ -191,7 +191,7 @@ bool script_scan(const char *text, size_t n, int *line, const char **what)
     return script_scan_on(text, n, &start, line, what);
 }
 
-/* A numeral, which may end in a point: "3. x" has no field x. */
+/* Skips a numeral, which may end in a dot: "3. x" has no field x. */
 static void numeral(struct cursor *at)
 {
     bool hex = *at->p == '0' && (cursor_peek(at, 1) == 'x' || cursor_peek(at, 1) == 'X');
@@ -216,7 +216,7 @@ static bool skips_space(struct scan *s)
     return true;
 }
 
-/* Does a single = follow? */
+/* Returns whether a single = follows. */
 static bool is_assigned(struct scan s)
 {
     while (s.at.p < s.at.end && skips_space(&s))
@@ -227,7 +227,7 @@ static bool is_assigned(struct scan s)
 bool script_next_read(const char *text, size_t n, size_t *at, const char **first, size_t *size)
 {
     struct scan s = { .at = { text + *at, text + n, 1 } };
-    int points = 0; /* . or : in a row right before; a single one is before a field */
+    int points = 0; /* dots or colons directly before; exactly one means a field follows */
 
     while (s.at.p < s.at.end) {
         char c = *s.at.p;
@@ -281,8 +281,8 @@ enum { MAX_BLOCKS = 256 };
 struct block {
     char word[9]; /* "if", "function"; "": a bracket */
     int line;
-    int indent; /* blanks before what stands first in that line */
-    bool waits; /* for or while, and its do is still to come */
+    int indent; /* blanks at the start of that line */
+    bool waits; /* a for or while whose do has not been seen yet */
 };
 
 struct blocks {
@@ -292,7 +292,7 @@ struct blocks {
     int n;
 };
 
-/* The blanks that the line of p begins with; *first: is p what comes next? */
+/* Returns the number of blanks at the start of p's line. *first: whether p directly follows them. */
 static int indent_of(const char *text, const char *p, bool *first)
 {
     const char *line = p;
@@ -318,7 +318,8 @@ static bool opens(struct blocks *b, const char *word, int line, int indent)
     return true;
 }
 
-/* Takes the name at the scan's place. False: the search is over; *lacks is then the block it found, if any. */
+/* Scans the name at the current position and opens or closes a block. Returns false when the search is over; *lacks
+ * is then the block that lacks its end, or NULL. */
 static bool block_word(struct blocks *b, const struct block **lacks)
 {
     const char *at = b->s.at.p;
@@ -348,7 +349,8 @@ static bool block_word(struct blocks *b, const struct block **lacks)
     return true;
 }
 
-/* The same of anything else; a bracket that closes while a block in it is open tells of that block. */
+/* Like block_word, for any other token. A bracket that closes while a block inside it is open shows that this block
+ * lacks its end. */
 static bool block_bracket(struct blocks *b, const struct block **lacks)
 {
     const char c = *b->s.at.p;
@@ -368,8 +370,8 @@ static bool block_bracket(struct blocks *b, const struct block **lacks)
     return true;
 }
 
-/* The block whose end stands further to the left than the block itself, so that it is another's; or else what is still
- * open where it has to end. NULL: there is none. */
+/* Finds the block that probably lacks its end: one whose end is indented less than the block, and so belongs to
+ * another block; or else one still open where it must end. Returns NULL if there is none. */
 static const struct block *block_lacking(struct blocks *b, const char *text, size_t n)
 {
     const struct block *lacks = NULL;
@@ -383,8 +385,8 @@ static const struct block *block_lacking(struct blocks *b, const char *text, siz
     return b->n > 0 && b->open[b->n - 1].word[0] != '\0' ? &b->open[b->n - 1] : NULL;
 }
 
-/* Lua's words: 'end' expected (to close 'function' at line 3) near <eof>, without the brackets where that is this line.
- */
+/* Parses Lua's message: 'end' expected (to close 'function' at line 3) near <eof>. The parenthesized part is absent
+ * if the block starts on the same line. */
 static void read_expected(const char *at, char word[16], int *line, char near[64])
 {
     const char *close = strstr(at, "to close '"), *number = strstr(at, "' at line "), *behind = strstr(at, "near ");
@@ -399,8 +401,8 @@ static void read_expected(const char *at, char word[16], int *line, char near[64
         snprintf(near, 64, "%s", strcmp(behind, "near <eof>") == 0 ? "the end of the file" : behind + strlen("near "));
 }
 
-/* Where Lua says that an end is missing: "'end' expected", or that a bracket closes or a comma stands where a statement
- * could begin. */
+/* Returns the part of Lua's message that indicates a missing end: "'end' expected", or a closing bracket or a comma
+ * where a statement could start. Returns NULL if there is none. */
 static char *end_missing(char *err)
 {
     char *at = strstr(err, "'end' expected"), *symbol = strstr(err, "unexpected symbol near '");
@@ -410,7 +412,8 @@ static char *end_missing(char *err)
     return symbol != NULL && strchr(")}],", symbol[strlen("unexpected symbol near '")]) != NULL ? symbol : NULL;
 }
 
-/* Says it in our words, and what the indentation tells: the block Lua names is the outer one as often as not. */
+/* Rewrites Lua's message about a missing end and adds a hint from the indentation, because Lua often names the outer
+ * block instead. */
 static void explain_end(const char *text, size_t n, char *err, size_t err_size)
 {
     char *at = end_missing(err), word[16] = "", hint[80] = "", near[64] = "";
@@ -453,7 +456,7 @@ static bool compile(const char *text, size_t n, const char *chunk, void *work, s
         snprintf(err, err_size, "%s", lua_tostring(lua, -1));
         explain_end(text, n, err, err_size);
     }
-    for (char *c = err; !good && *c != '\0'; c++) /* one line, whatever it quotes */
+    for (char *c = err; !good && *c != '\0'; c++) /* keep it on one line, even if it quotes control characters */
         if ((unsigned char)*c < 32 || *c == 127)
             *c = ' ';
     lua_close(lua);

@@ -1,5 +1,5 @@
 /*
- * script.h - what a script must not contain, and the names in it, found in its text before it runs.
+ * script.h - scans a script's text, before it runs, for forbidden names and operators and for the globals it reads.
  */
 #ifndef SCRIPT_H
 #define SCRIPT_H
@@ -7,38 +7,40 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* False when the text uses the operator ^, or the names __gc or __mode as a name or as a whole string: *line is where,
- * *what a sentence. Comments are skipped. Text that is not Lua is let through: the compiler refuses it. Allocates
- * nothing. */
+/* Returns false if the text uses the operator ^, or __gc or __mode as a name or as a whole string; sets *line to the
+ * line and *what to a message. Skips comments. Text that is not Lua passes, because the compiler rejects it.
+ * Allocates nothing. */
 bool script_scan(const char *text, size_t n, int *line, const char **what);
 
-/* script_scan from a place on, which moves behind what is found, so that the next call finds the next. */
+/* Like script_scan, but starts at *place and, on false, moves *place past the match, so that the next call continues
+ * there. */
 struct script_place {
     size_t at;
-    int line; /* of the byte at; the text starts at { 0, 1 } */
+    int line; /* line of byte `at`; a scan starts at { 0, 1 } */
 };
 bool script_scan_on(const char *text, size_t n, struct script_place *place, int *line, const char **what);
 
-/* The next name from *at on that may be a global which is read: any but a field's (behind . or :) and one that is
- * assigned (before =). Comments and strings are skipped. *at moves behind it. False: there is none. Of a Lua text no
- * global that is read is missed; a local variable, a label or a reserved word may be given. */
+/* Finds the next name at or after *at that may be a global being read, and moves *at past it. Returns false if there
+ * is none. Fields (after . or :), assigned names (before =), comments and strings are skipped. No global that a Lua
+ * text reads is missed; a local variable, a label or a reserved word may be returned too. */
 bool script_next_read(const char *text, size_t n, size_t *at, const char **name, size_t *size);
 
-/* The field that is read of the name which ends at `at`: what stands behind a point, of *size bytes. NULL: there is
- * none, so all that the name stands for may be read. */
+/* Returns the field read from the name that ends at `at`, i.e. the name after the dot, and sets *size to its bytes;
+ * or NULL if no dot and name follow, so that any field may be read. */
 const char *script_field(const char *text, size_t n, size_t at, size_t *size);
 
-/* How `require` names the script that somebody may mean by `name`: "a.b", "a\\b", "./a/b" and "a/b.lua" become "a/b".
- * False: the name is written so already, or too long. */
+/* Converts `name` to the form `require` expects: "a.b", "a\\b", "./a/b" and "a/b.lua" become "a/b". Returns false if
+ * it already has that form or is too long. */
 enum { SCRIPT_NAME = 128 };
 bool script_name(const char *name, char out[SCRIPT_NAME]);
 
-/* The syntax check alone; compiled Lua is refused too. As script_check. */
+/* Checks the syntax only, and refuses compiled Lua. Arguments as for script_check. */
 bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                     size_t err_size);
 
-/* script_scan, then a syntax check by the Lua compiler. chunk is "@stages/one.lua"; work is work_size bytes
- * of scratch, 16-byte aligned, at least HEAP_MIN; too few are an error. err gets "stages/one.lua:42: what". */
+/* Runs script_scan, then checks the syntax with the Lua compiler. chunk is e.g. "@stages/one.lua"; work is work_size
+ * bytes of scratch, 16-byte aligned, at least HEAP_MIN. Returns false on an error, including too little scratch, and
+ * writes "stages/one.lua:42: what" to err. */
 bool script_check(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                   size_t err_size);
 

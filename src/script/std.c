@@ -8,8 +8,8 @@
 
 enum { ALL = (1 << STD_MODULES) - 1 };
 
-/* The globals are those that the module's table is bound to: its name, or for the prelude each of its entries. A module
- * with fields adds these to the table `to`, and is not bound itself. */
+/* `globals` are the names that need the module: the global that its table is bound to, or for the prelude each of
+ * its entries. A module with `fields` adds them to the table `to` and is not bound itself. */
 static const struct {
     const char *name, *globals, *fields, *to;
 } modules[STD_MODULES] = {
@@ -41,7 +41,7 @@ const char *std_module(int i)
     return modules[i].name;
 }
 
-/* Is the word one of the list, each with blanks around it? */
+/* Returns whether the word is in the list, whose words have blanks around them. */
 static int in_list(const char *list, const char *word, size_t n)
 {
     for (const char *p = list + 1; *p != '\0'; p++) {
@@ -84,7 +84,7 @@ uint64_t std_needed(int i, const char *text, size_t n)
     for (int k = 0; k < STD_MODULES; k++)
         if (modules[k].to && strcmp(modules[k].to, modules[i].name) == 0)
             others &= ~((uint64_t)1 << k);
-    others &= ~((uint64_t)1 << std_of("game")); /* none needs it, and it is the name of many a local */
+    others &= ~((uint64_t)1 << std_of("game")); /* no module needs it, and many locals have its name */
     return others;
 }
 
@@ -104,7 +104,7 @@ int std_of_field(const char *table, const char *field)
     return -1;
 }
 
-/* The modules that a read of this global needs, of which that field is read; field NULL: any may be. */
+/* Returns the modules needed to read this field of this global; field NULL: any field may be read. */
 static uint64_t needed(const char *name, size_t n, const char *field, size_t field_n)
 {
     uint64_t m = 0;

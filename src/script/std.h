@@ -1,12 +1,12 @@
 /*
  * std.h - the modules of the standard library (@std): their order, and which of them a script names.
  *
- * A ROM has the modules that its scripts name, and those that these name; what is not in the ROM is not loaded. Below
- * cab nobody has their texts: they are lumps "script/@std/NAME.lua".
+ * A ROM contains the modules that its scripts name, and the modules those name in turn; other modules are not loaded.
+ * Only cab has the source of the modules; at run time they are the ROM's lumps "script/@std/NAME.lua".
  *
- * What a module seldom needs stands in pieces of its own, "screens/title": they come into the ROM with their module,
- * are not run when the machine starts, and are read each time sys.read asks for one. They may name what their module
- * names (or the game, where it asked for them), for they bring no module along.
+ * Code that a module rarely needs is in separate pieces such as "screens/title". A piece is packed with its module, is
+ * not run at power-on, and is loaded on each call of sys.read. A piece may use only modules that its module names (or
+ * the game that requested it), because a piece adds no module to the ROM.
  */
 #ifndef SCRIPT_STD_H
 #define SCRIPT_STD_H
@@ -16,27 +16,30 @@
 
 enum { STD_MODULES = 19 };
 
-/* Said of a module's global in a game whose scripts do not name it: in a line typed into the console. */
+/* The error text for a module's global that no script of the game names, when it is typed into the console. */
 #define STD_NOT_HERE "not packed in this ROM; a library module is packed if a script names it"
 
-/* Module i, in the order in which they are loaded: "pattern". The first is the prelude, which all others need. */
+/* Returns the name of module i in load order, e.g. "pattern". Module 0 is the prelude, which all others need. */
 const char *std_module(int i);
 
-/* The module whose piece "boss/cast" is: that of the folder's name, of "screens" it is boot. -1: no piece. */
+/* Returns the module that a piece such as "boss/cast" belongs to: the one named like its folder, or boot for
+ * "screens". Returns -1 if `name` is not a piece. */
 int std_piece_of(const char *name);
 
-/* The module that binds the global of that name, or -1. */
+/* Returns the module that binds the global `name`, or -1. */
 int std_of(const char *name);
 
-/* The table, there without it, to which module i adds fields, or NULL; and the module that adds this one, or -1. */
+/* std_adds_to returns the existing table to which module i adds fields, or NULL. std_of_field returns the module
+ * that adds `field` to `table`, or -1. */
 const char *std_adds_to(int i);
 int std_of_field(const char *table, const char *field);
 
-/* Modules of which a script with this text may read a global or a field: bit i for module i. What can compute names
- * (_G, _ENV, load) names them all. */
+/* Returns the modules whose globals or fields a script with this text may read: bit i for module i. A text that can
+ * compute names (_G, _ENV, load) needs them all. */
 uint64_t std_named(const char *text, size_t n);
 
-/* The same of module i's own text, which may name its table without needing what others add to it. */
+/* Like std_named, for the text of module i itself: omits the modules that add fields to i's own table, and game,
+ * which no module needs. */
 uint64_t std_needed(int i, const char *text, size_t n);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * tasks.c - see tasks.h. The slots are linked by serial, so starting and ending a task cost the same however many there
- * are.
+ * tasks.c - see tasks.h. The slots are linked in order of serials, so starting or ending a task costs the same however
+ * many there are.
  */
 #include "tasks.h"
 #include <lauxlib.h>
@@ -8,7 +8,7 @@
 #include "../machine/machine.h"
 #include "vm.h"
 
-static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> where it comes from */
+static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> its tasks.from */
 
 static void push_threads(lua_State *L)
 {
@@ -51,7 +51,7 @@ void tasks_empty(struct tasks *t)
     t->current = NO_SLOT;
 }
 
-/* Every turn asks all owners, so a chain of them is at most MAX_OWNER_DEPTH long. */
+/* Limits a chain of owners to MAX_OWNER_DEPTH, because each turn of a task checks all its owners. */
 static void check_depth(struct board *b, int64_t owner)
 {
     int depth = 0;
@@ -64,8 +64,8 @@ static void check_depth(struct board *b, int64_t owner)
     }
 }
 
-/* The scene of a task with this owner. Bullets and shots have none: it is then that of the script that starts the task.
- */
+/* Returns the scene of a task with this owner. Bullets, shots and lasers have none, so their tasks get the scene of
+ * the script that starts the task. */
 static int64_t scene_in(const struct board *b, int64_t owner)
 {
     uint32_t i = handle_slot(owner);
@@ -129,8 +129,8 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
     slots_drop(&b->tasks.s, i);
 }
 
-/* If the function at `at` is @std's, keeps the author's line that starts it as task i. The table of threads is on top.
- */
+/* If the function at stack index `at` is from @std, stores the author's line that starts it as task i. The table of
+ * threads is on top of the stack. */
 static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
 {
     char place[VM_PLACE];
@@ -168,8 +168,8 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     return board_handle(b, H_TASK, i);
 }
 
-/* A dead owner's scope is dead: its slot and generation may be the very ones that the new scope gets, and then it would
- * own itself. */
+/* A dead owner gets a dead scope: a new scope could reuse the owner's slot and generation, and would then own
+ * itself. */
 int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
 {
     if (!tasks_owner_alive(b, owner))
@@ -208,8 +208,9 @@ bool tasks_frozen(const struct board *b, uint32_t slot)
     return b->core.frozen > 0 && !owned_by(b, slot, b->core.frozen);
 }
 
-/* Is it the task, or a task's task, of a thing that stood in the last move? A thing's moves and its tasks' turns go by
- * turns, so each move that it stands in lets one turn pass, whoever froze it when. All owners are alive. */
+/* Returns whether the task belongs, directly or through other tasks, to an entity that was frozen in the last move.
+ * An entity's moves alternate with its tasks' turns, so each frozen move skips one turn, no matter what froze the
+ * entity or when. All owners must be alive. */
 static bool owner_stood(const struct board *b, uint32_t slot)
 {
     int64_t h = b->tasks.owner[slot];
@@ -232,7 +233,7 @@ static bool owner_stood(const struct board *b, uint32_t slot)
     }
 }
 
-/* A task's error becomes the board's fault; the run is over. */
+/* Turns a task's error into the board's fault, which ends the run. */
 static void fail(struct board *b, lua_State *L, lua_State *co, int status)
 {
     vm_report(b, co, status);
@@ -259,7 +260,7 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
         fail(b, L, co, status);
 }
 
-/* Resumes a task; true when it has ended. */
+/* Resumes a task. Returns whether it has ended. */
 static bool resume(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
@@ -285,7 +286,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     return false;
 }
 
-/* One task's turn; true when it has ended. */
+/* Gives a task its turn. Returns whether it has ended. */
 static bool turn(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
@@ -302,7 +303,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         return false;
     if (resume(b, L, i))
         return true;
-    if (t->flags[i] & TASK_STOP) /* it stopped itself: it is closed now */
+    if (t->flags[i] & TASK_STOP) /* it stopped itself: close it now */
         close_task(b, L, i);
     return t->flags[i] & TASK_STOP;
 }

@@ -1,5 +1,6 @@
 /*
- * values.c - see values.h. A byte says what comes, then it comes; a table is its keys and values in turn, up to an end.
+ * values.c - see values.h. Each value is a tag byte and its data; a table is its keys and values alternately, up to
+ * TAG_END.
  */
 #include "values.h"
 

@@ -1,5 +1,5 @@
 /*
- * values.h - values of one Lua machine as bytes, for another one to have: nothing of a board's heap leaves it.
+ * values.h - serializes Lua values to bytes, to copy them between Lua states without sharing a board's heap.
  */
 #ifndef SCRIPT_VALUES_H
 #define SCRIPT_VALUES_H
@@ -9,8 +9,8 @@
 #include <stdint.h>
 
 enum {
-    VALUES_BYTES = 1 << 18, /* room that is enough for what a test looks at */
-    VALUES_DEEP = 8         /* tables in tables */
+    VALUES_BYTES = 1 << 18, /* capacity, enough for the values a test inspects */
+    VALUES_DEEP = 8         /* nesting depth of tables */
 };
 
 struct values {
@@ -19,11 +19,11 @@ struct values {
     int count;
 };
 
-/* Puts away the whole stack: nil, booleans, numbers, texts, and tables of these; what is none of them, as the words
- * that print has for it. Raises an error for tables deeper than VALUES_DEEP, and for more than there is room for. */
+/* Serializes the whole stack: nil, booleans, numbers, strings, and tables of these; any other value as the string
+ * that print shows for it. Raises an error for tables nested deeper than VALUES_DEEP and for more than `room` bytes. */
 void values_put(lua_State *L, struct values *v);
 
-/* Pushes all of them again; returns how many. */
+/* Pushes all stored values. Returns their count. */
 int values_push(lua_State *L, const struct values *v);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * vm.c - see vm.h.
  *
- * The collector is stopped while a tick runs. Between frames it takes small steps, more if much was allocated, until it
- * has been through the heap; then it rests until a little more is in use than it left.
+ * The garbage collector is stopped while a tick runs. Between frames it takes small steps, more of them if much was
+ * allocated, until it completes a cycle; then it rests until heap use has grown a little.
  */
 #include "vm.h"
 #include <lualib.h>
@@ -13,10 +13,10 @@
 #include "../machine/machine.h"
 #include "std.h"
 
-enum { DEEP = 3000 /* nested calls; with as many when memory runs out, an endless recursion is likely */ };
+enum { DEEP = 3000 /* nested calls; this many when memory runs out suggest infinite recursion */ };
 
-/* After a failed allocation, before Lua collects and tries again: notes the place, because the error that may follow
- * has lost its stack. The collection counts as work: with memory nearly full there is one an allocation. */
+/* After a failed allocation, before Lua collects garbage and retries: notes the place, because an error that follows
+ * has lost its stack. Charges for the collection, because with memory nearly full each allocation may need one. */
 static void note_shortage(struct board *b)
 {
     struct output *o = b->output;
@@ -29,7 +29,7 @@ static void note_shortage(struct board *b)
     o->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
-/* True for a text that is too long; its size is noted for the message. */
+/* Returns whether a string's block is too large, and notes the string's size for the message. */
 static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
@@ -51,12 +51,13 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
     return q;
 }
 
-/* The collector's pace. A step is as much work as STEP_PERCENT of 2^STEP_SHIFT bytes; a turn is a step, and one more
- * for each STEP_FOR bytes that were allocated since the last. A round begins when REST_BYTES, and a REST_PART of what
- * the last one left, are in use beyond that; where room is short, a REST_OF_ROOM of it. */
+/* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. A turn is one step,
+ * and one more for each STEP_FOR bytes allocated since the last turn. After a cycle that leaves U bytes in use, the
+ * next one starts when REST_BYTES + U / REST_PART more are in use, or 1 / REST_OF_ROOM of the free bytes if that is
+ * less. */
 enum { STEP_PERCENT = 100, STEP_SHIFT = 8, STEP_FOR = 4096, REST_BYTES = 16384, REST_PART = 16, REST_OF_ROOM = 4 };
 
-/* The collector has been through the heap, which leaves it so much in use. */
+/* Ends a collector cycle: sets the heap use at which the next one starts. */
 static void rest(struct vm *vm)
 {
     const size_t used = heap_used(vm->heap), room = vm->heap_size - used, most = room / REST_OF_ROOM;
@@ -159,7 +160,8 @@ static void seal_globals(lua_State *L)
     lua_pop(L, 1);
 }
 
-/* Lua's block for a text is a header and the text; the header's size differs between hosts. */
+/* Sets the largest allowed string block. Lua's block for a string is a header and the text; the header's size, which
+ * differs between hosts, is measured with a sample string. */
 static void limit_texts(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
@@ -196,17 +198,17 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCSTOP);
     limit_texts(L);
     open_libraries(L);
-    api_open(L); /* leaves the sys table */
+    api_open(L); /* pushes the sys table */
     int sys = lua_gettop(L);
     vm_open_scripts(L, sys);
     for (int i = 0; i < STD_MODULES; i++)
         vm_load_std(L, i, sys);
-    lua_gc(L, LUA_GCCOLLECT); /* the game's scripts get the place of what only loading needed */
+    lua_gc(L, LUA_GCCOLLECT); /* frees what only loading needed, for the game's scripts */
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
     lua_call(L, 0, 0);
-    lua_gc(L, LUA_GCCOLLECT); /* a run begins with what loading left and no more */
+    lua_gc(L, LUA_GCCOLLECT); /* a run starts without garbage from loading */
     rest(&b->vm);
     if (board_lists(b) && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "practice: no sections to choose from, because %s.lua does not call boot.run",

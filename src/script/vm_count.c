@@ -1,17 +1,17 @@
 /*
- * vm_count.c - the work of a tick, counted: see vm.h.
+ * vm_count.c - counts the work of a tick; see vm.h.
  *
- * Lua calls a hook every so many instructions, about a thousand on average: a look. An instruction is not always little
- * work, and the hook cannot see which ones have run, so it weighs what they had to work on: the registers and upvalues
- * of the function that runs. Comparing long texts, reading numbers out of them, walking a chain of __index or copying
- * many arguments takes long only where such things are at hand; there each instruction counts as several. Memory that
- * was allocated is counted by its size, which bounds what Lua does to its tables. The weights are such that no
- * operation takes more than some nanoseconds for each unit counted: `make bench ARGS=guards` measures them.
+ * Lua calls a hook about every thousand instructions on average; one such call is a "look". An instruction can be a lot
+ * of work, and the hook cannot see which ones ran, so it weighs their possible operands: the registers and upvalues of
+ * the running function. Comparing long strings, parsing numbers in them, following a chain of __index or copying many
+ * arguments is slow only if such values are in scope; then each instruction counts as several. Allocated memory is
+ * counted by its size, which bounds the work Lua does on its tables. The weights are chosen so that no operation takes
+ * more than a few nanoseconds per unit; `make bench ARGS=guards` measures them.
  *
- * A look charges STEP instructions, and the number of instructions before it is drawn from 1 to 2 * STEP: no loop can
- * keep its costly instructions between looks, and a thread whose turns are all shorter than a step is charged too. The
- * stream of these numbers starts alike in every tick. So the sum depends on nothing but the run, and a run is stopped
- * in the same frame on every machine.
+ * A look charges STEP instructions, and the number of instructions before it is pseudorandom from 1 to 2 * STEP: no
+ * loop can hide its costly instructions between looks, and a thread whose turns are all shorter than a step is charged
+ * too. The pseudorandom sequence starts the same in every tick, so the count depends only on the run, and a run is
+ * stopped in the same frame on every machine.
  */
 #include <float.h>
 #include <math.h>
@@ -22,33 +22,33 @@
 
 enum {
     STEP = 1024,       /* instructions between two looks, on average */
-    DEEP_CHAIN = 2000, /* Lua follows no longer chain */
-    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that make it due */
+    DEEP_CHAIN = 2000, /* the longest chain Lua follows */
+    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that force one */
 };
 
-/* A look itself counts one for so many ... */
+/* A look itself costs one unit per N ... */
 enum {
-    A_LOOK = 64 /* bytes of a text */
+    A_LOOK = 64 /* bytes of a string */
 };
-/* ... and so many for each ... */
+/* ... and N units per ... */
 enum {
     A_VALUE = 2,       /* register or upvalue */
-    A_LOOK_AT_LINK = 8 /* table of a chain */
+    A_LOOK_AT_LINK = 8 /* table in a chain */
 };
 
-/* Each instruction counts as one and one more for so many of ... */
+/* Each instruction counts as one unit, and one more per N ... */
 enum {
-    A_TEXT = 1024, /* bytes of a text */
-    A_ZERO = 2,    /* zero bytes in it: `<` compares what lies between them, one by one */
+    A_TEXT = 1024, /* bytes of a string */
+    A_ZERO = 2,    /* zero bytes in it: `<` compares the parts between them one by one */
     A_NUMERAL = 64,
     A_LINK = 4, /* tables linked by __index or __newindex */
     AN_ARGUMENT = 128,
-    AN_ALLOCATION = 4, /* bytes allocated: added once */
-    AN_EXTREME = 64,   /* what numbers beyond 2^256, or below 2^-256, add: `%` divides them bit by bit */
-    A_FRACTION = 16    /* what floating-point numbers add: `..` writes them out */
+    AN_ALLOCATION = 4, /* bytes allocated; added once per look, not per instruction */
+    AN_EXTREME = 64,   /* units added for a number beyond 2^256 or below 2^-256: `%` divides it bit by bit */
+    A_FRACTION = 16    /* units added for a float: `..` formats it */
 };
 
-/* Bytes of a text that are looked at to read a number from it. */
+/* Returns how many bytes of a string Lua reads to convert it to a number. */
 static size_t numeral_bytes(const char *s)
 {
     size_t blanks = strspn(s, " \t\n\v\f\r"), sign = s[blanks] == '-' || s[blanks] == '+';
@@ -90,7 +90,7 @@ static struct vm_weight number_weight(lua_State *L)
     return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : A_FRACTION, WEIGHT_FRACTION, 0 };
 }
 
-/* How many tables follow the one on top by this field of their metatables. */
+/* Returns the length of the chain of tables linked from the one on top by this metatable field, at most DEEP_CHAIN. */
 static size_t chain_length(lua_State *L, const char *field)
 {
     size_t n = 0;
@@ -115,7 +115,7 @@ static struct vm_weight table_weight(lua_State *L, uint64_t *looking)
     return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
 }
 
-/* Keeps the heavier of w and what the value on top weighs, and pops it. Returns the work of weighing it. */
+/* Sets *w to the weight of the value on top if that is heavier, and pops the value. Returns the work of weighing it. */
 static uint64_t weigh(lua_State *L, struct vm_weight *w)
 {
     struct vm_weight one = { 0 };
@@ -149,7 +149,7 @@ static bool has_argument(lua_State *L, lua_Debug *ar, int n)
     return there;
 }
 
-/* How many values `...` has. */
+/* Returns the number of values in `...`. */
 static int count_arguments(lua_State *L, lua_Debug *ar)
 {
     int least = 0, most = 1;
@@ -166,8 +166,8 @@ static int count_arguments(lua_State *L, lua_Debug *ar)
     return least;
 }
 
-/* By how much the heaviest instruction of the function that runs may be more than one; adds the work of finding that
- * out to *looking. */
+/* Returns the extra weight, above one, that the heaviest instruction of the running function may have. Adds the work
+ * of finding it to *looking. */
 static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *looking)
 {
     int arguments = count_arguments(L, ar);
@@ -187,8 +187,8 @@ static void on_count(lua_State *L, lua_Debug *ar)
     vm_look(L, ar);
 }
 
-/* The next look at thread L is before its n-th instruction from here. A profile counts them by itself: its hook runs
- * before each instruction. */
+/* Schedules the next look at thread L, before its n-th instruction from here. A profile counts down itself, because
+ * its hook runs before each instruction. */
 static void look_after(struct vm *vm, lua_State *L, uint32_t n)
 {
     vm->left = n;
@@ -208,7 +208,7 @@ void vm_look(lua_State *L, lua_Debug *ar)
     uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
     struct vm_weight w = weigh_function(L, ar, &looking);
 
-    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION) /* nearly every loop has fractions at hand */
+    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION) /* nearly every loop has floats in scope */
         vm->heaviest = w;
     vm->looked += allocated;
     vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
@@ -217,7 +217,7 @@ void vm_look(lua_State *L, lua_Debug *ar)
 
 /* ---- the limit ---- */
 
-/* " (each counts as 65 with a string of 65536 bytes in scope)", or "" if each counted as one. */
+/* Writes e.g. " (each counts as 65 with a string of 65536 bytes in scope)", or "" if each counted as one. */
 static void say_weight(const struct vm_weight *w, char *text, size_t size)
 {
     static const char *const scope[] = {
@@ -238,7 +238,7 @@ static int over_limit(lua_State *L, struct vm *vm)
 {
     char weight[112];
 
-    look_after(vm, L, 1); /* the __close handlers on the way out get no turn of their own */
+    look_after(vm, L, 1); /* so that __close handlers, run while unwinding, are stopped at once */
     say_weight(&vm->heaviest, weight, sizeof weight);
     return vm_fault(L, FAULT_LOOP, "infinite loop: more than %d instructions in one %s%s", (int)vm->limit,
                     vm->limit == WORK_LIMIT ? "frame" : "line", weight);

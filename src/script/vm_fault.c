@@ -1,5 +1,5 @@
 /*
- * vm_fault.c - faults: their place, their message, their traceback; and the protected call that all scripts run in.
+ * vm_fault.c - faults: place, message and traceback; and the protected call that all scripts run in.
  */
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,8 +9,8 @@
 #include "lua/lualib.h"
 #include "vm.h"
 
-/* Level 0 is a C function, or in a hook the function that was interrupted. The place of a task that the library
- * started is the author's line that led to it. */
+/* Level 0 is a C function or, in a hook, the interrupted function. If only the library is on the stack of a task,
+ * the place is the author's line that started the task. */
 void vm_where(lua_State *L, char *place, size_t size)
 {
     lua_Debug ar;
@@ -30,7 +30,7 @@ void vm_where(lua_State *L, char *place, size_t size)
         snprintf(place, size, "%s", from);
 }
 
-/* Does it start with "FILE:LINE: "? */
+/* Returns whether the message has a place: ":LINE:" within its first VM_PLACE bytes. */
 static bool has_place(const char *message)
 {
     for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE; p++) {
@@ -41,7 +41,7 @@ static bool has_place(const char *message)
     return false;
 }
 
-/* The author's place for a message that has none, or only the library's, which then follows it. */
+/* Writes the author's place for a message that has none or only the library's, which then follows it; otherwise "". */
 static void missing_place(lua_State *L, const char *message, char *place, size_t size)
 {
     bool std = strncmp(message, "@std/", 5) == 0;
@@ -117,7 +117,8 @@ static void copy_text(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from);
 }
 
-/* Does a task have its turn, which could have waited? Not while loading, in a handler, or in a line of the console. */
+/* Returns whether a task is running, which could have waited. False while loading, in a handler and in a console
+ * line. */
 static bool waits(const struct board *b)
 {
     return b->tasks.current != NO_SLOT && b->vm.limit == WORK_LIMIT;
@@ -138,7 +139,7 @@ static void report_shortage(const struct board *b, struct board_fault *f)
                              : "");
 }
 
-/* The last name in a message that ends in "(field 'NAME')" and is about nil; false: it does not. */
+/* Copies NAME from a message that ends in "a nil value (field 'NAME')". Returns false for any other message. */
 static bool nil_field(const char *message, char *name, size_t size)
 {
     const char *field = strstr(message, "a nil value (field '"), *end;
@@ -154,7 +155,7 @@ static bool nil_field(const char *message, char *name, size_t size)
     return true;
 }
 
-/* What to say behind Lua's own message: why a field may be nil here. */
+/* Writes a hint, to follow Lua's own message, about why a field may be nil here; "" if there is none. */
 static void hint(lua_State *L, const char *message, char *out, size_t size)
 {
     const struct output *o = vm_board(L)->output;
@@ -173,7 +174,7 @@ static void hint(lua_State *L, const char *message, char *out, size_t size)
         snprintf(out, size, " (%s is nil once the thing has despawned; check `alive` first)", name);
 }
 
-/* The likely reason, where calls nest too deeply or a frame does not end. */
+/* Returns the likely cause of calls nested too deeply or of a frame that does not end, or "". */
 static const char *cause(const struct board *b, enum board_fault_kind kind)
 {
     if (kind == FAULT_STACK)
@@ -183,7 +184,7 @@ static const char *cause(const struct board *b, enum board_fault_kind kind)
     return waits(b) ? " (missing wait?)" : " (only a task can wait; start one with task.go)";
 }
 
-/* Any other error value. */
+/* Reports any error other than lack of memory. */
 static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
 {
     char place[VM_PLACE] = "", other[80], why[160] = "";
@@ -225,14 +226,14 @@ void vm_trace(struct board *b, lua_State *L, lua_State *from)
 {
     if (b->output->fault.trace[0])
         return;
-    lualib_trace(L); /* of a fault that went through a pcall */
+    lualib_trace(L); /* of a fault that passed through a pcall */
     if (!lua_isstring(L, -1))
         luaL_traceback(L, from, NULL, 0);
     copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 
-/* Message handler of vm_call: the stack is still there, so this is where the traceback is taken. */
+/* The message handler of vm_call. It takes the traceback, because the stack still exists here. */
 static int on_error(lua_State *L)
 {
     struct board *b = vm_board(L);

@@ -1,5 +1,5 @@
 /*
- * vm_load.c - the scripts of a ROM: the game's, and the standard library's.
+ * vm_load.c - loads the scripts of a ROM: the game's and the standard library's.
  */
 #include <stdio.h>
 #include <string.h>
@@ -10,7 +10,7 @@
 #include "std.h"
 #include "vm.h"
 
-/* Registry: what require returned, by name; the sys table. */
+/* Registry: the results of require by name; the sys table. */
 static const char modules_key = 0, sys_key = 0;
 
 void vm_load(lua_State *L, const char *name)

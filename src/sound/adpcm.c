@@ -1,6 +1,6 @@
 /*
- * adpcm.c - see adpcm.h. Differences are decoded as (2n + 1) * step >> 3, as ffmpeg does; the standard's three shifts
- * lose up to 3.
+ * adpcm.c - see adpcm.h. Differences are decoded as (2n + 1) * step >> 3, as in ffmpeg; the standard's three separate
+ * shifts lose up to 3.
  */
 #include "adpcm.h"
 
@@ -17,7 +17,7 @@ const int16_t adpcm_steps[ADPCM_STEPS] = {
     9493, 10442, 11487, 12635, 13899, 15289, 16818, 18500, 20350, 22385, 24623, 27086, 29794, 32767
 };
 
-/* n samples of a block from its `from`-th on. */
+/* Decodes n samples of a block, starting at index `from`. */
 static void read_block(const uint8_t *block, int from, int n, int16_t *out)
 {
     struct adpcm s = { (int16_t)bytes_get16(block), block[2] };
@@ -90,7 +90,7 @@ static void read_exact(const uint8_t *data, int n, int16_t *out)
         out[i] = (int16_t)bytes_get16(data + 2 * (size_t)i);
 }
 
-/* n samples from `from` on, all of them there. */
+/* Reads n samples, starting at `from`; all must exist. */
 static void read_run(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
     if (s->coding == SAMPLE_EXACT) {

@@ -1,10 +1,10 @@
 /*
- * adpcm.h - recordings: 16 bits a sample, or IMA ADPCM in blocks that can be entered anywhere.
+ * adpcm.h - sampled sounds: 16 bits per sample, or IMA ADPCM in blocks that can be decoded independently.
  *
- * A sample in a ROM is a header of SAMPLE_HEADER bytes (u32 frames a second, u32 samples, u32 the first sample of its
- * loop, or SAMPLE_ENDS; u8 its coding, three zero bytes) and what it is made of. SAMPLE_EXACT: i16 each. SAMPLE_PACKED:
- * blocks of ADPCM_BYTES: i16 the first sample, u8 the step's index, a zero byte, then two samples a byte, low half
- * first, as in WAV files. A loop reaches to the last sample.
+ * A recording in a ROM is a header of SAMPLE_HEADER bytes (u32 sample rate in Hz, u32 number of samples, u32 index of
+ * the first sample of the loop or SAMPLE_ENDS, u8 coding, three zero bytes), followed by its data. SAMPLE_EXACT: an i16
+ * per sample. SAMPLE_PACKED: blocks of ADPCM_BYTES: i16 first sample, u8 step index, a zero byte, then two samples per
+ * byte, low half first, as in WAV files. A loop always ends at the last sample.
  */
 #ifndef SOUND_ADPCM_H
 #define SOUND_ADPCM_H
@@ -15,7 +15,7 @@
 
 enum {
     SAMPLE_HEADER = 16,
-    SAMPLE_RATE = 4000,    /* the least; SND_RATE is the most */
+    SAMPLE_RATE = 4000,    /* minimum, Hz; the maximum is SND_RATE */
     SAMPLE_MOST = 1 << 25, /* samples */
     ADPCM_BYTES = 256,
     ADPCM_SAMPLES = 505,
@@ -31,22 +31,23 @@ struct sample {
     const uint8_t *data;
 };
 
-/* The header, and that all of it is there and good. False: no sample. */
+/* Checks a recording of `size` bytes and reads its header into s. Returns false if it is not a valid recording. */
 bool sample_open(const uint8_t *data, size_t size, struct sample *s);
 
-/* Are n samples one behind the other, and no more: all good, equally long, of one rate and one loop? */
+/* Returns whether data is exactly n valid recordings in a row, all with the same length, rate and loop. */
 bool samples_open(const uint8_t *data, size_t size, int n);
 
-/* The header of what was checked. */
+/* Returns the header of a recording that was checked. */
 struct sample sample_of(const uint8_t *data);
 
-/* Samples from place `from` on, which may be before the first and beyond the last one: silence there, or the loop. */
+/* Reads n samples, starting at index `from`. Indices before the first sample are silence; those after the last one are
+ * the loop, or silence if there is none. */
 void sample_read(const struct sample *s, int64_t from, int n, int16_t *out);
 
-/* Bytes of n samples with their header. */
+/* Returns the bytes that n samples take, with their header. */
 size_t sample_size(uint32_t n, enum sample_coding coding);
 
-/* ---- a step of ADPCM ---- */
+/* ---- decoding ADPCM ---- */
 
 struct adpcm {
     int32_t value, index;
@@ -58,7 +59,7 @@ static inline int32_t adpcm_clamp(int32_t v, int32_t lo, int32_t hi)
     return v < lo ? lo : v > hi ? hi : v;
 }
 
-/* What code of four bits makes of s. */
+/* Returns the decoder state that follows s after a 4-bit code. */
 static inline struct adpcm adpcm_next(struct adpcm s, int code)
 {
     static const int8_t moves[8] = { -1, -1, -1, -1, 2, 4, 6, 8 };

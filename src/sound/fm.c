@@ -1,14 +1,14 @@
 /*
- * fm.c - see fm.h. Sines are made in lanes of 16 bits: the quarter turns beside a crest are a polynomial of the square
- * of the distance w: cos = 1 - w - w (a - w (b - c w)), a b c fitted to 2^-16. Compilers do not find the instruction
- * for the high half of a product, so on a processor that has it sines are made by it, to the same bits. Every other
- * loop is one that they make into vectors of any width.
+ * fm.c - see fm.h. Sines are computed in 16-bit lanes. Within a quarter turn of a crest they are a polynomial in w, the
+ * square of the distance from the crest: cos = 1 - w - w (a - w (b - c w)), with a, b, c fitted to 2^-16. Compilers do
+ * not emit the instruction for the high half of a product, so SSE2 builds call it directly, with bit-identical results.
+ * Compilers can vectorise all other loops for any width.
  */
 #include "fm.h"
 
 #include <string.h>
 
-/* The same with -O2 and -O3. */
+/* Vectorise in the same way with -O2 and -O3. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
 #endif
@@ -25,7 +25,7 @@ void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
     for (int n = 0; n < FM_BLOCK; n++) {
         const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
         const int16_t far = (int16_t)((x ^ sign) - 16384), near = (int16_t)(far ^ (far >> 15));
-        const uint16_t u = (uint16_t)(4 * near + 2), w = high(u, u); /* from the crest, of a quarter turn, Q16 */
+        const uint16_t u = (uint16_t)(4 * near + 2), w = high(u, u); /* u: quarter turns from the crest, Q16 */
         const uint16_t bent = high(w, (uint16_t)(POLY_A - high(w, (uint16_t)(POLY_B - high(w, POLY_C)))));
         const int16_t crest = (int16_t)((uint16_t)(POLY_ONE - w - bent) >> 1);
         out[n] = (int16_t)((crest ^ sign) - sign);
@@ -76,11 +76,11 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 
 #endif
 
-/* Between two rows and two places of the table. */
+/* Interpolates between two rows and two columns of the table. */
 static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t rows[2],
                            int16_t out[FM_BLOCK])
 {
-    const int32_t by = (rows[1] - rows[0]) * 8; /* FM_BLOCK steps of it, 8 bits finer */
+    const int32_t by = (rows[1] - rows[0]) * 8; /* per sample, with 8 fraction bits: 256 / FM_BLOCK is 8 */
 
     for (int n = 0; n < FM_BLOCK; n++) {
         const int32_t b = rows[0] + (by * n >> 8);
@@ -100,7 +100,7 @@ static void make_phases(const struct fm_op *op, const int32_t bend[FM_BLOCK], ui
         out[n] = phase + n * step + (uint32_t)bend[n];
 }
 
-/* Adds a sine times its gain to what bends an operator. */
+/* Adds a sine times its gain to the phase modulation of an operator. */
 static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32_t bend[FM_BLOCK])
 {
     const int scale = op->scale;
@@ -139,21 +139,21 @@ void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct f
     }
 }
 
-/* ---- strength ---- */
+/* ---- feedback strength ---- */
 
-enum { STRENGTHS = 8, OCTAVES = 7 /* from note 24 on */ };
+enum { STRENGTHS = 8, OCTAVES = 7 /* from note 24 up */ };
 
-/* The closed form's b that is nearest to the recursion y = sin(p + b (y' + y'') / 2) at 48 kHz, by its harmonics; for b
- * of 1.5 / 8 to 1.5 and the c of seven octaves. */
+/* The b of the closed form whose harmonics are nearest to those of the recursion y = sin(p + b (y' + y'') / 2) at 48
+ * kHz, in 4096ths of a radian; for b from 1.5 / 8 to 1.5 (rows) and the C of seven octaves (columns). */
 static const int16_t nearest[STRENGTHS][OCTAVES] = {
     { 778, 778, 758, 758, 758, 758, 737 },        { 1536, 1536, 1536, 1536, 1516, 1475, 1393 },
     { 2294, 2294, 2294, 2273, 2212, 2109, 1987 }, { 3072, 3052, 3011, 2929, 2785, 2601, 2540 },
     { 3789, 3748, 3645, 3482, 3236, 3031, 2826 }, { 4424, 4301, 4116, 3891, 3604, 3400, 3359 },
     { 5018, 4813, 4526, 4198, 3891, 3707, 3645 }, { 5632, 5284, 4895, 4485, 4116, 3953, 3891 },
 };
-static const uint64_t note_24 = 49094033266598; /* its step */
+static const uint64_t note_24 = 49094033266598; /* its phase step, 2^-56 turns */
 
-/* Octaves above note 24, in 256ths, between powers of two a straight line. */
+/* Returns the octaves above note 24, in 256ths, interpolated linearly within an octave. */
 static int32_t octaves(uint64_t step)
 {
     int32_t octave = 0;
@@ -186,7 +186,7 @@ int32_t fm_strength(int32_t b, uint64_t step)
 
 /* ---- notes ---- */
 
-/* One that is not let go stays. */
+/* Returns the release age of an operator; NOTE_HELD if it ignores the release. */
 static int32_t off_of(const struct op *o, int32_t off)
 {
     return o->env.release ? off : NOTE_HELD;
@@ -209,7 +209,7 @@ void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
         f->op[k] = inst_op(bytes, k);
 }
 
-/* unit times level of 32767, to the nearest. */
+/* Returns unit * level / 32767, rounded to nearest. */
 static int32_t gain_of(int32_t unit, int32_t level)
 {
     const int64_t gain = ((int64_t)unit * level * 65538 + (1 << 30)) >> 31; /* 65538: 2^31 / 32767 */
@@ -217,7 +217,7 @@ static int32_t gain_of(int32_t unit, int32_t level)
     return gain > 32767 ? 32767 : (int32_t)gain;
 }
 
-/* The gains of an operator whose level goes from l0 at `age` to l1 at the block's end, times its own level. */
+/* Computes the gains of an operator, scaled by its own level. level: its envelope's at `age` and at the block's end. */
 static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
                        struct fm_op *out)
 {

@@ -1,8 +1,9 @@
 /*
- * fm.h - notes of FM: sines, operators, that bend each other's phase, each with an envelope of its own.
+ * fm.h - FM notes: operators, which are sines that modulate each other's phase, each with its own envelope.
  *
- * A block is a function of phases and gains. So is feedback: y = sin(p + b y) is a row of a table, p its place, b the
- * row; chips take y from the last two samples, which at higher notes is as if b were less (fm_strength).
+ * A block is a function of phases and gains only, and so is feedback: y = sin(p + b y) is looked up in a table, in
+ * which b selects the row and p the column. Chips compute y from the last two samples instead; at higher notes this
+ * sounds like a smaller b (fm_strength).
  */
 #ifndef SOUND_FM_H
 #define SOUND_FM_H
@@ -11,35 +12,39 @@
 
 enum { FM_BLOCK = SND_BLOCK };
 
-/* phase: of the block's first sample, step: from one to the next, 2^-32 turns. gain: of one that is heard Q15; of one
- * that bends others, of 2^(scale - 2) turns, Q15. */
+/* phase: at the block's first sample; step: phase per sample, both in 2^-32 turns. gain: of an audible operator, Q15;
+ * of a modulator, in units of 2^(scale - 2) turns, Q15. */
 struct fm_op {
     uint32_t phase, step;
     int scale; /* 0 to 4 */
     int16_t gain[FM_BLOCK];
 };
 
-/* ops: 2 or 4. rows: of the first operator's feedback at the block's beginning and end, FEEDBACK_ROW a row; 0: none. */
+/* Computes a block of `ops` operators, 2 or 4. rows: the first operator's feedback at the start and end of the block,
+ * FEEDBACK_ROW per table row; 0: none. */
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK]);
 
-/* The sine of 2^-16 turns; good to two units. The second is the first without instructions of one processor. */
+/* Computes the sines of phases in 2^-32 turns, of which the upper 16 bits count, to within two units.
+ * fm_sines_plain has the same results without processor-specific instructions. */
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 
-/* The row, FEEDBACK_ROW each, that at so many 2^-56 turns a sample is as a chip's feedback of b 4096ths of a radian. */
+/* Returns the feedback, FEEDBACK_ROW per table row, that sounds like a chip's feedback of b 4096ths of a radian for a
+ * phase step of `step` 2^-56 turns per sample. */
 int32_t fm_strength(int32_t b, uint64_t step);
 
-/* A note of FM, block by block. */
+/* State of an FM note that is computed block by block. */
 struct fm_note {
-    int ops, algorithm, at; /* at: the age of what is kept of the last block's end */
+    int ops, algorithm, at; /* at: the age that `level` is for, the end of the last block */
     int32_t feedback;
     struct op op[FM_OPS];
-    int32_t level[FM_OPS]; /* at that age, Q15 */
+    int32_t level[FM_OPS]; /* envelope levels at age `at`, Q15 */
 };
 void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes);
 
-/* The block that begins at that age and phase (wave_at); the note was let go at age `off`. */
+/* Computes the block that starts at `age` and `phase` (units as in struct wave_at). off: the age at which the note is
+ * released. */
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK]);
 

@@ -1,5 +1,6 @@
 /*
- * inst.c - see inst.h. The algorithms are those of chips of four operators: what each operator bends is a row of bits.
+ * inst.c - see inst.h. The algorithms are those of four-operator FM chips; a bit set lists the operators that each
+ * operator modulates.
  */
 #include "inst.h"
 
@@ -69,14 +70,14 @@ void inst_write(uint8_t p[INST_BYTES], const struct inst *i, const struct op ops
 
 static const uint8_t heard[FM_ALGORITHMS] = { 8, 8, 8, 8, 10, 14, 14, 15 };
 static const uint8_t bends[FM_ALGORITHMS][FM_OPS] = {
-    { 2, 4, 8, 0 },  /* 1 2 3 4, each the next */
-    { 4, 4, 8, 0 },  /* 1 and 2 bend 3, which bends 4 */
-    { 8, 4, 8, 0 },  /* 2 bends 3; 1 and 3 bend 4 */
-    { 2, 8, 8, 0 },  /* 1 bends 2; 2 and 3 bend 4 */
-    { 2, 0, 8, 0 },  /* 1 bends 2, 3 bends 4 */
-    { 14, 0, 0, 0 }, /* 1 bends 2, 3 and 4 */
-    { 2, 0, 0, 0 },  /* 1 bends 2; 3, 4 */
-    { 0, 0, 0, 0 },  /* 1, 2, 3, 4 */
+    { 2, 4, 8, 0 },  /* 1 modulates 2, which modulates 3, which modulates 4 */
+    { 4, 4, 8, 0 },  /* 1 and 2 modulate 3, which modulates 4 */
+    { 8, 4, 8, 0 },  /* 2 modulates 3; 1 and 3 modulate 4 */
+    { 2, 8, 8, 0 },  /* 1 modulates 2; 2 and 3 modulate 4 */
+    { 2, 0, 8, 0 },  /* 1 modulates 2, 3 modulates 4 */
+    { 14, 0, 0, 0 }, /* 1 modulates 2, 3 and 4 */
+    { 2, 0, 0, 0 },  /* 1 modulates 2; 3 and 4 are unmodulated */
+    { 0, 0, 0, 0 },  /* no modulation */
 };
 
 unsigned inst_heard(int ops, int algorithm)
@@ -115,7 +116,7 @@ bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to)
     return to > 0 && (from < 0 || from / span != (to - 1) / span);
 }
 
-/* 128 samples and more in a turn of the highest harmonic: a straight line between two of them is good to -84 dB. */
+/* A turn of the highest harmonic has at least 128 samples, so the error of linear interpolation is below -84 dB. */
 int inst_wave_bits(int version)
 {
     static const uint8_t bits[WAVE_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };

@@ -1,14 +1,15 @@
 /*
- * inst.h - instruments: what makes a note's wave, and what bends its level, pitch and place in time.
+ * inst.h - instruments: the source of a note's wave, and how its level, pitch and pan change over time.
  *
- * In a tune an instrument is INST_BYTES bytes, little-endian, INST_OP bytes for each operator at their end. Its curves
- * and its wave are elsewhere in the tune, so many bytes behind its own first one; 0: it has none.
+ * In a tune, an instrument is INST_BYTES bytes, little-endian, the last of which are INST_OP bytes for each operator.
+ * Its curves and its wave are elsewhere in the tune; their places are byte offsets from the instrument's first byte,
+ * 0: none.
  *
- * A curve: u8 values, 1 to CURVE_MOST; u8 the one to go on from behind the last, or CURVE_STAYS; u16 frames from one to
- * the next; i16 each. Between two values it is a straight line.
+ * A curve: u8 number of values, 1 to CURVE_MOST; u8 index of the value that follows the last one, or CURVE_STAYS; u16
+ * frames from one value to the next; then the values, i16 each. Values are interpolated linearly.
  *
- * A wave: u8 versions, 1 to WAVE_VERSIONS; a zero byte; then each, i16, INST_WAVE_LONG(v) of them and the first again.
- * Version v has the harmonics that snd_tables has in its own.
+ * A wave: u8 number of versions, 1 to WAVE_VERSIONS; a zero byte; then the versions. Version v is 2^inst_wave_bits(v)
+ * samples, i16 each, followed by the first sample again; it has as many harmonics as version v in snd_tables.
  */
 #ifndef SOUND_INST_H
 #define SOUND_INST_H
@@ -20,21 +21,21 @@
 #include "pitch.h"
 
 enum {
-    INST_NAME = 32, /* of a sample, with its NUL */
+    INST_NAME = 32, /* bytes of a sample's name, with its NUL */
     INST_BYTES = 212,
-    INST_WAVE_AT = 48, /* where it says where its wave is, and its curves of volume, pitch and place */
+    INST_WAVE_AT = 48, /* offset of the field with the wave's place; those of the curves (volume, pitch, pan) follow */
     INST_CURVES_AT = 52,
-    INST_OPS = 116, /* where operators begin */
+    INST_OPS = 116, /* offset of the operators */
     INST_OP = 24,
     FM_OPS = 4,
     FM_ALGORITHMS = 8,
-    FM_FEEDBACK = 6144, /* 1.5 radians, the most */
-    FM_DEEPEST = 15646, /* 24 radians in 4096ths of a turn */
+    FM_FEEDBACK = 6144, /* maximum: 1.5 radians, in 4096ths of a radian */
+    FM_DEEPEST = 15646, /* maximum modulation: 24 radians, in 4096ths of a turn */
     CURVE_MOST = 64,
     CURVE_STAYS = 255,
     CURVE_FRAMES = 3600,
     ARPEGGIO_MOST = 16,
-    WAVE_VERSIONS = 10, /* 32 harmonics */
+    WAVE_VERSIONS = 10, /* the last one has 32 harmonics */
     WAVE_HARMONICS = 32
 };
 
@@ -43,7 +44,7 @@ enum inst_kind {
     INST_TRIANGLE,
     INST_SAW,
     INST_SINE,
-    INST_FM, /* of two operators, of which the first bends the second */
+    INST_FM, /* two operators; the first modulates the second */
     INST_NOISE,
     INST_SAMPLE,
     INST_FM4,
@@ -51,13 +52,15 @@ enum inst_kind {
     INST_KINDS
 };
 
-/* Times are in samples. A level that falls halves in that time; 0: it does not fall. */
+/* Times are in samples. attack is the time of a linear rise; the others are the times in which the level halves. decay
+ * or fade 0: it does not fall; release 0: the shortest release (wave.c). */
 struct env {
     uint16_t sustain;                      /* of 32767 */
-    uint32_t attack, decay, fade, release; /* from silence, to sustain, on from there, when it is let go */
+    uint32_t attack, decay, fade, release; /* rise from silence, fall to sustain, fall after that, fall once released */
 };
 
-/* A slow wave: its depth is in the unit of what it bends; 2^-32 turns a sample; samples until it begins. */
+/* A low-frequency oscillator. depth: in the unit of the value it modulates; step: 2^-32 turns per sample; delay:
+ * samples until it starts. */
 struct lfo {
     uint16_t depth;
     uint32_t step, delay;
@@ -65,19 +68,20 @@ struct lfo {
 
 struct inst {
     uint8_t kind, algorithm;
-    uint16_t duty;     /* of 65536: how long a pulse is high */
-    uint16_t feedback; /* of the first operator, 4096ths of a radian */
+    uint16_t duty;     /* part of a pulse that is high, of 65536 */
+    uint16_t feedback; /* first operator's, in 4096ths of a radian */
     struct env env;
-    struct lfo vibrato, tremolo; /* 256ths of a semitone; of 32767 */
-    int32_t root;                /* pitch at which a sample is as recorded, 65536ths of a semitone */
+    struct lfo vibrato, tremolo; /* depths: 256ths of a semitone; of 32767 */
+    int32_t root;                /* pitch at which a sample plays as recorded, 65536ths of a semitone */
     uint32_t wave, volume_curve, pitch_curve, pan_curve;
-    uint16_t arpeggio_frames; /* from one of its pitches to the next */
-    uint8_t arpeggio_n;       /* 0: it has none */
+    uint16_t arpeggio_frames; /* frames per pitch */
+    uint8_t arpeggio_n;       /* pitches; 0: no arpeggio */
     const uint8_t *arpeggio;  /* semitones, as int8_t */
 };
 
-/* An operator: ratio to the note's pitch in 256ths, and so much faster, 2^-32 turns a sample. level: of 32767, if it is
- * heard; how far it bends others, 4096ths of a turn. env: fade is 0; release 0: it stays as it is when let go. */
+/* An operator. ratio: to the note's frequency, in 256ths; detune: added to the phase step, 2^-32 turns per sample.
+ * level: of 32767 if the operator is audible; otherwise its modulation depth, 4096ths of a turn. env: fade is 0;
+ * release 0: the operator ignores the note's release. */
 struct op {
     uint16_t ratio, level;
     int32_t detune;
@@ -89,7 +93,7 @@ static inline struct lfo inst_lfo(const uint8_t *depth, const uint8_t *times)
     return (struct lfo){ bytes_get16(depth), bytes_get32(times), bytes_get32(times + 4) };
 }
 
-/* From the bytes of a tune. Inline, so that who needs three fields reads three. */
+/* Reads an instrument from a tune's bytes. Inline, so that a caller that needs three fields reads only those three. */
 static inline struct inst inst_of(const uint8_t *p)
 {
     return (struct inst){ .kind = p[0],
@@ -112,7 +116,7 @@ static inline struct inst inst_of(const uint8_t *p)
 
 struct op inst_op(const uint8_t *bytes, int k);
 
-/* The recording's name: a sound of rom.lua; "": the tune's own. */
+/* Returns the name of the recording, a sound of rom.lua; "": the tune's own recording. */
 static inline const char *inst_sample(const uint8_t *bytes)
 {
     return (const char *)bytes + 84;
@@ -120,30 +124,31 @@ static inline const char *inst_sample(const uint8_t *bytes)
 
 void inst_write(uint8_t bytes[INST_BYTES], const struct inst *i, const struct op ops[FM_OPS], const char *sample);
 
-/* Operators of a kind: 0, 2 or 4. */
+/* Returns the number of operators of a kind: 0, 2 or 4. */
 static inline int inst_ops(int kind)
 {
     return kind == INST_FM4 ? 4 : kind == INST_FM ? 2 : 0;
 }
 
-/* Which operators are heard (bit k), and which ones operator k bends. */
+/* Returns the set of audible operators, and of those that operator k modulates; bit k is operator k. */
 unsigned inst_heard(int ops, int algorithm);
 unsigned inst_bends(int ops, int algorithm, int k);
 
-/* A curve's bytes. */
+/* Returns the size of a curve in bytes. */
 static inline size_t inst_curve_size(const uint8_t *curve)
 {
     return 4 + 2 * (size_t)curve[0];
 }
 
-/* Its value at an age in samples. */
+/* Returns a curve's value at an age in samples. */
 int32_t inst_curve(const uint8_t *curve, int32_t age);
 
-/* Has it a corner between two ages? */
+/* Returns whether a curve can change its slope between two ages. */
 bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to);
 
-/* The length of version v of a wave, a power of two; where it begins in the wave; the bytes of a wave of n versions. */
-enum { WAVE_SHORTEST = 8 /* bits: 256 of one harmonic */ };
+/* inst_wave_bits returns the length of a version of a wave, 2^bits samples; inst_wave_at its byte offset in the wave;
+ * inst_wave_size the bytes of a wave with that many versions. */
+enum { WAVE_SHORTEST = 8 /* bits: 256 samples for one harmonic */ };
 int inst_wave_bits(int version);
 size_t inst_wave_at(int version);
 static inline size_t inst_wave_size(int versions)
@@ -151,8 +156,8 @@ static inline size_t inst_wave_size(int versions)
     return inst_wave_at(versions);
 }
 
-/* Are all fields in range? end: bytes from the instrument's first one to where its curves and its wave may end;
- * own_sample: its tune has one. */
+/* Returns whether all fields are in range. end: bytes from the instrument's first byte to the limit for its curves and
+ * its wave; own_sample: whether its tune contains a recording. */
 bool inst_ok(const uint8_t *bytes, size_t end, bool own_sample);
 
 #endif

@@ -1,6 +1,7 @@
 /*
- * pitch.c - see pitch.h. A power of two is a product: one factor each for the semitone, a sixteenth of it, a sixteenth
- * of that, and what is left, which is so small that a straight line does. Checked against exp2l in a test.
+ * pitch.c - see pitch.h. A power of two is a product with one factor each for the semitones, sixteenths of a semitone,
+ * sixteenths of those, and the remainder, which is so small that a linear approximation is enough. A test checks the
+ * results against exp2l.
  */
 #include "pitch.h"
 
@@ -24,7 +25,7 @@ static const uint64_t fine[16] = { 9223372036854775808u, 9225453376579012720u, 9
                                    9248379135337035441u, 9250466118145737672u, 9252553571901530207u,
                                    9254641496710686640u };
 static const uint64_t rest = 16258632208764u;     /* ln 2 / (12 * 65536), Q64 */
-static const uint64_t top = 3217426564159819447u; /* note 120, 8372 Hz, in 2^-64 of a turn a sample */
+static const uint64_t top = 3217426564159819447u; /* step of note 120, 8372 Hz, in 2^-64 turns per sample */
 static const uint32_t halved_16[16] = { 1073741824, 1028218693, 984625594, 942880699, 902905651, 864625413,
                                         827968132,  792865000,  759250125, 727060411, 696235434, 666717336,
                                         638450708,  611382493,  585461881, 560640218 };
@@ -35,7 +36,7 @@ static const uint64_t ln2 = 2977044472u; /* Q32 */
 
 enum { OCTAVE = 12 * PITCH_ONE };
 
-/* 2^(r / OCTAVE) in Q63, 0 <= r < OCTAVE. */
+/* Returns 2^(r / OCTAVE) in Q63, for 0 <= r < OCTAVE. */
 static uint64_t within_octave(uint32_t r)
 {
     uint64_t v = semitone[r >> 16];

@@ -1,7 +1,7 @@
 /*
- * pitch.h - pitches to steps, and levels that halve.
+ * pitch.h - conversion of pitches to phase steps, and exponential decay.
  *
- * A pitch is in 65536ths of a semitone; 69 semitones are the a of 440 Hz. All of it is integers.
+ * A pitch is in 65536ths of a semitone; 69 semitones are A4, 440 Hz. Everything is integer arithmetic.
  */
 #ifndef SOUND_PITCH_H
 #define SOUND_PITCH_H
@@ -10,18 +10,19 @@
 
 enum {
     SND_RATE = 48000,  /* stereo frames a second */
-    SND_FRAME = 800,   /* of them in a tick of the board */
+    SND_FRAME = 800,   /* stereo frames in a tick of the board */
     PITCH_ONE = 65536, /* a semitone */
     PITCH_MOST = 131 * PITCH_ONE
 };
 
-/* The phase step of a sample at SND_RATE, in 2^-56 of a turn; right to 0.0001 cents. Clamped to 0 .. PITCH_MOST. */
+/* Returns the phase step per sample at SND_RATE, in 2^-56 turns, accurate to 0.0001 cents. The pitch is clamped to 0 ..
+ * PITCH_MOST. */
 uint64_t pitch_step(int32_t pitch);
 
-/* 2^(semitones / 12) in Q32. Clamped to eight octaves down and four up. */
+/* Returns 2^(semitones / 12) in Q32. The pitch is clamped to eight octaves down and four up. */
 uint64_t pitch_ratio(int32_t pitch);
 
-/* 2^-x in Q30, x in Q32; 0 from x = 30 on. */
+/* Returns 2^-x in Q30, for x in Q32; 0 if x is at least 30. */
 uint32_t pitch_halved(uint64_t x);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * seq.c - see seq.h. A frame in which the conductor changes the tempo is played in parts, so that every track changes
- * with it, exactly there.
+ * seq.c - see seq.h. A frame in which the conductor changes the tempo is played in sections, so that every track
+ * changes tempo at exactly that sample.
  */
 #include "seq.h"
 
@@ -53,7 +53,7 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
     }
 }
 
-/* Where the tracks of one piece are, in another's place; 0: of what plays. */
+/* Copies the track cursors of one piece to another's slots; 0: the current piece, 1 + i: the i-th suspended one. */
 static void copy_tracks(struct seq *s, int to, int from)
 {
     const int t = to * SEQ_TRACKS, f = from * SEQ_TRACKS;
@@ -142,8 +142,9 @@ bool seq_over(const struct seq *s)
     return true;
 }
 
-/* The conductor's events from where it is, without their time; after its loop's end once more. A loop has time, so a
- * run of events without any that passes its end stops before where it began. */
+/* Reads the conductor's events from its current position on, ignoring their time, up to the end of its loop and through
+ * the loop once more. A loop takes time, so a run of simultaneous events that wraps around stops before the
+ * position where it started. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
     struct tune_at c = { s->at[0], 0 };
@@ -163,7 +164,7 @@ bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *wo
     return found;
 }
 
-/* Keeps what an event sets, of a track or of the conductor (slot 0). */
+/* Stores the setting that an event changes, for a track or for the conductor (slot 0). */
 static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
 {
     if (e->event == TUNE_INST)
@@ -180,7 +181,7 @@ static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
     }
 }
 
-/* A part of the run in which no tempo changes: slot 0 is the conductor's, the others the tracks'. */
+/* Returns a run over a section of the frame with a constant tempo, for the conductor (slot 0) or a track. */
 static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
     return (struct tune_run){ t, slot - 1, { s->at[slot], s->left[slot] }, s->tempo, first, n, 0 };
@@ -192,7 +193,8 @@ static void keep_place(struct seq *s, int slot, const struct tune_run *r)
     s->left[slot] = r->at.left;
 }
 
-/* Samples until the conductor's next event, which is carried out if that is 0. */
+/* Executes the conductor's events that are due at sample `first`. Returns the samples until its next one, from 1 to the
+ * rest of the frame. */
 static int until_conductor(struct seq *s, const struct tune *t, int first)
 {
     const uint32_t tempo = s->tempo;
@@ -215,7 +217,7 @@ void seq_wait(struct seq *s, int beats)
     s->when = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
 }
 
-/* Samples until the next piece begins. */
+/* Returns the samples until the next piece starts, at most SND_FRAME. */
 static int until_next(const struct seq *s)
 {
     const int64_t left = (int64_t)(s->when - s->pos);
@@ -225,7 +227,7 @@ static int until_next(const struct seq *s)
     return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
 }
 
-/* The next part begins at w->first: up to what the conductor does next. */
+/* Starts the section at w->first; it ends at the conductor's next event or where the next piece starts. */
 static void begin_part(struct seq_run *w)
 {
     struct seq *s = w->s;
@@ -270,7 +272,7 @@ static void end_cue(struct cues *c, int i)
     c->left[i] = 0;
 }
 
-/* The slots of the sound that began in that frame. */
+/* Ends the sound that started in frame `born`. Returns a bit for each of its slots. */
 static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
 {
     uint32_t ended = 0;
@@ -283,7 +285,8 @@ static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
     return ended;
 }
 
-/* Is it the louder of two in a frame? Then all its tracks are. */
+/* Returns whether the same sound already started in this frame; if so, raises its volume to the cue's if that is
+ * louder. */
 static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
 {
     bool there = false;
@@ -297,7 +300,7 @@ static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
     return there;
 }
 
-/* The slot of its kind that began first, and how many of them play. */
+/* Returns the slot of the oldest playing instance of a sound, or -1, and stores the number of instances in *n. */
 static int oldest_of(const struct cues *c, uint32_t tune, int *n)
 {
     int oldest = -1;
@@ -318,8 +321,8 @@ static int priority_of(const struct cues *c, const uint8_t *rom, int i)
     return tune_of(rom + c->tune[i]).priority;
 }
 
-/* A free slot, one whose voice is silent first, or the one that has to go; -1: all are more important. ringing: a bit
- * for each slot whose voice still sounds. */
+/* Returns a free slot, preferably one whose voice is silent; otherwise the slot to replace, or -1 if all slots are more
+ * important. ringing: a bit for each slot whose voice still sounds. */
 static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame, uint32_t ringing)
 {
     int least = -1, rings = -1;

@@ -1,10 +1,10 @@
 /*
- * seq.h - the sequencers: of the piece of music that plays, and of the sounds that do.
+ * seq.h - the sequencers: one for the current piece of music, one for the playing sounds.
  *
- * Music is game state: scripts read its beat, its bar and its markers. It has frames of its own, which a pause holds.
- * Where its tracks are follows from what is hashed: which piece, how far it is. Pieces may be put aside while another
- * plays, to go on where they were, the last of them first. The cues, which are the sounds that play, no script can
- * read; they are outside the combined hash, as voices are.
+ * Music is game state: scripts read its beat, bar and markers. It advances a frame per tick, except while paused. The
+ * positions of its tracks can be computed from hashed state: the piece and its position. Pieces can be suspended while
+ * another one plays; they resume where they stopped, the most recent one first. Scripts cannot read the cues, which are
+ * the playing sounds, so cues are outside the combined hash, like voices.
  */
 #ifndef SOUND_SEQ_H
 #define SOUND_SEQ_H
@@ -15,9 +15,9 @@
 
 enum {
     SEQ_TRACKS = 1 + TUNE_TRACKS, /* slot 0: the conductor */
-    SEQ_ASIDE = 3,                /* pieces that may be put aside */
+    SEQ_ASIDE = 3,                /* maximum number of suspended pieces */
     SEQ_SLOTS = (1 + SEQ_ASIDE) * SEQ_TRACKS,
-    SEQ_FULL = 32767, /* of its volume */
+    SEQ_FULL = 32767, /* full volume of the music */
     SEQ_HEARD = 1024,
     CUES = 8,
     CUE_KINDS = 32
@@ -25,111 +25,117 @@ enum {
 
 struct seq {
     struct slots s;
-    uint16_t tune;            /* of the ROM's music, its index + 1; 0: none plays */
-    uint16_t next;            /* what begins when it has faded */
-    uint16_t fade, fade_over; /* frames it still fades, of how many; 0: it does not */
-    uint16_t mark;            /* the last marker it came by, its index + 1; 0: none yet */
-    uint32_t marks;           /* how many it came by */
+    uint16_t tune;            /* the current piece: its index in the ROM's music + 1; 0: none */
+    uint16_t next;            /* the piece that starts after the fade, index + 1; 0: none */
+    uint16_t fade, fade_over; /* frames left of the fade-out, and its length; 0: no fade */
+    uint16_t mark;            /* the last marker passed, index + 1; 0: none yet */
+    uint32_t marks;           /* number of markers passed */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
-    uint64_t pos;             /* units since its first beat (TUNE_TICK a tick), of two's complement before it */
-    uint8_t next_back;        /* what plays is put aside when `next` begins */
-    uint8_t next_waits;       /* `next` begins when pos is `when`, exactly there */
+    uint64_t pos;       /* units since the first beat (TUNE_TICK a tick); negative in two's complement before it */
+    uint8_t next_back;  /* 1: the current piece is suspended when `next` starts */
+    uint8_t next_waits; /* 1: `next` starts at the sample where pos reaches `when` */
     uint64_t when;
-    uint16_t level, level_to;       /* its volume, of SEQ_FULL, and where that goes */
-    uint16_t level_over;            /* frames until it is there */
-    uint8_t passes;                 /* a stage is on its way to a mark, and the music with it: */
-    uint32_t ahead, passed;         /* how many frames beyond the stage's clock; in all */
-    uint64_t heard[SEQ_HEARD / 64]; /* a bit for each piece that began in this game */
-    uint16_t aside;                 /* how many are put aside: tune, mark, marks, tempo, pos of each */
+    uint16_t level, level_to;       /* volume and target volume, of SEQ_FULL */
+    uint16_t level_over;            /* frames until the target volume is reached */
+    uint8_t passes;                 /* 1: a stage is skipping to a mark, and the music with it */
+    uint32_t ahead, passed;         /* frames skipped beyond the stage's clock; in total */
+    uint64_t heard[SEQ_HEARD / 64]; /* a bit for each piece that has started in this game */
+    uint16_t aside;                 /* number of suspended pieces; their tune, mark, marks, tempo and pos follow */
     uint16_t kept[SEQ_ASIDE], kept_mark[SEQ_ASIDE];
     uint32_t kept_marks[SEQ_ASIDE], kept_tempo[SEQ_ASIDE];
     uint64_t kept_pos[SEQ_ASIDE];
-    uint32_t *at; /* cursors: of what plays, then of what is put aside */
+    uint32_t *at; /* track cursors: of the current piece, then of the suspended ones */
     int64_t *left;
-    uint8_t *inst, *volume, *pan; /* of the notes to come */
+    uint8_t *inst, *volume, *pan; /* settings for the next notes */
 };
 
-/* A sound that plays is as many cues as it has tracks. */
+/* The pool of playing sounds, one cue for each track of a sound. */
 struct cues {
     struct slots s;
-    uint32_t *tune; /* its place (cart.h); 0: none plays */
-    uint32_t *born; /* the frame in which it began */
+    uint32_t *tune; /* place of the sound (cart.h); 0: the slot is free */
+    uint32_t *born; /* the frame in which it started */
     uint8_t *track;
     uint32_t *at;
     int64_t *left;
     uint8_t *inst, *volume, *pan;
-    uint16_t *loud;           /* of 256: how loud the script asks for it */
-    int16_t *place;           /* to the right, of TUNE_PAN */
-    int32_t *pitch;           /* higher, in 65536ths of a semitone */
-    uint32_t last[CUE_KINDS]; /* frame in which each cue of the game's own played last (cart.h) */
+    uint16_t *loud;           /* the volume that the caller asked for, of 256 */
+    int16_t *place;           /* pan added to the tune's, of TUNE_PAN; positive: right */
+    int32_t *pitch;           /* transposition, 65536ths of a semitone */
+    uint32_t last[CUE_KINDS]; /* frame + 1 in which each automatic sound (enum cart_cue) last played; 0: never */
 };
 
 extern const struct chip seq_chip, cues_chip;
 
-/* Begins tune `index` + 1 at its beginning; 0: stops. t is that tune. */
+/* Starts a piece from its beginning. index: its index in the ROM's music + 1; 0: stops the music. t is that piece; it
+ * is not read if index is 0. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 
-/* Puts what plays aside, if there is room; forgets what was put aside from the i-th on, or the i-th alone; the last one
- * put aside plays on. */
+/* seq_keep suspends the current piece unless SEQ_ASIDE pieces are suspended already. seq_forget drops the i-th
+ * suspended piece and all later ones, seq_drop only the i-th. seq_back resumes the last suspended piece, of which there
+ * must be one. */
 void seq_keep(struct seq *s);
 void seq_forget(struct seq *s, int i);
 void seq_drop(struct seq *s, int i);
 void seq_back(struct seq *s);
 
-/* The last one put aside that is piece `index`; -1: none. */
+/* Returns the last suspended piece whose index + 1 is `index`, or -1. */
 int seq_kept(const struct seq *s, uint16_t index);
 
-/* Have all its tracks ended? */
+/* Returns whether all tracks of the current piece have ended. */
 bool seq_over(const struct seq *s);
 
-/* Will it come by that marker? work: events looked at. */
+/* Returns whether the current piece, tune t, will still pass marker `mark`. Sets *work to the number of events
+ * examined. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
-/* A frame of tune t from sample `first` on. The last two are seq_next's. */
+/* Iterates over the events of tune t in a frame, from sample `first` on. slot and run belong to seq_next; they start
+ * zeroed. */
 struct seq_run {
     struct seq *s;
     const struct tune *t;
-    int first; /* after the run: the sample at which `next` is to begin, or SND_FRAME */
-    int slot;  /* whose events they are: of track slot - 1 */
+    int first; /* after the last event: the sample at which `next` must start, or SND_FRAME */
+    int slot;  /* the last event is of track slot - 1 */
     struct tune_run run;
 };
 
-/* The next event of a track; false: there is none. What it sets is kept. */
+/* Reads the next event of a track and stores its settings in s. Returns false if there is none left in the frame. */
 bool seq_next(struct seq_run *w, struct tune_played *e);
 
-/* `next` is to begin at the piece's next beat; or bar, of so many beats. */
+/* Makes `next` wait for the next multiple of `beats` beats of the current piece: 1 for a beat, the beats of a bar for a
+ * bar. */
 void seq_wait(struct seq *s, int beats);
 
-/* Whole quarter notes since its first beat; 0 before it. */
+/* Returns the whole quarter notes since the first beat; 0 before it. */
 static inline uint64_t seq_beats(const struct seq *s)
 {
     return (int64_t)s->pos < 0 ? 0 : s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
 }
 
 struct cue {
-    uint32_t tune; /* its place (cart.h) */
+    uint32_t tune; /* place of the sound (cart.h) */
     uint16_t loud;
     int16_t place;
     int32_t pitch;
 };
 
-/* Begins a sound in this frame. The same one twice in a frame is one, the louder. Where its limit is reached, the
- * oldest of its kind goes; where there is no room, the oldest of the least priority, if that is not above its own.
- * ringing: a bit for each slot whose voice sounds, free or not. Returns a bit for each slot whose voice has to fade. */
+/* Starts a sound in this frame. If the same sound already started in this frame, only the louder volume counts. If the
+ * sound's limit is reached, its oldest instance ends; if no slot is free, the oldest sound of the lowest priority ends,
+ * unless that priority is higher than the new sound's. ringing: a bit for each slot whose voice sounds, whether the
+ * slot is free or not. Returns a bit for each slot whose voice has to fade. */
 uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame, uint32_t ringing);
 
-/* Ends the sound at that place, 0: all. Returns a bit for each slot. */
+/* Ends the sound whose place is tune; 0: all sounds. Returns a bit for each slot that ended. */
 uint32_t cues_stop(struct cues *c, uint32_t tune);
 
-/* A frame of all; begins as zeroes. */
+/* Iterates over the events of all cues in a frame; starts zeroed. */
 struct cues_run {
-    int slot; /* whose events they are */
+    int slot; /* slot of the last event */
     bool begun;
     struct tune t;
     struct tune_run run;
 };
 
-/* The next event of a sound; false: there is none. What it sets is kept. */
+/* Reads the next event of a cue and stores its settings in c. Returns false if there is none left in the frame. */
 bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e);
 
 #endif

@@ -1,7 +1,8 @@
 /*
- * tables.c - see tables.h. Each version of a wave is the one before with more harmonics; half a turn is summed, the
- * other half follows by symmetry. They are sums of whole numbers, so their order does not matter. The filter is a sinc
- * under Kaiser's window: stopband and passband of research: SNR 80 dB at 1 kHz, 67 at 10 kHz.
+ * tables.c - see tables.h. Each version of a wave is the previous one with more harmonics. Half a turn is summed; the
+ * other half follows by symmetry. The sums are integers, so the order of summation does not matter. The interpolation
+ * filter is a Kaiser-windowed sinc whose stopband and passband come from research; its SNR is 80 dB at 1 kHz and 67 dB
+ * at 10 kHz.
  */
 #include "tables.h"
 
@@ -10,11 +11,11 @@
 
 enum { HALF = WAVE_LONG / 2, STRONG = 2 * SINC_TAPS };
 
-/* Half octaves. */
+/* Number of harmonics of each version, in steps of about half an octave. */
 static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
                                                45, 64, 91, 128, 181, 256, 362, 512, 640 };
 
-/* Harmonic h of a saw is 1/h of the sine, of a triangle +-1/h^2, odd ones alone. */
+/* Adds harmonic h: 1/h of the sine for a saw; +-1/h^2 for a triangle, which has only odd harmonics. */
 static void add_harmonic(struct snd_tables *t, uint32_t h)
 {
     const int64_t part = ((int64_t)1 << 20) / h;
@@ -27,7 +28,8 @@ static void add_harmonic(struct snd_tables *t, uint32_t h)
     }
 }
 
-/* A saw of full amplitude would reach 1.18 between its samples: it gets 0.84. */
+/* Stores the current sums as version m. A saw of full amplitude would overshoot to 1.18 between its samples, so its
+ * amplitude is 0.84. */
 static void keep_version(struct snd_tables *t, int m)
 {
     for (int i = 0; i < HALF; i++) {
@@ -57,7 +59,8 @@ static void make_waves(struct snd_tables *t)
     }
 }
 
-/* Kaiser's window, beta 7, at x / 4096 of its half width, Q30 but for a factor: I0 by its series. */
+/* Returns the Kaiser window, beta 7, at x / 4096 of its half width, times a constant: I0 in Q22, by its power
+ * series. */
 static int64_t kaiser(int32_t x)
 {
     const int64_t q = ((int64_t)49 << 20) - ((int64_t)49 * x * x >> 4); /* (7/2)^2 (1 - (x/4096)^2), Q22 */
@@ -70,7 +73,7 @@ static int64_t kaiser(int32_t x)
     return sum >> 8;
 }
 
-/* sin(pi c x) / (pi c x), Q30, with c = 993/1024 and x in 1024ths. */
+/* Returns sin(pi c x) / (pi c x), Q30, with c = 993/1024 and x in 1024ths. */
 static int64_t sinc(int32_t x)
 {
     if (x == 0)
@@ -78,7 +81,7 @@ static int64_t sinc(int32_t x)
     return (int64_t)trig_sin30((ang)(x * 993) << 11) * ((int64_t)1 << 32) / ((int64_t)x * 993 * 205887 / 16);
 }
 
-/* The eight weights of one place; their sum is one, to the last bit. */
+/* Computes the eight weights for one phase; their sum is exactly 1. */
 static void make_sinc(int16_t out[SINC_TAPS], int phase)
 {
     int64_t weight[SINC_TAPS], sum = 0;
@@ -90,16 +93,17 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
         sum += weight[j];
     }
     for (int j = 0; j < SINC_TAPS; j++) {
-        const int64_t twice = weight[j] * 2 * (1 << 15) + sum; /* to the nearest */
+        const int64_t twice = weight[j] * 2 * (1 << 15) + sum; /* rounds to nearest */
         out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
         left -= out[j];
     }
     out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + left);
 }
 
-/* ---- passes ---- */
+/* ---- low-pass filters ---- */
 
-/* The middle of each pass's edge, in 2^-32 turns a sample: it stops what folds back below 20 kHz. */
+/* edges: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops what would fold back
+ * below 20 kHz. reach: the largest step for which the previous row, or no filter, is enough, Q32. */
 static const uint32_t edges[LOW_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
                                           804553372,  700187608,  607208282,  524373120,  450575381 };
 static const uint64_t reach[LOW_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,  7954141537, 8928222003,
@@ -137,7 +141,7 @@ static void make_low(int16_t out[LOW_TAPS], uint32_t edge)
 
 /* ---- feedback ---- */
 
-/* The sine of 2^-32 turns, Q30. */
+/* Returns the sine of a phase in 2^-32 turns, Q30. */
 static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
 {
     const uint32_t i = phase >> (32 - WAVE_BITS);
@@ -146,10 +150,10 @@ static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
     return (int32_t)(a + ((b - a) * (phase & ((1u << (32 - WAVE_BITS)) - 1)) >> (32 - WAVE_BITS)));
 }
 
-/* y is followed round the turn from where it is 0, on the branch that is stable, as a slow recursion would. */
+/* Follows y around the turn from its zero at half a turn, on the stable branch, as a slow recursion would. */
 static void make_feedback(struct snd_tables *t, int row)
 {
-    const int64_t bend = (int64_t)row * 500658; /* 1.5 / 32 of a radian a row: Q24 of 2^-30 turns */
+    const int64_t bend = (int64_t)row * 500658; /* 1.5 / 32 radians per row, in 2^-26 turns */
     int64_t y = 0;
 
     for (uint32_t k = 0; k < FEEDBACK_LONG; k++) {
@@ -180,7 +184,7 @@ void snd_tables_make(struct snd_tables *t)
     t->music = t->sounds = 100;
 }
 
-/* Harmonics up to 28 kHz: what folds back lies above 20 kHz, where nobody hears it. */
+/* Allows harmonics up to 28 kHz: they fold back to 20 kHz and above, which is inaudible. */
 int snd_mip(const struct snd_tables *t, uint32_t step)
 {
     int m = WAVE_MIPS - 1;

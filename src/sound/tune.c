@@ -1,6 +1,7 @@
 /*
- * tune.c - see tune.h. What is checked once: that every event of every track is one, that a loop begins at an event and
- * lasts, that names end. A track that is full of events without time is read a bit a frame, so that no tick is long.
+ * tune.c - see tune.h. tune_open checks once that every event of every track is valid, that a loop starts at an event
+ * and has a length, and that names are terminated. A run reads at most EVENTS_A_RUN events, so that a track with many
+ * simultaneous events does not make a tick slow.
  */
 #include "tune.h"
 
@@ -18,7 +19,7 @@ static const uint8_t values_of[TUNE_EVENTS] = {
     [TUNE_VOLUME] = 1, [TUNE_PLACE] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
 };
 
-/* ---- parts ---- */
+/* ---- sections ---- */
 
 enum { PLACES = TUNE_HEADER + TUNE_TITLE, PLACE_BYTES = 8 };
 
@@ -64,7 +65,7 @@ const uint8_t *tune_inst(const struct tune *t, int i)
     return t->data + insts_at(t) + INST_BYTES * (size_t)i;
 }
 
-/* Where track i begins (-1: the conductor), and where its loop does. */
+/* Return the offset where track i (-1: the conductor) starts, and where its loop starts; 0: no loop. */
 static uint32_t begins(const struct tune *t, int i)
 {
     return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1));
@@ -95,7 +96,7 @@ bool tune_endless(const struct tune *t)
 
 /* ---- time ---- */
 
-/* The ticks at *at, which moves past them. */
+/* Reads the ticks at *at and advances *at past them. */
 static uint32_t read_ticks(const uint8_t *data, uint32_t *at)
 {
     uint32_t v = 0;
@@ -117,7 +118,7 @@ struct tune_at tune_begin(const struct tune *t, int i)
     return c;
 }
 
-/* Reads the event at the place, which moves on. False: it was the end of a loop, which is none. */
+/* Reads the event at c and advances c. Returns false for the end of a loop, which is not reported as an event. */
 static bool read_event(const struct tune *t, int track, struct tune_at *c, struct tune_played *e)
 {
     const uint8_t *p = t->data + c->at;
@@ -163,7 +164,7 @@ bool tune_next(struct tune_run *r, struct tune_played *e)
 
 struct check {
     const struct tune *t;
-    uint32_t end; /* of the tracks */
+    uint32_t end; /* end offset of the tracks */
     char *err;
     size_t err_size;
 };
@@ -217,7 +218,7 @@ static bool track_ok(const struct check *c, int track)
 {
     const uint32_t loop = loops(c->t, track);
     uint32_t at = begins(c->t, track), ticks;
-    uint64_t after = 0; /* ticks since the loop's beginning */
+    uint64_t after = 0; /* ticks since the loop's start */
     bool found = loop == 0;
 
     if (at < marks_at(c->t) + TUNE_NAME * (size_t)c->t->marks || at >= c->end)

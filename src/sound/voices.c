@@ -1,7 +1,7 @@
 /*
- * voices.c - see voices.h. What stands here moves a frame at a time; the mix is SND_BLOCKS blocks of SND_BLOCK samples.
- * Each block starts at its exact phase; its level goes straight from one end to the other, but where it has a corner it
- * is asked of each sample.
+ * voices.c - see voices.h. The state advances a frame at a time; a frame is mixed in SND_BLOCKS blocks of SND_BLOCK
+ * samples. Each block starts at its exact phase. Its level is interpolated linearly from its start to its end, unless
+ * the level has a corner inside the block; then it is computed for each sample.
  */
 #include "voices.h"
 
@@ -21,7 +21,8 @@ const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *co
 
 /* ---- pitch ---- */
 
-/* The step of a note at that pitch. A sample's is at most 4, so that a frame reads few of them. */
+/* Returns the phase step of a note at a pitch. A recording's step is at most 4, which limits the samples that a frame
+ * reads. */
 static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
 {
     const uint64_t most = (uint64_t)4 << 32;
@@ -36,7 +37,7 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
     return step < most ? step : most;
 }
 
-/* Which of its pitches an arpeggio has in a frame that begins at that age: they change at frames' borders. */
+/* Returns the pitch offset of an arpeggio in a frame that starts at that age. It changes only between frames. */
 static int32_t arpeggio(const struct inst *inst, int32_t age)
 {
     const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
@@ -44,7 +45,7 @@ static int32_t arpeggio(const struct inst *inst, int32_t age)
     return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE;
 }
 
-/* A slow wave at an age, Q30; 0 until it begins. */
+/* Returns an oscillator's value at an age, Q30. It starts at phase `turn` and stays there until its delay is over. */
 static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
 {
     const int32_t t = age - (int32_t)l->delay;
@@ -52,7 +53,7 @@ static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
     return t <= 0 ? trig_sin30(turn) : trig_sin30(turn + (uint32_t)t * l->step);
 }
 
-/* What vibrato and curve add to the pitch. */
+/* Returns the pitch offset of vibrato and pitch curve. */
 static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
 {
     int32_t by = 0;
@@ -64,7 +65,7 @@ static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
     return by;
 }
 
-/* The step of slot i at an age, in the frame that begins at age `now`. */
+/* Returns the phase step of slot i at an age, in the frame that starts at age `now`. */
 static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i, int32_t now,
                         int32_t age)
 {
@@ -74,9 +75,9 @@ static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct
     return step_of(rom, inst, s->wave[i], s->pitch[i] + jump + bend(inst, bytes, age));
 }
 
-/* ---- what begins and ends ---- */
+/* ---- starting and ending notes ---- */
 
-/* Slot `from` as it is, in slot `to`. */
+/* Copies slot `from` to slot `to`. */
 static void copy(struct voices *s, int to, int from)
 {
     s->phase[to] = s->phase[from];
@@ -156,7 +157,7 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
     s->pan1[voice] = pan;
 }
 
-/* ---- music that is put aside ---- */
+/* ---- suspended music ---- */
 
 static int kept(int place, int voice)
 {
@@ -192,7 +193,7 @@ void voices_bring(struct voices *s, int place)
 
 /* ---- a frame ---- */
 
-/* The pitch with its slide, a frame on. */
+/* Advances the pitch by a frame of its slide. */
 static void slide(struct voices *s, int i)
 {
     const int32_t by = s->glide[i], to = s->goal[i];
@@ -218,9 +219,9 @@ static bool ended(const struct voices *s, const uint8_t *rom, const struct inst 
     return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples: 6 hours. An age stays there; a place in a loop goes back by whole loops */ };
+enum { OLDEST = 1 << 30 /* samples, 6 hours: ages stop here, positions in loops move back by whole loops */ };
 
-/* How far a place goes back. Recordings are far shorter than OLDEST. */
+/* Returns how far the position in a recording moves back, Q32. Recordings are far shorter than OLDEST. */
 static uint64_t loops_back(const struct sample *s, uint64_t phase)
 {
     const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
@@ -261,31 +262,32 @@ void voices_step(struct voices *s, const uint8_t *rom)
 
 /* ---- the mix ---- */
 
-/* Samples of a recording that a frame passes at most, fours of them, with what the filters need on both sides. */
+/* PASSED: maximum samples of a recording that a frame needs for interpolation, a multiple of four. READ: the same with
+ * the samples that the low-pass filters need on both sides. */
 enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
 
-/* A note, and what of it is made once a frame. */
+/* A note, with the values that are computed once a frame. */
 struct note {
     const struct voices *s;
     const struct snd_tables *t;
     int i;
-    const uint8_t *bytes; /* of the instrument */
+    const uint8_t *bytes; /* bytes of the instrument */
     struct inst inst;
     struct fm_note fm;
     int32_t age, off, kill;
-    int64_t bend; /* of the step, a sample */
+    int64_t bend; /* change of the step per sample */
     int mip0, mip1;
-    int64_t first; /* of `passed` */
+    int64_t first; /* sample index of passed[0] in the recording */
     int16_t passed[PASSED], read[READ];
 };
 
-/* The phase at sample n of the frame. */
+/* Returns the phase at sample `at` of the frame. */
 static uint64_t phase_at(const struct note *n, int at)
 {
     return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
 }
 
-/* Reads what the frame's samples pass of a recording, without what would fold back. */
+/* Reads the samples of a recording that the frame passes, without frequencies that would fold back. */
 static void read_recording(struct note *n, const uint8_t *rom)
 {
     const struct voices *s = n->s;
@@ -319,7 +321,7 @@ static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
 
 /* ---- levels ---- */
 
-/* The note's level at an age: its envelope, tremolo, curve and fade. */
+/* Returns the note's level at an age, from its envelope, tremolo, volume curve and fade. */
 static int32_t level_at(const struct note *n, int32_t age)
 {
     const struct lfo *tremolo = &n->inst.tremolo;
@@ -344,7 +346,7 @@ static bool has_corner(const struct note *n, int32_t from, int32_t to)
            (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
-/* The levels of a block's samples; false: all are 0. */
+/* Computes the levels of a block's samples. Returns false if all are 0. */
 static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
 {
     const int32_t from = n->age + b * SND_BLOCK, to = from + SND_BLOCK;
@@ -360,7 +362,7 @@ static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
     return l0 | l1;
 }
 
-/* Volume, place and the gain of music at the beginning of block b, and how loud the listener wants it. */
+/* Returns the gains at the start of block b, from volume, pan, the gain of music and the listener's volume. */
 static struct wave_sides sides_at(const struct note *n, int b)
 {
     const struct voices *s = n->s;
@@ -379,7 +381,7 @@ static struct wave_sides sides_at(const struct note *n, int b)
     return (struct wave_sides){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
 }
 
-/* Are the sides the same all the frame long? */
+/* Returns whether the gains are constant during the frame. */
 static bool sides_stay(const struct note *n)
 {
     const struct voices *s = n->s;

@@ -1,11 +1,11 @@
 /*
- * wave.c - see wave.h. Inside a block phases are 32 bits, from an exact start: loops that compilers vectorise.
+ * wave.c - see wave.h. Within a block, phases are 32 bits and start exactly, so that compilers can vectorise the loops.
  */
 #include "wave.h"
 
 #include <string.h>
 
-/* The same with -O2 and -O3, whose unrolling of the eight taps is slower. */
+/* Vectorise in the same way with -O2 and -O3; -O3 would unroll the eight taps, which is slower. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
 #endif
@@ -30,7 +30,7 @@ static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32
         out[n] = (int16_t)((out[n] - other[n]) >> 1);
 }
 
-/* Of a tune's own wave. */
+/* Reads a version of a tune's own wave. */
 static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
 {
     const uint8_t *p = wave + inst_wave_at(version);
@@ -43,7 +43,7 @@ static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t 
     }
 }
 
-/* One version of a wave that has some. */
+/* Reads one version of a wave that has several. */
 static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int mip,
                          int16_t out[SND_BLOCK])
 {
@@ -57,7 +57,7 @@ static void read_version(const struct snd_tables *t, const struct inst *inst, co
         read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
 }
 
-/* In a frame in which the pitch asks for another version one becomes the other. */
+/* Reads a wave; if the pitch needs another version at the frame's end, crossfades from one to the other. */
 static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
                           int16_t out[SND_BLOCK])
 {
@@ -78,7 +78,7 @@ static uint32_t mixed(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* Each value is a mix of its number; the phase is in 2^-44 turns (wave_at). */
+/* Each value is a hash of its index; the phase is in 2^-44 turns (struct wave_at). */
 static void read_noise(const struct wave_at *at, int16_t out[SND_BLOCK])
 {
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
@@ -105,7 +105,7 @@ void wave_block(const struct snd_tables *t, const struct inst *inst, const struc
 
 enum { GROUP = 4, SINC_SHIFT = 15, LOW_SHIFT = 14 };
 
-/* Pointers to a group of samples. */
+/* One pointer for each sample of a group. */
 typedef const int16_t *group[GROUP];
 
 #if defined(__SSE2__) && defined(__has_builtin)
@@ -119,7 +119,7 @@ typedef const int16_t *group[GROUP];
 __extension__ typedef int16_t lanes __attribute__((vector_size(16)));
 __extension__ typedef int32_t sums __attribute__((vector_size(16)));
 
-/* What each has in its lanes, added up: a lane each. */
+/* Returns the sum of the lanes of each argument, in one lane per argument. */
 static inline sums added(sums v, sums w, sums x, sums y)
 {
     const sums a = __builtin_shufflevector(v, w, 0, 4, 1, 5) + __builtin_shufflevector(v, w, 2, 6, 3, 7);
@@ -137,8 +137,8 @@ static inline sums more(sums sum, const int16_t *x, const int16_t *weights)
     return sum + (sums)__builtin_ia32_pmaddwd128(a, b);
 }
 
-/* A group of samples: each the sum of `taps` of x times their weights. Four at once, to the same bits as below; of one
- * alone compilers add up the lanes. */
+/* Computes a group of samples, each the sum of `taps` values of x times their weights. It sums four samples at once,
+ * with the same results as the version below; for single samples, compilers add up the lanes each time. */
 static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
 {
     sums a = { 0 }, b = a, c = a, d = a;
@@ -184,9 +184,9 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
     }
 }
 
-/* ---- passes ---- */
+/* ---- low-pass filters ---- */
 
-/* A group of samples from x[0] on that have passed a row, -1: as they are. */
+/* Filters a group of samples, from x[0] on, with a row of `low`; -1: copies them. */
 static void pass(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
 {
     if (row < 0) {
@@ -215,7 +215,7 @@ void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step
 
 /* ---- level ---- */
 
-/* What is left of a level after so many samples, if it halves in `half`. */
+/* Returns what is left of a level after that many samples if it halves every `half` samples; 0: it does not fall. */
 static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
 {
     if (half == 0)
@@ -233,7 +233,7 @@ static int32_t held(const struct env *e, int32_t age)
     return fallen(sustain + fallen(32767 - sustain, age - attack, e->decay), age - attack, e->fade);
 }
 
-/* A release of 0 would click: it is 16 samples. */
+/* A release of 0 would click, so a release is at least 16 samples. */
 static uint32_t release_of(const struct env *e)
 {
     return e->release > 16 ? e->release : 16;
@@ -246,7 +246,7 @@ int32_t wave_level(const struct env *e, int32_t age, int32_t off)
     return age < off ? held(e, age) : fallen(held(e, off), age - off, release_of(e));
 }
 
-enum { HALVINGS = 15 /* from full level to nothing */ };
+enum { HALVINGS = 15 /* halvings from full level to silence */ };
 
 bool wave_over(const struct env *e, int32_t age, int32_t off)
 {
@@ -288,8 +288,8 @@ void wave_add(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], con
     add_side(heard, from->right, to->right, right);
 }
 
-/* The curve is (2 - (3 - u)^3 / 27) / 2, u = how far above one half in halves: it begins with slope 1 and is flat at
- * full scale. */
+/* The curve is (2 - (3 - u)^3 / 27) / 2, where u is the excess over one half of full scale, in halves. It starts with
+ * slope 1 and is flat at full scale. */
 int16_t wave_limit(int32_t v)
 {
     const int32_t half = 1 << 21;

@@ -1,6 +1,6 @@
 /*
- * walks.c - runs what docs/internals/design.md calls walks, in a build whose functions report when they are entered, and
- * prints the functions of each, in the order in which they are reached: a line "walk NAME", then an address a line.
+ * walks.c - runs what docs/internals/design.md calls walks, in a build whose functions report when they are entered.
+ * Prints the functions of each in the order in which they are reached: a line "walk NAME", then an address a line.
  * walks.py compares them with the page.
  *
  * A walk may be run twice, without the thing that it follows and with it. Then its functions are those that only the

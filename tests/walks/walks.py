@@ -1,6 +1,6 @@
 """walks.py PROGRAM PAGE: runs PROGRAM (walks.c), and compares the functions of each walk with those that PAGE lists
-under its heading ("### A bullet: ..."): each is entered, in that order, in that file. Prints what is wrong, and how many
-more functions of ours each run entered."""
+under its heading ("### A bullet: ..."): each is entered, in that order, in that file. Prints what is wrong, and how
+many more functions of ours each run entered."""
 import re
 import subprocess
 import sys

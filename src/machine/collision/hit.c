@@ -1,22 +1,24 @@
 /*
  * hit.c - see hit.h.
  *
- * Things move within the frame, so the tests are swept: relative to the one, the other travels from d to d + w, and the
- * exact shape test (geom.h) looks at that whole path. A kind with swept = false is tested where it stands.
+ * Entities move within the frame, so the tests are swept: relative to the first entity, the second travels from d to
+ * d + w, and the exact shape test (geom.h) covers that whole path. A kind with swept = false is tested at its final
+ * position.
  *
- * The broad phase of bullets is in bullets_move: it finds those near a player, who has moved before. hit_player is the
- * narrow phase. `reach` covers the largest radius, the graze ring and the player's
- * movement. Shots against enemies are in hit_shots.c.
+ * The broad phase for bullets is in bullets_move, which finds those near a player; players have already moved.
+ * hit_player is the narrow phase. `reach` covers the largest radius, the graze ring and the player's movement. Shots
+ * against enemies are in hit_shots.c.
  *
- * What leaves the field is tested too, for it may touch something on its way out: bullets_move holds the bullets that
- * are near, and all shots; hit_run releases the bullets that touch no player, hit_shots the shots that hit no
- * enemy, events_run the others.
+ * Entities that leave the field are tested too, because they may touch something on the way out: bullets_move holds the
+ * bullets near a player, and all shots; hit_run releases the bullets that touch no player, hit_shots the shots that hit
+ * nothing, and events_run the others.
  */
 #include "../../base/int.h"
 #include "hit.h"
 #include "hit_parts.h"
 
-/* How far from the player a bullet that touches it can end its move, but for the bullet's own movement. */
+/* Returns the farthest from the player that a bullet touching it can end its move, not counting the bullet's own move.
+ */
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct shape_columns shapes = hit_bullet_shapes(&b->bullet_kinds);
@@ -31,7 +33,7 @@ static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 
 enum verdict { MISS, HIT, GRAZE };
 
-/* May the path of bullet i in this frame come within reach of the player, on both axes? */
+/* Returns whether the path of bullet i in this frame may come within reach of the player on both axes. */
 static inline bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
 {
     const int64_t dx = (int64_t)s->x[i] - c->x, dy = (int64_t)s->y[i] - c->y;
@@ -39,8 +41,8 @@ static inline bool within(const struct bullets *s, uint32_t i, const struct body
     return int64_abs(dx) <= reach + fx_abs(s->vx[i]) && int64_abs(dy) <= reach + fx_abs(s->vy[i]);
 }
 
-/* A bullet that is a circle, as most are: of its way, as the player sees it, two circles are asked. graze: the ring's
- * radius, or less than 0. */
+/* Tests a circular bullet, the usual case: its path relative to the player, against the hitbox and the graze ring.
+ * graze: the ring's radius; below 0: no graze test. */
 static inline enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
                                        bool swept)
 {
@@ -52,7 +54,7 @@ static inline enum verdict test_circle(const struct bullets *s, uint32_t i, cons
     return graze >= 0 && geom_swept_circles(dx, dy, wx, wy, (int64_t)radius + graze) ? GRAZE : MISS;
 }
 
-/* One of any shape. */
+/* Tests a bullet of any shape; graze as in test_circle. */
 static enum verdict test_shape(const struct board *b, const struct body *c, uint32_t i, fx graze, bool swept)
 {
     const struct body bullet = hit_bullet_body(&b->bullets, &b->bullet_kinds, i);
@@ -84,7 +86,8 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     return test_shape(b, c, i, graze, swept);
 }
 
-/* The narrow phase: of the bullets that the move found near player p, those that hit or graze. near: becomes them. */
+/* The narrow phase: of the bullets that bullets_move found near player p, raises the events of those that hit or graze,
+ * and clears the `near` bits of the others. */
 static void hit_player(struct board *b, uint32_t p, const struct body *c)
 {
     struct bullets *s = &b->bullets;
@@ -109,7 +112,7 @@ static void hit_player(struct board *b, uint32_t p, const struct body *c)
     }
 }
 
-/* What left the field near a player, and touched none, is gone. */
+/* Releases bullets that left the field near a player and touched none. */
 static void release_missed(struct bullets *s)
 {
     for (uint32_t block = 0; block < s->s.held_top / SLOTS_BLOCK; block++) {
@@ -146,7 +149,7 @@ void hit_queries(struct board *b, struct bullets_query query[PADS])
     }
 }
 
-/* Raises the events of enemies that left, after those of all that touched them on their way out. */
+/* Raises the events of enemies that left, after the events of everything that touched them on the way out. */
 static void enemies_leave(struct board *b)
 {
     EACH_LIVE (i, &b->enemies.s)

@@ -1,48 +1,53 @@
 /*
- * hit.h - every collision of a frame, in one fixed order. Reads everything; writes events and counts,
- * and takes the shots and items away that left and hit nothing.
+ * hit.h - detects every collision of a frame, in one fixed order. Reads all pools; writes events and counts, and
+ * removes the bullets, shots and items that left the field and hit nothing.
  *
- * Order: for each player, bullets by slot (a hit, else a graze), then lasers by slot (the same), then enemies by slot;
- * then the shots by slot, each with the enemy it touches, or the bullet that shots can hit: of several, the one that
- * was nearest to it before they moved, and of those an enemy, then the lowest slot; one that pierces with several, in
- * that order; then the players' lasers that
- * touch enemies; then the live bullets by slot, each with the enemy that blocks it, if any does; then by pair of tags
- * the bullets of the first tag by slot, each with the one of the second tag that it meets; then the enemies that left
- * the field, by slot; then the items by slot, each with the player that takes it. Bullets, shots, enemies and items
- * that end this frame's move outside of the field and its margin are tested as all others.
+ * Order:
+ *   1. for each player: bullets by slot (hit or graze), then lasers by slot (hit or graze), then enemies by slot;
+ *   2. shots by slot, each with the enemy or hittable bullet it touches: of several, the one that was nearest before
+ *      both moved; ties go to an enemy, then to the lowest slot. A piercing shot hits several, in this order;
+ *   3. players' lasers that touch enemies;
+ *   4. live bullets by slot, each with an enemy that blocks it;
+ *   5. for each pair of tags: bullets of the first tag by slot, each with the bullet of the second tag that it meets;
+ *   6. enemies that left the field, by slot;
+ *   7. items by slot, each with the player that takes it.
+ * Bullets, shots, enemies and items that end this frame's move outside the field and its margin are tested like all
+ * others.
  */
 #ifndef MACHINE_HIT_H
 #define MACHINE_HIT_H
 
 #include "../machine.h"
 
-/* A thing this frame: its shape, where it is now, and its move of the frame. */
+/* An entity in this frame: its shape, its position after the move, and its move. */
 struct body {
     uint8_t shape;
     fx a, b;
     fx x, y, mx, my;
-    fx c; /* a capsule that is a piece: (b, c) leads from its middle to one end of its bar */
+    fx c; /* of a capsule returned as a piece: (b, c) leads from its middle to one end of its segment */
 };
 
-/* Takes a body apart into circles, boxes and capsules, as the thing is turned now; returns how many. The bar of a
- * bullet's capsule goes to the points that trig_polar gives; each circle's place is turned by two of its vectors. */
+/* Splits the body of bullet or enemy i into circles, boxes and capsules, in its present rotation; returns their number.
+ * trig_polar gives the ends of a bullet's capsule; the offset of each circle is rotated as the sum of two of its
+ * vectors. */
 uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
                            struct body piece[SHAPE_PARTS]);
 uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS]);
 
-/* The broad phase that bullets_move does: the bullets near each player. The players have moved already. */
+/* Stores the queries for the broad phase, in which bullets_move finds the bullets near each player. The players have
+ * already moved. */
 void hit_queries(struct board *b, struct bullets_query query[PADS]);
 
-/* Can a shot of this frame hit a bullet? Then what leaves the field must be held by the moves. */
+/* Returns whether any shot of this frame can hit a bullet. If so, the moves must hold bullets that leave the field. */
 bool hit_solid_possible(const struct board *b);
 
-/* How far from its line laser i hits at that age; below 0: it hits nothing. */
+/* Returns how far from its line laser i hits at this age; below 0: it hits nothing. */
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age);
 
-/* Counts the work that asking hit_laser_enemy is. */
+/* Counts the work of one call of hit_laser_enemy. */
 void hit_laser_work(struct board *b, uint32_t i, uint32_t foe);
 
-/* Does laser i, as it is now, touch that enemy in this frame? */
+/* Returns whether laser i, in its present state, touches enemy `foe` in this frame. */
 bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe);
 
 /* Raises the events of this frame's hits. */

@@ -1,6 +1,6 @@
 /*
- * hit_items.c - players against items: swept circles, as everything. An item is taken once: by the player it was nearer
- * to before they moved, of two as near by the first.
+ * hit_items.c - players against items, as swept circles. An item is taken by one player: the one that was nearer before
+ * both moved; ties go to player 1.
  */
 #include "hit_parts.h"
 
@@ -16,7 +16,7 @@ static struct body item_body(const struct board *b, uint32_t i)
                           .my = fx_sub(s->y[i], s->was_y[i]) };
 }
 
-/* How far the two were from each other before they moved, squared. */
+/* Returns the squared distance between the two before they moved. */
 static uint64_t were_apart(const struct body *p, const struct body *q)
 {
     uint64_t dx = geom_gap(p->x - p->mx, q->x - q->mx), dy = geom_gap(p->y - p->my, q->y - q->my);
@@ -24,7 +24,7 @@ static uint64_t were_apart(const struct body *p, const struct body *q)
     return dx * dx + dy * dy;
 }
 
-/* Who takes item i: a player's number, or PADS. */
+/* Returns the player that takes item i, 0 or 1, or PADS if none does. */
 static uint32_t taker(const struct board *b, uint32_t i, const struct body body[PADS])
 {
     const struct body item = item_body(b, i);

@@ -1,14 +1,14 @@
 /*
  * hit_lasers.c - lasers against players, and players' lasers against enemies. See hit_parts.h.
  *
- * A laser's shape is what is drawn of it, but for the share of its width that its kind gives: all that is within half
- * of that of its line. A piece of the line, and the player, move within the frame, the piece's ends each for itself
+ * A laser hits everything within half of its hitting width of its line: the width as drawn, times the share that its
+ * kind sets. Within the frame, the player and both ends of each segment of the line move independently
  * (geom_swept_bar).
  */
 #include "hit_parts.h"
 #include "../lasers_run.h"
 
-enum { A_LASER = 2, A_CORNER = 8 /* work: a laser and a thing, and each corner and piece of the two */ };
+enum { A_LASER = 2, A_CORNER = 8 /* work per laser and enemy; per corner of the laser and piece of the enemy */ };
 
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age)
 {
@@ -26,7 +26,7 @@ static int64_t reach_of(const struct board *b, uint32_t i)
     return hit_laser_reach(b, i, lasers_age(b, i));
 }
 
-/* Where what moves from c's place of before to its present one may touch something within `reach` of its edge. */
+/* Returns the box in which a body moving along c's path may touch something within `reach` of its edge. */
 static struct box way_of(const struct body *c, int64_t reach)
 {
     const int64_t far = reach + c->a;
@@ -40,7 +40,7 @@ struct spot {
     fx x, y;
 };
 
-/* Are all of them beyond the same side of the box? Then so is all that lies between them. */
+/* Returns whether all n points are beyond the same side of the box; then everything between them is, too. */
 static bool beyond(const struct box *w, const struct spot *p, int n)
 {
     int left = 0, right = 0, above = 0, below = 0;
@@ -54,7 +54,7 @@ static bool beyond(const struct box *w, const struct spot *p, int n)
     return left == n || right == n || above == n || below == n;
 }
 
-/* Can a curve be near? By the box round all its points, and the one that has just gone. */
+/* Returns whether curve i may touch box w, using the box around its points and the point it dropped last. */
 static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w)
 {
     struct box box;
@@ -72,12 +72,12 @@ static bool piece_is_near(const struct board *b, uint32_t i, uint32_t k, const s
     lasers_corner(b, i, next, &p[1].x, &p[1].y);
     lasers_corner_was(b, i, next, &p[2].x, &p[2].y);
     if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_STILL))
-        return !beyond(w, p, 3); /* it comes from where the next one was */
+        return !beyond(w, p, 3); /* corner k was where the next corner is now, p[1] */
     lasers_corner_was(b, i, k, &p[3].x, &p[3].y);
     return !beyond(w, p, 4);
 }
 
-/* The piece of line k seen from what was at (x, y) before it moved by (mx, my). */
+/* Returns segment k of laser i relative to a body that was at (x, y) before it moved by (mx, my). */
 static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
                                 int64_t my)
 {
@@ -109,7 +109,7 @@ bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, i
     return false;
 }
 
-/* A box, or a capsule, where both are at the frame's end. */
+/* Returns whether laser i touches e, a box or capsule, with both at their positions at the end of the frame. */
 static bool touches_where_it_is(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
 {
     const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
@@ -163,7 +163,7 @@ void hit_laser_work(struct board *b, uint32_t i, uint32_t foe)
         too_much(b, "enemies", b->enemies.s.live);
 }
 
-/* A laser that hits does not graze too. */
+/* Raises the event of laser i and player p: a hit or, if there is none, a graze. */
 static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_t i)
 {
     const struct laser_kinds *k = &b->laser_kinds;

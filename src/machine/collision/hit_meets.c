@@ -1,12 +1,12 @@
 /*
- * hit_meets.c - see hit_parts.h: bullets against bullets, by the pairs of tags that a game declares.
+ * hit_meets.c - see hit_parts.h: bullets against bullets, for the pairs of tags that a game declares.
  *
- * The bullets of a pair's second tag are put into the cells of a grid by where they were before the move. A cell is a
- * list through the column `next`. One of the first tag looks through the cells of a box: its path, grown by its extent
- * and by the largest extent and move of those in the grid. What reaches further than FAR cells is in a list of its own,
- * through which all look: so a few large or fast bullets do not widen every search.
+ * The bullets of a pair's second tag are sorted into the cells of a grid by their positions before the move. A cell is
+ * a list linked by the column `next`. A bullet of the first tag searches the cells of a box: its path, grown by its
+ * extent and by the largest extent and move of the bullets in the grid. Bullets that reach further than FAR cells are
+ * in a separate list, which every search includes, so that a few large or fast bullets do not widen every search.
  *
- * Each bullet moves by its path of the frame or, if its kind is not swept, stands where it is now.
+ * Each bullet is tested along its path of the frame or, if its kind is not swept, at its final position.
  */
 #include "hit_parts.h"
 #include <string.h>
@@ -15,11 +15,11 @@
 #include "hit.h"
 
 enum {
-    SIDE = 64,  /* most cells in a row, and most rows */
-    SHIFT = 19, /* a cell is at least so large: 2^19, 8 px */
-    FAR = 2,    /* cells that a bullet in the grid may reach */
+    SIDE = 64,  /* most columns, and most rows, of cells */
+    SHIFT = 19, /* log2 of the least cell size: 2^19 is 8 px */
+    FAR = 2,    /* most cells that the move and extent of a bullet in the grid may span */
     LISTS = SIDE * SIDE + 1,
-    A_PUT = 2, /* work: a bullet put into its list, one looked at there, and one of whose pieces each is tested */
+    A_PUT = 2, /* work per bullet added to a list, per bullet examined there, and per pair of pieces tested */
     A_LOOK = 3,
     A_TEST = 4
 };
@@ -31,26 +31,26 @@ struct crowd {
     const struct bullets *s;
     const struct bullet_kinds *k;
     uint16_t first, tag;
-    bool alone;         /* it is the first tag too */
+    bool alone;         /* both tags of the pair are the same */
     int64_t left, top;  /* the grid's corner */
-    int64_t wide, high; /* the box of their places */
+    int64_t wide, high; /* size of the box around their positions */
     int shift;          /* log2 of a cell's side */
     int64_t cols, rows;
-    int64_t reach_x, reach_y; /* most that one in a cell extends from where it was */
-    uint32_t list[LISTS];     /* of each cell, row by row, and at the end of those that reach far: a slot, or LAST */
+    int64_t reach_x, reach_y; /* farthest that a bullet in a cell reaches from its position before the move */
+    uint32_t list[LISTS];     /* per cell, row by row; the last one is of bullets that reach far: a slot, or LAST */
 };
 
-/* A bullet of the first tag that searches. */
+/* A search by a bullet of the first tag. */
 struct search {
     const struct crowd *c;
-    uint32_t slot; /* its own */
-    uint32_t n;    /* of pieces */
+    uint32_t slot; /* of the searching bullet */
+    uint32_t n;    /* number of pieces */
     struct body piece[SHAPE_PARTS];
-    int64_t x, y;           /* its place before its move */
-    int64_t x0, y0, x1, y1; /* the box in which was what it touches */
-    uint64_t best;          /* the square of the distance of what was found */
-    uint32_t found;         /* its slot, or LAST */
-    uint32_t tested;        /* how many shapes were */
+    int64_t x, y;           /* its position before its move */
+    int64_t x0, y0, x1, y1; /* box of the positions, before the move, of bullets it may touch */
+    uint64_t best;          /* squared distance of the bullet found */
+    uint32_t found;         /* slot of the bullet found, or LAST */
+    uint32_t tested;        /* number of bullets tested */
 };
 
 static inline int64_t was_x(const struct bullets *s, uint32_t i)
@@ -63,7 +63,7 @@ static inline int64_t was_y(const struct bullets *s, uint32_t i)
     return (int64_t)s->y[i] - s->vy[i];
 }
 
-/* The bullets of a block that have the tag, a bit each. */
+/* Returns the bullets of a block that have the tag, one bit each. */
 static uint64_t tagged(const struct bullets *s, uint32_t block, uint16_t tag)
 {
     const uint16_t *restrict tags = s->tag + block * SLOTS_BLOCK;
@@ -74,7 +74,8 @@ static uint64_t tagged(const struct bullets *s, uint32_t block, uint16_t tag)
     return slots_gather(is) & slots_live_or_held(&s->s, block);
 }
 
-/* Those of them that can meet others: not taken away by now, not delayed, of a kind with a shape. */
+/* Returns the bullets of a block with the tag that can meet others: not removed yet, not delayed, and of a kind with a
+ * shape. */
 static uint64_t ready(const struct bullets *s, const struct bullet_kinds *k, uint32_t block, uint16_t tag)
 {
     uint64_t found = tagged(s, block, tag) & ~s->taken[block];
@@ -94,7 +95,7 @@ static struct extent extent(const struct bullets *s, const struct bullet_kinds *
     return hit_extent(&shapes, s->kind[i]);
 }
 
-/* The box of their places. False: there are none. */
+/* Sets the box around the bullets of the second tag. Returns false if there are none. */
 static bool measure(struct crowd *c)
 {
     int64_t left = INT64_MAX, top = INT64_MAX, right = INT64_MIN, bottom = INT64_MIN;
@@ -117,7 +118,7 @@ static bool measure(struct crowd *c)
     return true;
 }
 
-/* How many bullets have that tag. */
+/* Returns how many bullets have this tag. */
 static uint32_t count_tagged(const struct bullets *s, uint16_t tag)
 {
     uint32_t n = 0;
@@ -136,7 +137,7 @@ static void too_much(const struct crowd *c)
                    board_name(c->b, N_TAG, c->tag));
 }
 
-/* Puts bullet i into its list. */
+/* Adds bullet i to its list. */
 static void put(struct crowd *c, uint32_t i)
 {
     const struct extent e = extent(c->s, c->k, i);
@@ -154,7 +155,7 @@ static void put(struct crowd *c, uint32_t i)
     *list = i;
 }
 
-/* Sorts those of the second tag. False: there are none. */
+/* Sorts the bullets of the second tag into the grid. Returns false if there are none. */
 static bool gather(struct crowd *c)
 {
     uint64_t n = 0;
@@ -176,7 +177,7 @@ static bool gather(struct crowd *c)
     return true;
 }
 
-/* Takes bullet i apart; returns the number of pieces. */
+/* Splits bullet i into pieces; returns their number. */
 static uint32_t pieces_of(const struct crowd *c, uint32_t i, struct body piece[SHAPE_PARTS])
 {
     uint32_t n = hit_bullet_pieces(c->s, c->k, i, piece);
@@ -197,7 +198,7 @@ static inline void add(uint64_t *words, uint32_t i)
     words[i / SLOTS_BLOCK] |= (uint64_t)1 << (i % SLOTS_BLOCK);
 }
 
-/* Positions in the world keep the sum of the squares below 2^64. */
+/* Searches the list that starts at i. Positions in the world keep the sum of the squares below 2^64. */
 static void search_list(struct search *q, uint32_t i)
 {
     const struct crowd *c = q->c;
@@ -228,7 +229,7 @@ static void search_list(struct search *q, uint32_t i)
         too_much(c);
 }
 
-/* Looks through the cells of the box. */
+/* Searches the cells of the box. */
 static void search_cells(struct search *q)
 {
     const struct crowd *c = q->c;
@@ -241,12 +242,12 @@ static void search_cells(struct search *q)
             search_list(q, c->list[y * c->cols + x]);
 }
 
-/* The bullet that i meets, or LAST. */
+/* Returns the bullet that bullet i meets, or LAST. */
 static uint32_t partner(struct board *b, const struct crowd *c, uint32_t i)
 {
     const struct bullets *s = c->s;
     const struct extent e = extent(s, c->k, i);
-    const int64_t all = (int64_t)1 << 40; /* more than any place */
+    const int64_t all = (int64_t)1 << 40; /* beyond any position */
     struct search q = { .c = c, .slot = i, .x = was_x(s, i), .y = was_y(s, i), .best = UINT64_MAX, .found = LAST };
 
     q.n = pieces_of(c, i, q.piece);
@@ -262,7 +263,7 @@ static uint32_t partner(struct board *b, const struct crowd *c, uint32_t i)
     return q.found;
 }
 
-/* Does pair p take bullet i away, by this flag of its own? */
+/* Returns whether pair p removes bullet i; side: MEET_FIRST or MEET_SECOND. */
 static bool takes(const struct crowd *c, uint32_t p, uint8_t side, uint32_t i)
 {
     const uint8_t flags = c->s->meet_flags[p];
@@ -270,7 +271,7 @@ static bool takes(const struct crowd *c, uint32_t p, uint8_t side, uint32_t i)
     return flags & side && (flags & MEET_ALL || !(c->k->flags[c->s->kind[i]] & KIND_FIXED));
 }
 
-/* Raises the event of pair p, in which two bullets meet. */
+/* Raises the event of two bullets of pair p that meet. */
 static void raise_meet(struct board *b, const struct crowd *c, uint32_t p, uint32_t first, uint32_t second)
 {
     const struct bullets *s = c->s;
@@ -298,7 +299,7 @@ static void meet(struct board *b, struct crowd *c, uint32_t p)
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         for (uint64_t m = ready(s, c->k, block, s->meet_first[p]) & ~s->met[block]; m; m &= m - 1) {
             uint32_t i = block * SLOTS_BLOCK + bits_lowest(m), other;
-            if (has(s->taken, i) || has(s->met, i)) /* since the block was read */
+            if (has(s->taken, i) || has(s->met, i)) /* changed since the block was read */
                 continue;
             other = partner(b, c, i);
             if (other != LAST)

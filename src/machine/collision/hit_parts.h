@@ -1,5 +1,5 @@
 /*
- * hit_parts.h - what the hit tests share: bodies, and whether two of them touch.
+ * hit_parts.h - shared by the hit tests: bodies, and tests whether two of them touch.
  */
 #ifndef MACHINE_HIT_PARTS_H
 #define MACHINE_HIT_PARTS_H
@@ -7,7 +7,7 @@
 #include "../../base/geom.h"
 #include "hit.h"
 
-/* Do two circles or boxes touch on their paths of the frame or, not swept, where they are now? */
+/* Returns whether two circles or boxes touch: along their paths of the frame if `swept`, otherwise where they end. */
 static inline bool hit_touches(const struct body *p, const struct body *q, bool swept)
 {
     int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
@@ -24,7 +24,7 @@ static inline bool hit_touches(const struct body *p, const struct body *q, bool 
     return geom_swept_circles(dx, dy, wx, wy, (int64_t)p->a + q->a);
 }
 
-/* The hit circle of player p. */
+/* Returns the hitbox of player p, a circle. */
 static inline struct body hit_player_body(const struct board *b, uint32_t p)
 {
     const struct player *pl = &b->player;
@@ -37,7 +37,7 @@ static inline struct body hit_player_body(const struct board *b, uint32_t p)
                           .my = pl->y[p] - pl->was_y[p] };
 }
 
-/* The body of bullet, shot or enemy i, in one piece. */
+/* Returns the body of bullet or shot i, not split into pieces; hit_enemy_body does so for enemy i. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
     uint16_t kind = s->kind[i];
@@ -55,10 +55,10 @@ static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
                           e->y[i] - e->was_y[i], 0 };
 }
 
-/* Does one of n pieces touch one of m? */
+/* Returns whether any of n pieces touches any of m. */
 bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
 
-/* hit_touches of a bullet of any shape and a circle. */
+/* hit_touches for a bullet of any shape and a circle. */
 static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
                                       const struct body *bullet, const struct body *circle, bool swept)
 {
@@ -69,7 +69,7 @@ static inline bool hit_bullet_touches(const struct bullets *s, const struct bull
     return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
 }
 
-/* The same of an enemy and a circle. */
+/* hit_touches for an enemy of any shape and a circle. */
 static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const struct body *enemy,
                                      const struct body *circle, bool swept)
 {
@@ -80,7 +80,7 @@ static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const st
     return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
 }
 
-/* The same of shot i, or a bullet, and an enemy. */
+/* hit_touches for bullet or shot i and an enemy, both of any shape. */
 static inline bool hit_shot_touches(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
                                     uint32_t i, const struct body *shot, uint32_t foe, const struct body *enemy,
                                     bool swept)
@@ -93,9 +93,9 @@ static inline bool hit_shot_touches(const struct board *b, const struct bullets 
 }
 
 /*
- * How far a shape reaches from its place at most, however it is turned. inner: two shapes touch if their places are no
- * further apart than the sum of their inner: the radius of a circle round its place that lies in it, or,
- * below 0, how far the nearest circle is from its place.
+ * The farthest that a shape extends from its position on each axis, in any rotation. inner: two shapes touch if their
+ * positions are no further apart than the sum of their inner radii. It is the radius of a circle around the position
+ * that lies inside the shape or, if negative, minus the distance from the position to the nearest circle of the shape.
  */
 struct extent {
     fx x, y, inner;
@@ -121,22 +121,22 @@ static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
     return (struct shape_columns){ k->shape, k->a, k->b, k->x, k->y };
 }
 
-/* What a shot could hit of the bullets, this frame. */
+/* The bullets that shots can hit in this frame. */
 struct hit_solids {
-    bool some;     /* any shot can hit some of them */
-    int64_t reach; /* most that a bullet extends from where it is */
+    bool some;     /* some bullets can be hit by any shot */
+    int64_t reach; /* the farthest that a bullet's shape extends from its position */
 };
 
-/* False: no shot can hit any. */
+/* Finds the bullets that shots can hit. Returns false if no shot can hit any. */
 bool hit_find_solids(struct board *b, struct hit_solids *f);
 
-/* What a shot that pierces does not hit in this frame: what it hit a short while ago, or hits already. */
+/* Targets that a piercing shot cannot hit again in this frame, because it hit them recently or in this frame. */
 struct hit_passed {
     int n;
     int64_t thing[PIERCED];
 };
 
-/* Is the thing in that slot among them? passed may be NULL. */
+/* Returns whether the entity in this slot is among them. passed may be NULL. */
 static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
 {
     for (int k = 0; passed && k < passed->n; k++)
@@ -145,34 +145,37 @@ static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_k
     return false;
 }
 
-/* The bullet that shot i hits, or NO_SLOT: of those it touches the nearest before both moved, then the lowest slot;
- * nearer than *apart, a squared distance, which becomes the bullet's. */
+/* Returns the bullet that shot i hits, or NO_SLOT: of those it touches, the one that was nearest before both moved;
+ * ties go to the lowest slot. The bullet must be nearer than *apart, a squared distance, which is set to the bullet's.
+ */
 int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
                   uint64_t *apart);
 
-/* Shots against enemies and bullets: raises an event for each shot that hits; for one that pierces an event for each
- * thing that it goes through, the nearest first, and for what uses it up. It keeps in mind at most PIERCED things that
- * it cannot hit again yet, and while it does it hits no other. What it has in mind and is gone is forgotten here. */
+/* Tests shots against enemies and bullets: raises an event for each shot that hits. A piercing shot raises one for each
+ * target it passes through, nearest first, and for the one that stops it. It remembers at most PIERCED targets that it
+ * cannot hit again yet, and while that list is full it hits nothing else. Targets that no longer exist are dropped from
+ * the list here. */
 void hit_shots(struct board *b);
 
-/* Bullets against the enemies that block: raises an event for each bullet that touches one. */
+/* Tests bullets against enemies that block: raises an event for each bullet that touches one. */
 void hit_blocks(struct board *b);
 
 /*
- * Bullets against bullets: for each pair of tags, in the order of their declaration, each bullet of the first tag, by
- * slot, meets the one of the second tag that it touches: of several the nearest before both moved, then the lowest
- * slot. In one frame a bullet meets one other as a first, and once a pair takes it away, it meets no more; two bullets
- * of the same tag meet once. Those that are delayed or have no shape meet none.
+ * Tests bullets against bullets. For each pair of tags, in the order of declaration, each bullet of the first tag, by
+ * slot, meets the bullet of the second tag that it touches: of several, the one that was nearest before both moved;
+ * ties go to the lowest slot. In one frame a bullet meets at most one other as the first of a pair; once a pair removes
+ * it, it meets no more. Two bullets of the same tag meet once. Delayed bullets and those without a shape meet none.
  */
 void hit_meets(struct board *b);
 
-/* Players against items: raises an event for each that is taken; of the others, those that left the field are gone. */
+/* Tests players against items: raises an event for each item taken, and removes the others that left the field. */
 void hit_items(struct board *b);
 
-/* Does laser i, which hits within `reach` of its line, touch a circle on its path of the frame? */
+/* Returns whether laser i, which hits within `reach` of its line, touches circle c on its path of the frame. */
 bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
 
-/* Lasers against player p, whose body c is, and players' against enemies: an event for each laser that touches. */
+/* hit_lasers tests lasers against player p, whose body is c; hit_lasers_shoot tests players' lasers against enemies.
+ * Both raise an event for each laser that touches. */
 void hit_lasers(struct board *b, uint32_t p, const struct body *c);
 void hit_lasers_shoot(struct board *b);
 

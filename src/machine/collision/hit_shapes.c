@@ -4,7 +4,7 @@
 #include "hit_parts.h"
 #include "../../base/trig.h"
 
-/* (x, y) turned by dir: each of the two makes a vector, which is rounded once. */
+/* Rotates (x, y) by dir, as the sum of two vectors, each of which is rounded once. */
 static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
 {
     fx across_x, across_y;
@@ -15,7 +15,7 @@ static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
     *ty += across_y;
 }
 
-/* The circles of the body in piece[0], which becomes the first of them. */
+/* Splits the body in piece[0] into its circles, starting at piece[0]; returns their number. */
 static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns, ang dir,
                         struct body piece[SHAPE_PARTS])
 {
@@ -66,7 +66,7 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
 
 struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
 {
-    const fx slack = 2; /* of a turned place */
+    const fx slack = 2; /* rounding error of a rotated position */
     struct extent e = { 0, 0, FX_MIN };
 
     if (k->shape[kind] == SHAPE_CAPSULE) {

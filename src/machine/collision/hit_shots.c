@@ -1,18 +1,19 @@
 /*
  * hit_shots.c - see hit_parts.h.
  *
- * A shot takes, of the enemies it touches, the one that was nearest to it before both moved. So the enemies' places
- * before their moves are sorted into the cells of a grid, and a shot searches it in rings around its own cell, until
- * what it found is nearer than the next ring, or that ring is out of reach. Out of reach is what lies outside of a box:
- * the shot's path, grown by its extent and by the largest extent and move of an enemy.
+ * Of the enemies it touches, a shot hits the one that was nearest before both moved. The enemies are therefore sorted
+ * into the cells of a grid by their positions before the move, and a shot searches the grid in rings around its own
+ * cell until the enemy it found is nearer than the next ring, or that ring is out of reach: outside the box of the
+ * shot's path, grown by its extent and by the largest extent and move of an enemy.
  *
  * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as several enemies.
- * So each enemy is listed in its own cell and in the cells above and below it: three cells of one row, which lie one
- * after another, hold the enemies of the nine cells around a shot.
+ * So each enemy is listed in its own cell and in the cells above and below it. Three adjacent cells of one row, which
+ * are contiguous in memory, then hold the enemies of the nine cells around a shot.
  *
- * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest of all is nearly always
- * one of them. There the nearest is found first, among nine cells in batches of eight places, and only that one is
- * tested. Invariant: the ring search decides all shots that this leaves open, and would find the same for the others.
+ * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest enemy is nearly always
+ * one that the shot touches. The nearest one is therefore found first, among nine cells in batches of eight places, and
+ * only that one is tested. Invariant: the ring search decides every shot that this does not, and would give the same
+ * result for the others.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -21,62 +22,62 @@
 #include "hit.h"
 
 enum {
-    GRID_MIN = 4,                     /* with fewer shots, the grid is one cell */
-    SPREAD_MAX = 4,                   /* most enemies a shot for which lists of three rows pay */
-    BATCH = 8,                        /* places of a list compared in one go: nearly always more than nine cells hold */
-    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box of all enemies: five for four of them */
+    GRID_MIN = 4,                     /* with fewer shots, the grid has one cell */
+    SPREAD_MAX = 4,                   /* most enemies per shot for which listing each in three rows pays off */
+    BATCH = 8,                        /* places compared at a time: nearly always more than nine cells hold */
+    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box around all enemies: five per four enemies */
     MAX_CELLS = 4 * (MAX_FILLED + 3),
     NO_ENEMY = MAX_ENEMIES,
-    A_RUN = 1, /* work: a run of cells that is searched, each FEW places in it, and a test of plain, of other shapes */
+    A_RUN = 1, /* work: per run of cells searched, per FEW places in it, per test of plain and of other shapes */
     FEW = 2,
     A_TEST = 4,
     A_LONG_TEST = 4 * SHAPE_PARTS * SHAPE_PARTS
 };
 
-/* Where an enemy was, from the grid's corner on; and its squared distance from that corner, times 2^bits, with its slot
- * in the low bits. */
+/* The position of an enemy before its move, relative to the grid's corner. square: its squared distance from that
+ * corner times 2^bits, with its slot in the low bits. */
 struct place {
     uint32_t x, y;
     int64_t square;
 };
 
-/* Enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
+/* The enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
 struct grid {
     uint32_t n;
     int64_t left, top;        /* the grid's corner */
-    int64_t wide, high;       /* of the grid */
-    int64_t reach_x, reach_y; /* most that an enemy extends from where it was */
-    int64_t inner;            /* a point nearer than this to any enemy's place lies inside that enemy */
+    int64_t wide, high;       /* size of the grid */
+    int64_t reach_x, reach_y; /* farthest that an enemy reaches from its position before the move */
+    int64_t inner;            /* a point nearer than this to an enemy's position is inside that enemy */
     int64_t scale;            /* from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;    /* an enemy is also listed in so many cells above and below its own: 1, or 0 */
-    int bits;          /* of slots */
-    uint32_t mask;     /* of those bits */
-    int64_t minus_two; /* times 2^bits */
+    int64_t spread;    /* cells above and below its own in which an enemy is also listed: 1 or 0 */
+    int bits;          /* bits of a slot number */
+    uint32_t mask;     /* mask of those bits */
+    int64_t minus_two; /* -2 * 2^bits */
     bool dense;
-    uint16_t slot[MAX_ENEMIES]; /* of each, not sorted */
+    uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
     struct place place[MAX_ENEMIES + BATCH];
-    uint16_t begin[MAX_CELLS + 1]; /* of each cell; the last: n */
+    uint16_t begin[MAX_CELLS + 1]; /* index of each cell's first place; the last: their number */
     int64_t sure
-        [MAX_KINDS]; /* of a dense crowd; sure hit: a shot of that kind touches any enemy that was less far, squared */
+        [MAX_KINDS]; /* if dense; sure hit: a shot of this kind hits any enemy whose squared distance is below this */
 };
 
-/* A shot that searches, or a bullet. */
+/* A search by a shot or bullet. */
 struct search {
     const struct board *b;
     const struct grid *g;
     const struct bullets *pool;
     const struct bullet_kinds *kinds;
     struct body shot;
-    const struct hit_passed *passed; /* NULL: nothing */
-    uint32_t slot;                   /* its own */
+    const struct hit_passed *passed; /* targets to skip; NULL: none */
+    uint32_t slot;                   /* of the shot */
     bool swept;
-    int64_t x, y;           /* its place before its move, in the grid */
-    int64_t x0, y0, x1, y1; /* the box that what it touches was in, in the grid */
-    uint64_t best;          /* the square of the distance of what was found */
-    uint32_t found;         /* its slot */
-    uint64_t work;          /* that the search was */
+    int64_t x, y;           /* its position before its move, in the grid */
+    int64_t x0, y0, x1, y1; /* box of the positions, before the move, of enemies it may touch */
+    uint64_t best;          /* squared distance of the enemy found */
+    uint32_t found;         /* slot of the enemy found, or NO_ENEMY */
+    uint64_t work;          /* done by the search */
 };
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
@@ -91,20 +92,20 @@ static inline uint32_t slot_of(const struct grid *g, int64_t square)
 
 /* ---- the grid ---- */
 
-/* The column or row of a place in the grid. */
+/* Returns the column or row of a coordinate in the grid. */
 static inline int64_t cell_of(const struct grid *g, int64_t v)
 {
     return v * g->scale >> 32;
 }
 
-/* A share of a cell, in 2^-32, as a length: rounded down. */
+/* Converts a distance in 2^-32 of a cell to fx, rounded down. */
 static inline int64_t length(const struct grid *g, int64_t share)
 {
     return (share >> 16) * g->cell >> 16;
 }
 
-/* Lists the enemies that can be hit and whose kinds have these flags, and measures them: the box they were in, and how
- * far they extend. */
+/* Lists the enemies that can be hit and whose kinds have these flags, and measures the box around their positions
+ * before the move and how far they extend. */
 static void gather(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
@@ -142,7 +143,7 @@ static void gather(struct grid *g, const struct board *b, uint8_t flags)
     g->inner = inner;
 }
 
-/* Makes the cells as small as the number of them allows. */
+/* Makes the cells as small as their maximum number allows. */
 static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
 {
     const uint32_t cells = shots < GRID_MIN ? 1 : g->n * 5 / 4;
@@ -170,7 +171,7 @@ static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
                g->reach_y * 2 > g->cell;
 }
 
-/* A counting sort. */
+/* Sorts the enemies into the cells, with a counting sort. */
 static void sort(struct grid *g, const struct enemies *e)
 {
     uint16_t cell[MAX_ENEMIES], *begin = g->begin;
@@ -192,7 +193,7 @@ static void sort(struct grid *g, const struct enemies *e)
     }
     for (size_t i = 0; i <= cells; i++) {
         sum += begin[i];
-        begin[i] = (uint16_t)sum; /* its end; what follows counts down to its beginning */
+        begin[i] = (uint16_t)sum; /* the cell's end; the next loop counts down to its start */
     }
     for (size_t i = n; i-- > 0;) {
         uint32_t slot = g->slot[i];
@@ -204,14 +205,14 @@ static void sort(struct grid *g, const struct enemies *e)
             g->place[--begin[cell[i] + cols]] = p;
         }
     }
-    /* a run may read on behind the last place */
+    /* a batch may read past the last place */
     for (size_t i = sum; i < sum + BATCH; i++)
         g->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
 /* ---- the search by rings ---- */
 
-/* The nearest of a run of cells that is touched; of equals, the one of the lower slot. */
+/* Searches a run of cells for the nearest enemy that is touched; ties go to the lower slot. */
 static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->g->begin + row * s->g->cols;
@@ -235,7 +236,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
     }
 }
 
-/* Sets the box up; false: no enemy is in it. */
+/* Sets the box of the search. Returns false if no enemy can be in it. */
 static bool set_bounds(struct search *s)
 {
     const struct grid *g = s->g;
@@ -255,9 +256,9 @@ static bool set_bounds(struct search *s)
 }
 
 /*
- * Rings of cells around the shot's, or around the cell of the box that is next to it. After each: how near could an
- * enemy be that is in the box and outside of the rings? A shot outside of the box is a gap away from all that is in it.
- * Positions in the world and ways of MAX_SPEED keep every distance here below 2^32.
+ * Searches rings of cells around the shot's cell, or around the nearest cell of the box. After each ring, computes how
+ * near an enemy in the box but outside the rings could be. If the shot is outside the box, a gap separates it from
+ * everything inside. Positions in the world and moves of at most MAX_SPEED keep every distance here below 2^32.
  */
 static void search_rings(struct search *s)
 {
@@ -329,15 +330,17 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
 /* ---- the search of a dense crowd ---- */
 
 /*
- * Of all enemies, the nearest to a shot has the lowest key: the square of their distance, less the square of the shot's
- * distance from the grid's corner, times 2^bits, with the slot in the low bits. The shot is at (x, y) / -2^(bits + 1).
+ * Returns the key of an enemy for a shot; the nearest enemy has the lowest key. It is the squared distance between the
+ * two minus the squared distance of the shot from the grid's corner, times 2^bits, with the slot in the low bits. The
+ * shot is at (x, y) / -2^(bits + 1).
  */
 static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 {
-    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits, parts may not */
+    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits; terms may not */
 }
 
-/* The lowest key of BATCH places. Two chains of choices, as each has to wait for the last. */
+/* Returns the lowest key of BATCH places. There are two chains of comparisons, because each waits for the previous one.
+ */
 static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
 {
     int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
@@ -350,8 +353,9 @@ static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t 
 }
 
 /*
- * The lowest key from place i to before end, or best; maybe of places behind that. Mostly there is one run, which
- * branch prediction learns, unlike the number of enemies in some cells.
+ * Returns the lowest of `best` and the keys of the places from i up to, but not including, end; some places after that
+ * may be included. Usually there is one batch, which branch prediction learns, unlike the number of enemies in a few
+ * cells.
  */
 static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
@@ -360,8 +364,8 @@ static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int
     return best;
 }
 
-/* Places of a block of shots before their moves, from a dense crowd's grid's corner on, modulo 2^32: those far
- * outside wrap. */
+/* Positions of a block of shots before their moves, relative to the corner of a dense crowd's grid, modulo 2^32: those
+ * far outside wrap around. */
 struct starts {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
@@ -376,7 +380,7 @@ static void locate(struct starts *f, const struct bullets *s, uint32_t first, ui
     }
 }
 
-/* The slot of the enemy that the shot hits if that is the nearest of all, or NO_ENEMY. */
+/* Returns the slot of the nearest enemy if the shot hits it; otherwise, or if the nearest is not known, NO_ENEMY. */
 static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
 {
     const int64_t in_x = x * g->scale, in_y = y * g->scale, one = (int64_t)1 << 32;
@@ -391,7 +395,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
     int64_t best = lowest(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
     const int64_t here = x * x + y * y;
-    int64_t d = (best >> g->bits) + here; /* its square */
+    int64_t d = (best >> g->bits) + here; /* squared distance of the enemy */
     if (d >= edge * edge) {
         const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
         best = lowest(g, begin[a - cols], begin[z - cols], kx, ky, best);
@@ -410,7 +414,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
                : NO_ENEMY;
 }
 
-/* Sure hits, by the extents' inner: for a swept shot touches every enemy that it touched before the move. */
+/* Sets `sure`, from the inner radii: a swept shot hits every enemy that it touched before the move. */
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
@@ -422,7 +426,7 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
     }
 }
 
-/* Raises the event as board_event does, which it calls only when there is no room. */
+/* Raises EV_SHOT. Same as board_event, which is called only if the list is full. */
 static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 {
     int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
@@ -431,7 +435,7 @@ static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
         board_event(b, EV_SHOT, who, whom);
 }
 
-/* The slot of the enemy that the shot hits, or NO_ENEMY; `at` is the shot's place in its block. */
+/* Returns the slot of the enemy that shot i hits, or NO_ENEMY. */
 static inline uint32_t target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
 {
     uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
@@ -439,7 +443,7 @@ static inline uint32_t target(struct board *b, const struct grid *g, const struc
     return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
-/* The bullet that shot i hits, if that was nearer than the enemy that it touches (NO_ENEMY: none); or NO_SLOT. */
+/* Returns the bullet that shot i hits if it was nearer than enemy foe (NO_ENEMY: any bullet), otherwise NO_SLOT. */
 static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
                             const struct hit_passed *passed)
 {
@@ -452,7 +456,7 @@ static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_
     return hit_solid(b, f, i, passed, &apart);
 }
 
-/* Raises shot i's event with a bullet that it hits instead of that enemy. */
+/* Raises the event of a bullet that shot i hits instead of enemy foe. Returns whether there is one. */
 static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
 {
     int32_t bullet = nearer_solid(b, f, i, foe, NULL);
@@ -464,7 +468,7 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 
 /* ---- shots that pierce ---- */
 
-/* What shot i has hit and cannot hit yet again; the rest is forgotten. */
+/* Lists the targets that shot i cannot hit again yet, and drops the others from its memory. */
 static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 {
     int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
@@ -481,7 +485,7 @@ static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
     }
 }
 
-/* The nearest thing that shot i hits and has not passed, or 0. */
+/* Returns the handle of the nearest target that shot i hits and has not passed, or 0. */
 static int64_t next_thing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
                           const struct hit_passed *passed)
 {
@@ -498,7 +502,7 @@ static bool stops_all(const struct board *b, int64_t thing)
     return handle_kind(thing) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(thing)] == HP_FOREVER;
 }
 
-/* Raises the events of a shot that pierces. False: it hits nothing. */
+/* Raises the events of a piercing shot. Returns false if it hits nothing. */
 static bool raise_through(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
 {
     const int32_t through = b->shots.pierce[i];
@@ -524,7 +528,8 @@ static bool pierces(const struct board *b, uint32_t i)
     return b->shot_kinds.pierce && b->shot_kinds.pierce[b->shots.kind[i]];
 }
 
-/* Finds what each shot hits. A shot that left the field and hit nothing is released. solids: NULL if there are none. */
+/* Finds what each shot hits, and releases the shots that left the field and hit nothing. solids: NULL if shots can hit
+ * no bullet. */
 static void target_all(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;

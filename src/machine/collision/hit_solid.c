@@ -1,16 +1,16 @@
 /*
- * hit_solid.c - shots against bullets: those that have hp, and for shots that cancel, all that are clearable. See
+ * hit_solid.c - shots against bullets: shots hit bullets with hp; shots that cancel hit all clearable bullets, too. See
  * hit_parts.h.
  *
- * No grid: each shot asks every block of bullets at once who ended its move near the shot's path, and tests those. So
- * the price is the number of shots times the number of blocks that have such bullets (docs/guide/21-capacities.md),
+ * There is no grid: each shot checks, a block at a time, which bullets ended their move near its path, and tests those.
+ * The cost is the number of shots times the number of blocks that have such bullets (docs/guide/21-capacities.md),
  * and it is counted as work.
  */
 #include "hit_parts.h"
 #include "../../base/int.h"
 #include "hit.h"
 
-enum { A_BLOCK = 4, A_TEST = 4 /* work: a block that is asked, and a bullet whose pieces are tested each */ };
+enum { A_BLOCK = 4, A_TEST = 4 /* work per block checked, and per pair of pieces tested */ };
 
 static bool any_cancels(const struct bullet_kinds *k)
 {
@@ -28,7 +28,7 @@ bool hit_solid_possible(const struct board *b)
            (b->bullets.hp || any_cancels(&b->shot_kinds));
 }
 
-/* How far a kind's shape reaches from its place at most. */
+/* Returns the farthest that a kind's shape extends from its position. */
 static fx extent(const struct bullet_kinds *k, uint32_t kind)
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
@@ -70,7 +70,7 @@ bool hit_find_solids(struct board *b, struct hit_solids *f)
     return f->some || any_cancels(&b->shot_kinds);
 }
 
-/* The bullets of a block that the shot could hit, wherever they are. */
+/* Returns which of the bullets `near` of a block are of a kind and state that the shot can hit. */
 static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, bool some, bool cancels, uint32_t block,
                          uint64_t near)
 {

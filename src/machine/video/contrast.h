@@ -1,5 +1,5 @@
 /*
- * contrast.h - do bullets stand out from what lies behind them?
+ * contrast.h - measures how well bullets stand out from the picture behind them.
  */
 #ifndef MACHINE_CONTRAST_H
 #define MACHINE_CONTRAST_H
@@ -10,20 +10,21 @@
 
 struct board;
 
-/* A bullet that can hit, or can be met, of which some is inside the field. */
+/* A bullet with a hitbox, at least partly inside the field. */
 struct contrast_bullet {
-    const char *kind; /* good until the next tick */
+    const char *kind; /* name of its kind, valid until the next tick */
     int bank;
     int x, y;  /* in the field, px */
-    int share; /* percent of its pixels that stand out; CONTRAST_FAINT and less: it can hardly be seen */
+    int share; /* percent of its pixels that stand out; up to CONTRAST_FAINT: it is hardly visible */
 };
 typedef void contrast_visit(void *context, const struct contrast_bullet *bullet);
 
-/* A pixel stands out if 2 red, 3 green and 1 blue of its difference from the one behind it come to CONTRAST_STEP or
- * more, of 6 * 255. */
-enum { CONTRAST_STEP = 6 * 40, CONTRAST_FAINT = 10, CONTRAST_BULLETS = 512 /* of a picture: the first so many */ };
+/* A pixel stands out if its weighted difference from the pixel behind it, 2 * red + 3 * green + 1 * blue, is at least
+ * CONTRAST_STEP, out of 6 * 255. */
+enum { CONTRAST_STEP = 6 * 40, CONTRAST_FAINT = 10, CONTRAST_BULLETS = 512 /* most visited per picture */ };
 
-/* Draws what lies behind the bullets into fb, and visits them. scratch: board_scratch bytes. */
+/* Draws the picture behind the bullets into fb, then visits up to CONTRAST_BULLETS bullets, in slot order. scratch:
+ * board_scratch bytes. */
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context);
 
 #endif

@@ -64,7 +64,7 @@ void pal_stop(struct pal *p)
     memset(p->cycle_every, 0, sizeof p->cycle_every);
 }
 
-/* Adding half before cutting off rounds ties away from `from`. */
+/* Half of n is added before the truncating division, so ties round away from `from`. */
 uint32_t pal_mix(uint32_t from, uint32_t to, int32_t k, int32_t n)
 {
     uint32_t out = 0;
@@ -107,7 +107,7 @@ static void step_fade(struct pal *p, int i)
         p->over[i] = 0;
 }
 
-enum { ASIDE = 64 }; /* most fade not: so many colours are passed over at once */
+enum { ASIDE = 64 }; /* colours skipped at once if none of them fades, as is usual */
 
 static bool some_fade(const uint16_t *restrict over)
 {

@@ -16,7 +16,7 @@ static const struct column columns[] = {
 const struct chip screen_chip = { "screen", columns, sizeof columns / sizeof *columns, true, false };
 
 enum { QUARTER = 1 << 30 };
-static const ang GOLDEN = 0x61c88647; /* of a turn, so that no direction comes again soon */
+static const ang GOLDEN = 0x61c88647; /* golden angle, so that directions do not soon repeat */
 
 void screen_empty(struct screen *s)
 {
@@ -31,8 +31,8 @@ void screen_bars_to(struct screen *s, uint32_t clock, int32_t h, uint32_t n)
     s->bars_at = clock;
 }
 
-/* What is left of `most` in the frame that the clock says. The tick in which a thing is asked for is its frame 1, and
- * the clock has gone on when its picture is drawn, unless the game stands still. */
+/* Returns how much of `most` is left at that clock. The tick that starts an effect is its frame 1. By the time that
+ * frame is drawn the clock has advanced, unless the game is stopped, so one frame is taken off the age. */
 static fx left(fx most, uint32_t over, uint32_t at, uint32_t clock)
 {
     uint32_t age = clock - at;
@@ -68,7 +68,7 @@ fx screen_flash(const struct screen *s, uint32_t clock)
     return left(s->flash_share, s->flash_over, s->flash_at, clock);
 }
 
-/* After `age` of n frames on the way from one to the other. */
+/* Interpolates from `from` to `to`, after `age` of n frames. */
 static int32_t between(int32_t from, int32_t to, uint32_t age, uint32_t n)
 {
     return age >= n ? to : from + (int32_t)((int64_t)(to - from) * age / n);

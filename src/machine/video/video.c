@@ -1,15 +1,15 @@
 /*
- * video.c - the picture: const RAM to framebuffer, in the fixed draw order
+ * video.c - draws the picture from const RAM into a framebuffer, in a fixed order:
  *
  *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
  *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
- *     over it, text, lines
+ *     over the dim, front plates, text, lines
  *
- * Options are drawn over the sprites of their layer. A view (board.h) may dim backgrounds and back sprites, before
+ * Options are drawn over the sprites of their layer. A view (view.h) may dim backgrounds and back sprites before
  * anything else is drawn over them.
  *
- * Bullets draw by kind, lower `order` and then larger pictures lower, equal ones in order of declaration, then by slot
- * (video_bullets.c).
+ * Bullets are drawn by kind, then by slot. Kinds with a lower `order` are drawn first; among these, those with larger
+ * pictures, and among equals those declared first (video_bullets.c).
  */
 #include <assert.h>
 #include <string.h>
@@ -49,7 +49,7 @@ void video_batch_end(struct video_batch *q)
     q->n = 0;
 }
 
-/* From here on another size and mix wait. */
+/* Paints the queued pictures and starts a queue of another size and mix. */
 static void open_batch(struct video_batch *q, const struct image *image, enum blit_mix mix)
 {
     video_batch_end(q);
@@ -87,7 +87,7 @@ static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y
     c->drawn++;
 }
 
-/* The same, in a batch. */
+/* Does the same as put, through a batch. */
 static void put_later(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                       unsigned blend)
 {
@@ -105,7 +105,7 @@ void video_clip_field(const struct draw_target *c)
     fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
 }
 
-/* One of the screen's own, beside the field's. */
+/* Draws a sprite that is placed on the screen instead of in the field. */
 static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
 {
     const struct sprites *s = &c->b->sprites;
@@ -119,7 +119,7 @@ static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_
     video_clip_field(c);
 }
 
-/* The layers in which there are sprites. */
+/* Returns the sprite layers that are not empty, 1 << layer. */
 static unsigned sprite_layers(const struct sprites *s)
 {
     unsigned layers = 0;
@@ -154,7 +154,7 @@ static void draw_sprites(struct draw_target *c, int layer)
     video_batch_end(&q);
 }
 
-/* Options of a layer. */
+/* Draws the options of a layer. */
 static void draw_options(struct draw_target *c, int layer)
 {
     const struct options *o = &c->b->options;
@@ -178,7 +178,7 @@ static void draw_items(struct draw_target *c)
     video_batch_end(&q);
 }
 
-/* The brightest colour there is, or the darkest; of several the first. */
+/* Returns the brightest or the darkest palette entry, the first among equals. */
 static uint8_t extreme(const struct board *b, bool bright)
 {
     uint32_t best = bright ? 0 : UINT32_MAX;
@@ -203,7 +203,8 @@ static void put_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigne
                extreme(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
-/* What its picture is drawn over then, so that only a line round it is white. */
+/* Draws enemy i in white, shifted by 1 px in each direction. Its picture is drawn over that, so only an outline stays
+ * white. */
 static void put_white_rim(struct draw_target *c, uint32_t i)
 {
     put_white(c, i, -1, 0, 0);
@@ -230,12 +231,12 @@ static void draw_enemies(struct draw_target *c)
                 e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
         else
             c->drawn++;
-        if (white && (!soft || blend)) /* through what is blended a rim would be seen whole */
+        if (white && (!soft || blend)) /* a blended picture would not hide the inside of a rim */
             put_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
     }
 }
 
-/* A player that cannot be hit blinks. */
+/* Draws the players; one that is invulnerable blinks. */
 static void draw_players(struct draw_target *c)
 {
     const struct player *p = &c->b->player;
@@ -246,7 +247,7 @@ static void draw_players(struct draw_target *c)
                 p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
-/* Those over the bullets, or those under the players. */
+/* Draws the sparks of the layer over the bullets, or those under the players. */
 static void draw_sparks(struct draw_target *c, bool under)
 {
     const struct sparks *s = &c->b->sparks;
@@ -259,7 +260,7 @@ static void draw_sparks(struct draw_target *c, bool under)
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         if (under != (bool)(bank & SPARK_UNDER))
             continue;
-        uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* it does not start over */
+        uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* the animation plays once */
         put_later(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
                   bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
@@ -268,7 +269,7 @@ static void draw_sparks(struct draw_target *c, bool under)
 
 enum { FEW_CELLS = 8, MANY_CELLS = 64 };
 
-/* Does one of many cells have a bit in these columns? page: NULL, or its column. */
+/* Return whether any of MANY_CELLS entries of a column is not 0. */
 static bool some_code(const uint8_t *restrict code)
 {
     uint8_t any = 0;
@@ -287,7 +288,7 @@ static bool some_page(const uint16_t *restrict page)
     return any;
 }
 
-/* How many cells from i on show nothing, and are passed over at a time; i does not. */
+/* Returns how many cells from i can be skipped because they are empty: MANY_CELLS, FEW_CELLS or 1. Cell i is empty. */
 static uint32_t empty_cells(const struct fix *f, uint32_t i)
 {
     const uint16_t *page = f->page ? f->page + i : NULL;
@@ -300,7 +301,7 @@ static uint32_t empty_cells(const struct fix *f, uint32_t i)
     return 1;
 }
 
-/* The first cell from i on that shows a character; as many as there are cells: none does. */
+/* Returns the first cell from i that shows a character, or the number of cells (f->s.live) if none does. */
 static uint32_t next_cell(const struct fix *f, uint32_t i)
 {
     while (i < f->s.live && !fix_code(f, i))
@@ -308,7 +309,7 @@ static uint32_t next_cell(const struct fix *f, uint32_t i)
     return i;
 }
 
-/* All rims from a cell on, so that none covers a letter. */
+/* Draws all rims, from cell `first`. This happens before any letter is drawn, so that no rim covers a letter. */
 static void draw_rims(struct draw_target *c, const struct font *font, uint32_t first)
 {
     const struct fix *f = &c->b->fix;
@@ -344,7 +345,7 @@ static void draw_text(struct draw_target *c)
                        f->bank[i] & FIX_BANK);
 }
 
-/* What is beside the field. */
+/* Clears the screen outside the field. */
 static void clear_sides(struct draw_target *c)
 {
     const struct manifest *m = &c->b->cart.m;
@@ -356,8 +357,9 @@ static void clear_sides(struct draw_target *c)
     fb_rect(c->fb, 0, bottom, m->screen_w, m->screen_h - bottom, 0);
 }
 
-/* Where nothing is drawn on the n px beside the line `from` (next to the field's shaken edge), it shows what is as far
- * on the other side of the line. step: from pixel to pixel away from the line; along, lines: the next line. */
+/* Fills the empty pixels of a strip n px wide, outside the field's shaken edge, with the mirror image of the pixels
+ * inside the edge. from: first pixel of the strip, next to the edge. step: offset of the next pixel away from the edge.
+ * lines, along: length of the strip, and offset of its next line. */
 static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
 {
     for (int i = 0; i < lines; i++, from += along)
@@ -366,7 +368,7 @@ static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t al
                 from[k * step] = from[(-1 - k) * step];
 }
 
-/* The background ends where the field does: what a shake uncovers shows its mirror image. */
+/* Mirrors the picture into the edges that a shake exposes, because the background may end at the field's edge. */
 static void fill_edges(struct draw_target *c)
 {
     const struct fb *fb = c->fb;
@@ -393,7 +395,7 @@ static void draw_plates(struct draw_target *c, int layer)
     video_clip_field(c);
 }
 
-/* What no dim darkens. */
+/* Draws everything that a dim does not darken. */
 static void draw_over(struct draw_target *c)
 {
     draw_plates(c, LAYER_PLATE);
@@ -404,7 +406,7 @@ static void draw_over(struct draw_target *c)
         video_lines(c);
 }
 
-/* The colours that draw_over draws with, of a picture that is drawn anew afterwards. */
+/* Finds the palette entries that draw_over uses, by drawing it. The caller redraws the picture afterwards. */
 static void find_over(struct draw_target c, bool over[COLOURS])
 {
     memset(over, 0, COLOURS * sizeof *over);
@@ -416,7 +418,7 @@ static void find_over(struct draw_target c, bool over[COLOURS])
             over[c.fb->pix[y * c.fb->pitch + x]] = true;
 }
 
-/* Over the field, under the text. */
+/* Draws the bars at the field's top and bottom. */
 static void draw_bars(struct draw_target *c)
 {
     const struct manifest *m = &c->b->cart.m;
@@ -436,7 +438,7 @@ static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 
 static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
 
-/* The table by which a view dims backgrounds, the ROM's if that has one; or NULL. */
+/* Returns the table with which a view dims backgrounds, the ROM's if it has one; NULL: no dimming. */
 static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
 {
     const uint8_t *shades = look->shades ? look->shades : view->shades;
@@ -444,7 +446,7 @@ static const uint8_t *shade_of(const struct cart_look *look, const struct view *
     return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
 
-/* Where the picture of this frame is drawn, and whether it is shaken. */
+/* Returns the draw target of this frame; *shaken: whether a shake moves it. */
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
@@ -462,7 +464,7 @@ static struct draw_target target(const struct board *b, struct fb *fb, void *scr
     return c;
 }
 
-/* All that is under the bullets. */
+/* Draws everything under the bullets. */
 static void draw_behind(struct draw_target *c, bool shaken)
 {
     const struct board *b = c->b;

@@ -1,5 +1,5 @@
 /*
- * video.h - what the makers of the picture share.
+ * video.h - declarations shared by the files that draw the picture.
  */
 #ifndef MACHINE_VIDEO_H
 #define MACHINE_VIDEO_H
@@ -7,103 +7,105 @@
 #include "../../../fb/stamp.h"
 #include "../machine.h"
 
-/* Where and onto what a part of the picture is drawn. */
+/* What is drawn, where, and how: passed to everything that draws a part of the picture. */
 struct draw_target {
     const struct board *b;
     struct fb *fb;
-    int x, y; /* of the field's things on the screen: the field's, and how far a shake has moved them */
+    int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
     void *scratch;
-    int overdraw;           /* from how much on bullets are drawn front to back */
-    uint64_t drawn, hidden; /* pictures; of those, skipped because others cover them */
-    unsigned layers;        /* of sprites, a bit each: there is nothing in the others */
-    const uint8_t *shade;   /* the entry that each of 256 is shown as in backgrounds; NULL: they are not dimmed */
-    struct cart_look look;  /* tables of the palette that is loaded */
-    bool soft;              /* whoever is hurt blinks softly */
+    int overdraw;           /* overdraw at which bullets are drawn front to back */
+    uint64_t drawn, hidden; /* pictures drawn; those among them skipped because others cover them */
+    unsigned layers;        /* sprite layers that are not empty, 1 << layer */
+    const uint8_t *shade;   /* backgrounds: the entry to show for each of 256; NULL: they are not dimmed */
+    struct cart_look look;  /* tables of the loaded palette */
+    bool soft;              /* hurt enemies blink softly */
 };
 
-/* Bullets are drawn front to back when they would cover the field so many times (overdraw). Measured:
- * docs/measured/speed.md. */
+/* Overdraw is how many times bullets would cover the field. From VIDEO_OVERDRAW on they are drawn front to back.
+ * Measurements: docs/measured/speed.md. */
 enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
-/* board_draw with another VIDEO_OVERDRAW; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
+/* Draws like board_draw, with another overdraw limit; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
                               void *scratch, int overdraw);
 
-/* The same without the bullets and what is over them, and without a flash. The clip is the field. */
+/* Draws only what is behind the bullets, without a flash. Leaves the clip set to the field. */
 void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
 
-/* The tables of that palette of the ROM which is loaded (board_palette). */
+/* Returns the tables of the ROM palette that is loaded (board_palette). */
 struct cart_look video_look(const struct board *b);
 
-/* Picture number of a sprite that has stood for `age` frames and looks along dir. */
+/* Returns the image of a sprite that has been shown for `age` frames; turns: the rotated copy nearest to dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
 
-/* Nothing is drawn outside the field from here on. A shake does not move it. */
+/* Sets the clip to the field. A shake does not move the clip. */
 void video_clip_field(const struct draw_target *c);
 
-/* One picture. blend: a blend's index + 1, 0: opaque. */
+/* Draws one picture. blend: index of a blend + 1; 0: opaque. */
 void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend);
 
-/* Pictures that are painted in order, those of one size that follow each other in one go. */
+/* A queue of pictures that are painted in order; consecutive pictures of one size are painted together. */
 enum { VIDEO_BATCH = 64 };
 struct video_batch {
     struct draw_target *c;
-    struct image size;         /* of those that wait, but for pix */
-    enum blit_mix mix;         /* theirs */
-    struct stamp_corners safe; /* where such a picture needs no clipping */
+    struct image size;         /* size of the queued pictures; pix is not used */
+    enum blit_mix mix;         /* mix of the queued pictures */
+    struct stamp_corners safe; /* where a picture of that size needs no clipping */
     size_t n;
     struct blit_item items[VIDEO_BATCH];
 };
 
-/* An empty one, whose room is not written. The clip must not change while something waits. */
+/* Empties the queue; items is not written. The clip must not change while pictures are queued. */
 void video_batch_begin(struct video_batch *q, struct draw_target *c);
 
-/* As video_paint, but it may wait. */
+/* Does the same as video_paint, but may delay it until video_batch_end. */
 void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                      unsigned blend);
 
-/* Paints all that waits. */
+/* Paints all queued pictures. */
 void video_batch_end(struct video_batch *q);
 
-/* Bullets or shots. Kinds in the draw order, then slots. */
+/* Draws bullets or shots: by kind in the draw order, then by slot. */
 void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
-/* A dark plate with a light rim and round corners, in the shades of a bank. */
+/* Draws a dark plate with a light rim and rounded corners, in the colours of a bank. */
 void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank);
 
-/* Dims the field as it is drawn so far, by c's table of shades. */
+/* Dims everything drawn in the clip so far, using c->shade. */
 void video_shade(const struct draw_target *c);
 
-/* Darkens what is drawn so far, by giving its colours entries of their own: `over` are those (256) that must stay as
- * they are, because what is drawn afterwards has them. */
+/* Darkens everything drawn so far by moving its colours to separate palette entries. over: the entries, of 256, that
+ * must not change because they are drawn with afterwards. share: of black, 0 to FX_ONE. */
 void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool over[256], fx share);
 
-/* Lines of text; a cell whose font is one of rom.lua's `fonts`. */
+/* Draws all lines of text. */
 void video_lines(struct draw_target *c);
+
+/* Draws cell i of the text layer, in any of rom.lua's `fonts` or as a quarter of a large character. */
 void video_cell(struct draw_target *c, uint32_t i);
 
-/* Its rim, in colour `rim`: to be drawn before all cells. */
+/* Draws the rim of cell i in colour `rim`. All rims must be drawn before all cells. */
 void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim);
 
-/* The background: what lies behind everything, or what is in front of all sprites. */
+/* Draws the background's layers behind everything, or those in front of all sprites. */
 void video_bg(struct draw_target *c, bool front);
 
-/* Does the background cover the whole field? Then nobody needs to clear it. */
+/* Returns whether the background covers the whole field, so that the field need not be cleared. */
 bool video_bg_covers(const struct board *b);
 
-/* Lasers: those that hurt enemies, or the others. By slot. */
+/* Draws the lasers that hurt enemies, or the others, in slot order. */
 void video_lasers(struct draw_target *c, bool shoot);
 
-/* What the picture takes to draw, in units of work, and which part takes most, with what to change. All 0 where nothing
- * had to be counted. False: more than that. */
+/* The work of drawing the picture, the part that takes the most, and how to reduce it. All 0 if an upper bound was low
+ * enough and nothing was counted. video_fits returns whether the work is at most `most`. */
 struct video_work {
     uint64_t work;
     const char *what, *instead;
 };
 bool video_fits(const struct board *b, uint64_t most, struct video_work *out);
 
-/* Bytes of scratch that video_bullets needs. */
+/* Returns the bytes of scratch that video_bullets needs. */
 size_t video_bullets_scratch(const struct manifest *m);
 
 #endif

@@ -1,15 +1,16 @@
 /*
- * video_bg.c - draws the background (bg.h): from back to front layer 1, the plane, layers 2 to 4; those that are in
- * front, over all sprites.
+ * video_bg.c - draws the background (bg.h), back to front: layer 1, the plane, layers 2 to 4. Those marked as front are
+ * drawn over all sprites.
  *
  * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
- * which repeats if it wraps. Rows that are as far aside and of one row of tiles are drawn together, tile by tile: an
- * empty tile takes no time, a solid one is copied. Where line scroll moves each row by itself, they are single rows.
- * What is mixed with what is under it is put together in a buffer first, a row at a time.
+ * which repeats if it wraps. Consecutive rows with the same x offset and in the same row of tiles are drawn together,
+ * tile by tile: empty tiles are skipped, solid ones are copied. With line scroll each row may have its own offset and
+ * is then drawn alone. Rows that are blended with the picture under them are first assembled in a buffer, one at a
+ * time.
  *
- * The plane: with `height` h and the horizon k rows away (halves: the middle of a row), a pixel is s = h / k px of the
- * plane wide, and the row is f * s away, f the field's width. All is Q32, one column is s farther along the row than
- * the last, and only where a row begins is rounded.
+ * The plane: if `height` is h and the middle of a row is k rows from the horizon (k counts in halves), then a pixel of
+ * the row is s = h / k px of the plane wide and the row is f * s px away, where f is the field's width. Positions are
+ * Q32. Each column is s further along the row than the previous one, and rounding happens only at the start of a row.
  */
 #include "../../../fb/row.h"
 #include "../../../fb/tiles.h"
@@ -19,13 +20,13 @@
 #include "video.h"
 #include <string.h>
 
-enum { ROW = 1024 + 64 /* the widest field, and a tile more on each side */ };
+enum { ROW = 1024 + 64 /* px: the widest field plus one of the largest tiles on each side */ };
 
-/* How the rows of a layer or of the plane go onto the surface. */
+/* How rows of a layer or of the plane are drawn onto the surface. */
 struct brush {
     uint8_t bank;
-    const uint8_t *to;    /* what each colour is shown as, or NULL */
-    const uint8_t *table; /* a blend's, or NULL */
+    const uint8_t *to;    /* palette entry shown for each of 256; NULL: unchanged */
+    const uint8_t *table; /* table of a blend; NULL: opaque */
 };
 
 static int64_t modulo(int64_t a, int64_t n)
@@ -35,7 +36,7 @@ static int64_t modulo(int64_t a, int64_t n)
     return r < 0 ? r + n : r;
 }
 
-/* n pixels from s into row y of the field, from column x on. */
+/* Draws n pixels from s into row y of the field, starting at column x. solid: no pixel is 0. */
 static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, int x, int y, int n, bool solid)
 {
     const struct manifest *m = &c->b->cart.m;
@@ -49,14 +50,14 @@ static void lay(struct draw_target *c, const struct brush *b, const uint8_t *s, 
         row_cover(d, s, n, b->bank);
 }
 
-/* The tiles that rows of a layer show: where each begins among the map's pixels. Rows of the same tiles share them. */
+/* The tiles shown by one or more rows of a layer. at: offset of each tile in the map's pixels. */
 struct tiles {
     uint32_t at[ROW / 8];
     uint8_t tile[ROW / 8]; /* enum tile */
-    int n, col, row;       /* how many, from which cell on */
+    int n, col, row;       /* number of tiles; map cell of the first */
 };
 
-/* Finds n tiles from cell (col, row) on, starting over at the map's right edge. */
+/* Finds n tiles from map cell (col, row), wrapping at the map's right edge. */
 static void find_tiles(const struct map *m, int col, int row, int n, struct tiles *t)
 {
     const uint8_t *cells = m->cells + 2 * (size_t)row * (size_t)m->cols;
@@ -74,14 +75,14 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
     }
 }
 
-/* Row `in` of each tile, in one piece. */
+/* Copies pixel row `in` of each tile to `to`, side by side. */
 static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_t *to)
 {
     for (int k = 0; k < t->n; k++)
         memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
 }
 
-/* One table that shows each colour as `then` shows what `first` shows it as; either may be NULL, and so the result. */
+/* Returns a table that applies `first`, then `then`; a NULL table changes nothing. May use `both` to store it. */
 static const uint8_t *chain(const uint8_t *first, const uint8_t *then, uint8_t both[256])
 {
     if (!first || !then)
@@ -102,7 +103,7 @@ static struct brush brush_of(const struct draw_target *c, uint32_t i)
     return brush;
 }
 
-/* A shake moves the maps in the field, so that they go on to its edges. */
+/* Return a shake's offset, px. A shake moves the maps within the field, so that they still reach its edges. */
 static int shaken_x(const struct draw_target *c)
 {
     return c->x - c->b->cart.m.field_x;
@@ -113,14 +114,15 @@ static int shaken_y(const struct draw_target *c)
     return c->y - c->b->cart.m.field_y;
 }
 
-/* What rows of the field show of a layer: columns [from, to) of the field, from (x, my) of the map on. */
+/* What rows of the field show of a layer: columns [from, to) of the field show the map from pixel (x, my). */
 struct shown_rows {
-    int64_t aside; /* the map's left edge, from the field's */
+    int64_t aside; /* the map's left edge, px from the field's */
     int64_t from, to, x, my;
-    int y, n; /* the first, and how many: all are of one row of tiles and as far aside */
+    int y, n; /* first row, and number of rows: all have the same `aside` and the same row of tiles */
 };
 
-/* Columns of a map that wraps. What is as far aside as the last needs no division. */
+/* Finds the columns to show of a map that wraps; the division is skipped if `aside` is that of the last rows. Always
+ * returns true. */
 static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh)
 {
     if (r->aside != aside)
@@ -130,7 +132,7 @@ static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_
     return true;
 }
 
-/* Of one that does not. False: nothing is there. */
+/* Finds the columns to show of a map that does not wrap. Returns false if these rows show nothing. */
 static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh, int w)
 {
     r->from = aside > 0 ? aside : 0;
@@ -139,7 +141,7 @@ static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_
     return r->my >= 0 && r->my < mh && r->from < r->to;
 }
 
-/* How far aside the layer is in row y of the field. */
+/* Returns the layer's x offset in row y of the field, px. dx, dy: the shake. */
 static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, int dy)
 {
     const struct bg *g = &c->b->bg;
@@ -148,7 +150,7 @@ static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, 
     return ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
 }
 
-/* A tile that is cut off by the clip: its columns [from, to). */
+/* Draws columns [from, to) of tile k, which the clip cuts off. */
 static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
                     int rows, int from, int to, uint8_t add)
 {
@@ -158,7 +160,7 @@ static void lay_cut(const struct draw_target *c, const struct tiles *t, const st
         row_cover(d + from, s + from, to - from, add);
 }
 
-/* Rows onto the surface, tile by tile. A tile at an edge goes on into the surface's band where there is one. */
+/* Draws rows tile by tile. A tile at an edge may extend into the surface's band, if there is one. */
 static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
                       const struct shown_rows *r)
 {
@@ -177,7 +179,7 @@ static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map
         lay_cut(c, t, m, last, d + last * side, in, r->n, 0, end - last * side, add);
 }
 
-/* The same, mixed or shown otherwise, row by row. */
+/* Draws rows one at a time, through a blend or a colour table. */
 static void lay_mixed(struct draw_target *c, const struct brush *b, const struct map *m, const struct tiles *t,
                       const struct shown_rows *r)
 {
@@ -232,12 +234,12 @@ static void draw_layer(struct draw_target *c, uint32_t i, const uint8_t *shade)
     c->drawn++;
 }
 
-/* How a row of the plane is walked: place and step in Q32, both from 0 to the map's size. */
+/* A walk over the map along a row of the plane: position and step per column, Q32 px, each in [0, map size). */
 struct walk {
     int64_t u, v, du, dv;
 };
 
-/* n pixels of the map along the walk. */
+/* Copies n pixels of the map along the walk to row. Returns whether all of them come from solid tiles. */
 static bool walk_row(const struct map *m, struct walk a, int n, uint8_t *row)
 {
     const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
@@ -257,7 +259,7 @@ static bool walk_row(const struct map *m, struct walk a, int n, uint8_t *row)
     return solid;
 }
 
-/* Where row k halves from the horizon begins; s: its px of plane a pixel, Q16. */
+/* Returns the walk of a row of the plane. s: plane px per pixel of that row, Q16. */
 static struct walk walk_of(const struct bg *g, const struct map *m, int field_w, int64_t s)
 {
     const int64_t w = (int64_t)m->cols * m->side << 32, h = (int64_t)m->rows * m->side << 32;
@@ -268,7 +270,7 @@ static struct walk walk_of(const struct bg *g, const struct map *m, int field_w,
     return (struct walk){ modulo(u, w), modulo(v, h), modulo(-ahead_y, w), modulo(ahead_x, h) };
 }
 
-/* The walk from n columns farther on. */
+/* Returns the walk that starts n columns later. */
 static struct walk skipped(struct walk a, const struct map *m, int n)
 {
     a.u = modulo(a.u + n * a.du, (int64_t)m->cols * m->side << 32);
@@ -276,7 +278,7 @@ static struct walk skipped(struct walk a, const struct map *m, int n)
     return a;
 }
 
-/* Which table of fog a row is shown by: 0 none, or 1 to BG_SHADES. */
+/* Returns the fog table of a row, 1 to BG_SHADES; 0: no fog. */
 static int fog_at(const struct bg *g, int field_w, int64_t s)
 {
     if (g->fog[BG_PLANE] == BG_NO_FOG)
@@ -285,7 +287,8 @@ static int fog_at(const struct bg *g, int field_w, int64_t s)
     return depth / g->far[BG_PLANE] < BG_SHADES ? (int)(depth / g->far[BG_PLANE]) : BG_SHADES;
 }
 
-/* The table that fogs, then blackens, then shades. */
+/* Returns a table that applies fog, then the fade to black, then the shade; NULL: none of them. two and three store it.
+ * */
 static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t two[256],
                                   uint8_t three[256])
 {
@@ -324,7 +327,7 @@ static bool shown(const struct bg *g, uint32_t i, bool front)
     return g->map[i] && !(g->flags[i] & BG_HIDDEN) && !(g->flags[i] & BG_FRONT) == !front;
 }
 
-/* Does layer i hide all that is under it? */
+/* Returns whether layer i hides everything under it. */
 static bool covers(const struct board *b, uint32_t i)
 {
     struct map m;
@@ -335,7 +338,7 @@ static bool covers(const struct board *b, uint32_t i)
     return m.whole;
 }
 
-/* The frontmost layer that covers the field, or -1. */
+/* Returns the frontmost layer that covers the field, or -1. */
 static int covering(const struct board *b)
 {
     int i = (int)b->bg.s.live - 2;
@@ -353,7 +356,7 @@ bool video_bg_covers(const struct board *b)
 void video_bg(struct draw_target *c, bool front)
 {
     const struct bg *g = &c->b->bg;
-    const uint8_t *shade = front ? c->shade : NULL; /* what lies behind is shaded when back sprites are drawn too */
+    const uint8_t *shade = front ? c->shade : NULL; /* layers behind are shaded later, together with back sprites */
     const int first = front ? 0 : covering(c->b);
 
     for (int i = first < 0 ? 0 : first; i + 1 < (int)g->s.live; i++) {

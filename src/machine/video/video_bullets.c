@@ -1,12 +1,12 @@
 /*
- * video_bullets.c - draws bullets and shots, of which there may be a million.
+ * video_bullets.c - draws bullets and shots, up to a million of them.
  *
- * A counting sort, for which the chip has counted, lists every kind's bullets in slot order as destinations (stamp.h),
- * or by slot those that hang over the clip's edge. A picture that all of a kind show is then stamped in one batch;
- * where they are turned, animated or blended, their slots are listed as well, and each one's own picture is picked,
- * again in batches. Which of these a kind takes is decided once a kind, so that one that is drawn in another way slows
- * no other. When the overdraw is high, bullets are drawn front to back on a layer of the field's size: first the
- * topmost kinds that are enough to cover it, then, of the others, those that can still be seen.
+ * A counting sort, using the chip's count of live bullets per kind, lists the bullets of each kind in slot order. A
+ * bullet is listed as a destination (stamp.h), or by its slot if it overlaps the clip's edge. If all bullets of a kind
+ * show the same picture, it is stamped in one batch. If they are rotated, animated or blended, their slots are listed
+ * as well, and each bullet's own picture is selected, again in batches. The method is chosen once per kind, so that a
+ * slow kind does not slow down the others. When the overdraw is high, bullets are drawn front to back on a layer of the
+ * field's size: first the topmost kinds that suffice to cover it, then those of the others that may still be visible.
  */
 #include <assert.h>
 #include <string.h>
@@ -14,51 +14,53 @@
 #include "video.h"
 
 enum {
-    BATCH = 64,       /* pictures that are drawn in one go */
-    MANY_BANKS = 512, /* of so many bullets, every bank is taken to be in use */
-    TOP_OVERDRAW = 10 /* so often the topmost kinds would cover the field that are drawn, whatever is visible */
+    BATCH = 64,       /* pictures per batch */
+    MANY_BANKS = 512, /* bullets of a kind from which all banks are assumed to be in use */
+    TOP_OVERDRAW = 10 /* overdraw of the topmost kinds, which are drawn without a visibility test */
 };
 
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns; /* shows one of several turned copies */
-    bool along; /* the one that points along dir; turned on by spin a frame */
-    ang spin;
+    bool turns;      /* shows one of several rotated copies */
+    bool along;      /* the copy follows dir */
+    ang spin;        /* rotation per frame */
     int order, area; /* area: px of its picture */
     bool cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
-    bool alike;  /* all show one picture, opaque or by a rule */
-    bool singly; /* drawn one by one: through a blend's table, and clouds, whose ages are stretched */
-    uint32_t n;
-    size_t pixels; /* that are opaque; of a layered kind */
-    uint32_t list; /* index of its part of the list */
+    bool alike;    /* all bullets show one picture, opaque or blended by a rule */
+    bool singly;   /* bullets are drawn one by one: blended through a table, or clouds, whose ages are stretched */
+    uint32_t n;    /* live bullets */
+    size_t pixels; /* opaque px of the picture; set for layered kinds */
+    uint32_t list; /* index in lists.list of the kind's first entry */
     uint32_t less; /* as in struct stamp_list */
 };
 
 struct lists {
     struct style style[MAX_KINDS];
-    uint32_t next[MAX_KINDS];    /* where in `list` the next one goes */
-    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; of layers alone */
-    uint8_t by_slot[MAX_KINDS];  /* 1: by slot alone */
-    bool some_by_slot, some_own; /* so is some kind; some kind's bullets show pictures of their own */
-    uint16_t order[MAX_KINDS];   /* kinds that have bullets, as they draw */
+    uint32_t next[MAX_KINDS];    /* index in `list` for the kind's next bullet */
+    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; used only for layers */
+    uint8_t by_slot[MAX_KINDS];  /* 1: all the kind's bullets are listed by slot */
+    bool some_by_slot, some_own; /* some kind has by_slot set; some kind is not alike */
+    uint16_t order[MAX_KINDS];   /* kinds that have bullets, in draw order */
     uint32_t kinds;
     struct stamp stamp;
-    uint32_t *list, *slots; /* slots: of those that are listed as destinations, with some_own */
+    uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if some_own is set */
     uint8_t *layer, *cells;
 };
 
-/* What bullets are listed for: a surface, with the field's corner on it, and the pixels at which a bullet of any kind
- * needs no clipping, so that it is listed as a destination. */
+/* The surface for which bullets are listed, the field's corner on it, and the pixels of the field at which a bullet of
+ * any kind needs no clipping and so is listed as a destination. */
 struct window {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
-    uint32_t from;      /* from a bullet's pixel, as an offset, to what is listed */
-    bool clips; /* what is listed by slot is clipped when it is drawn, so all of it may be listed; and those with
-                         * pictures of their own may be listed as destinations */
+    uint32_t from;      /* added to the offset of a bullet's pixel to get its list entry */
+
+    /* Bullets listed by slot are clipped when they are drawn, so any bullet may be listed by slot, and bullets of kinds
+     * that are not alike may also be listed as destinations. False for a layer. */
+    bool clips;
 };
 
 static size_t aligned(size_t n)
@@ -114,7 +116,7 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
 }
 
-/* Is a kind drawn below another that was declared before it? By `order`, then the larger pictures are lower. */
+/* Returns whether kind a is drawn below kind b, which was declared earlier: a lower `order`, or the larger picture. */
 static bool is_lower(const struct style *a, const struct style *b)
 {
     if (a->order != b->order)
@@ -151,7 +153,7 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
     }
 }
 
-/* Where the picture of bullet i has its corner on the surface. */
+/* Finds the top left corner of bullet i's picture on the surface. */
 static void corner(const struct window *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
 {
     const struct sprite *pic = l->style[s->kind[i]].pic;
@@ -160,7 +162,8 @@ static void corner(const struct window *t, const struct lists *l, const struct b
     *y = fx_floor(s->y[i]) + t->y - pic->oy;
 }
 
-/* For how long the picture of bullet i has stood. A cloud's is stretched, so that it is over with the delay. */
+/* Returns the age of bullet i's picture, in frames. A cloud's age is stretched so that its animation ends with the
+ * delay. */
 static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
@@ -181,10 +184,10 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
     return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
 }
 
-/* Where the bullets of pictures of one shape are that need no clipping. */
+/* The positions at which bullets with pictures of one size and anchor need no clipping. */
 struct fit {
     struct stamp_corners c;
-    int dx, dy, from; /* from a bullet's pixel to the corner of its picture, counted from that; as an offset */
+    int dx, dy, from; /* from a bullet's pixel to its picture's corner minus (c.x0, c.y0); as an offset */
 };
 
 static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
@@ -202,7 +205,7 @@ static bool are_alike(const struct sprite *a, const struct sprite *b)
     return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
 }
 
-/* What fits the window fits this too. */
+/* Narrows the window to positions that also need no clipping by f. */
 static void narrow_window(struct window *t, int *from, const struct fit *f)
 {
     const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
@@ -214,12 +217,12 @@ static void narrow_window(struct window *t, int *from, const struct fit *f)
     *from = f->from > *from ? f->from : *from;
 }
 
-/* Opens the lists of order[first .. to - 1]. Kinds mostly have pictures of one shape. */
+/* Opens the lists of order[first .. to - 1]. Most kinds have pictures of the same size and anchor. */
 static struct window open_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
                                  bool clips)
 {
     struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
-    const struct sprite *seen = NULL; /* whose fit is f, and has narrowed the window */
+    const struct sprite *seen = NULL; /* the sprite of fit f, which has narrowed the window */
     struct fit f = { 0 };
     int from = INT32_MIN;
 
@@ -246,7 +249,7 @@ static struct window open_window(struct lists *l, uint32_t first, uint32_t to, c
     for (uint32_t o = first; o < to; o++)
         l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
     t.from = (uint32_t)from;
-    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* none */
+    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position fits all */
         t.x0 = t.y0 = 1;
         t.x1 = t.y1 = 0;
     }
@@ -258,8 +261,8 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
     return l->next[kind] - l->style[kind].list;
 }
 
-/* What of each bullet is listed: its offset. True: none needs clipping, whichever its kind. On each axis a range is
- * asked about in one signed comparison, as in bullets.c. */
+/* Computes the list entry of each bullet in a block, without its bank. Returns whether none of them needs clipping,
+ * whatever its kind. Each axis is range-checked with one signed comparison, as in bullets.c. */
 static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct window *t)
 {
     const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->from;
@@ -275,7 +278,8 @@ static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *re
     return !others;
 }
 
-/* And its bank. In a loop of its own, for bytes take others apart. */
+/* Adds the banks to the entries. This is a separate loop, because mixing bytes with wider values would split the
+ * vectors. */
 static void bank_block(const uint8_t *restrict bank, uint32_t *restrict at)
 {
     for (int i = 0; i < SLOTS_BLOCK; i++)
@@ -297,8 +301,8 @@ static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i
     l->list[next] = dest;
 }
 
-/* Lists bullet i, which would need clipping with some kinds: as a destination if it does not with its own, or by its
- * slot if part of it is inside the clip. */
+/* Lists bullet i, whose position would need clipping for some kind: as a destination if its own kind needs none, or by
+ * its slot if part of its picture is inside the clip. */
 static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
@@ -312,7 +316,7 @@ static void list_other(struct lists *l, const struct bullets *s, const struct wi
         list_one(l, s, i, STAMP_OTHER | i);
 }
 
-/* Lists those bullets of a block that m names, one by one. */
+/* Lists the bullets of a block whose bit in m is set, one by one. */
 static void list_some(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
 {
     for (; m; m &= m - 1) {
@@ -330,12 +334,13 @@ static void list_some(struct lists *l, const struct bullets *s, const struct win
 
 enum { RUN = 8 };
 
-/* Bullets of one kind, as rings are: no counter waits for another. */
+/* Returns whether RUN bullets are of one kind, as in rings. They can be listed together, without waiting for the kind's
+ * counter after each. */
 static bool is_run(const uint16_t *kinds)
 {
     uint64_t a, b;
 
-    if (kinds[0] != kinds[RUN - 1]) /* mostly, where they are mixed */
+    if (kinds[0] != kinds[RUN - 1]) /* the usual result when kinds are mixed */
         return false;
     memcpy(&a, kinds, sizeof a);
     memcpy(&b, kinds + 4, sizeof b);
@@ -348,7 +353,7 @@ static inline void list_slots(uint32_t *restrict slots, uint32_t first)
         slots[k] = first + k;
 }
 
-/* Lists a block of which no bullet needs clipping; own: with their slots, a constant where this is called. */
+/* Lists a block in which no bullet needs clipping. own: lists the slots as well; a constant at each call. */
 __attribute__((always_inline)) static inline void list_whole(struct lists *l, const uint16_t *kinds,
                                                              const uint32_t at[SLOTS_BLOCK], uint32_t first, bool own)
 {
@@ -373,7 +378,7 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
     }
 }
 
-/* Lists a block whose slots are all live and need no clipping, the usual case. False: it listed nothing. */
+/* Lists a block if all its slots are live and need no clipping, the usual case. Returns false if it listed nothing. */
 static bool list_block(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
@@ -396,7 +401,7 @@ static void list_all(struct lists *l, const struct bullets *s, const struct wind
             list_some(l, s, t, block, s->s.used[block]);
 }
 
-/* The bullets of a block that are of open kinds. */
+/* Returns the live bullets of a block that are of open kinds, as a mask. */
 static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
 {
     const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
@@ -425,16 +430,17 @@ static void draw_other(struct draw_target *c, const struct bullets *s, const str
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
-/* How the pictures of a kind that is turned or animated are picked: by multiplication. age * every >> AGE_BITS is the
- * quotient, for the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are below YOUNG. */
+/* Selects the pictures of a rotated or animated kind, with multiplications instead of divisions. age * every >>
+ * AGE_BITS is the exact quotient, because the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are
+ * below YOUNG. */
 struct picker {
-    uint32_t size;                         /* bytes of one */
-    uint32_t rotations, all, frames, slow; /* all: turned copies there are of each frame; slow: frames a picture */
-    uint64_t every, round;                 /* reciprocals of frames a picture, and of pictures a round */
-    ang along, spin;                       /* along: all bits, or none */
-    bool ages;                             /* the age matters */
-    unsigned shift;                        /* rotations are 2^(32 - shift); 0: they are no power of 2 */
-    ang half;                              /* of one */
+    uint32_t size;                         /* bytes of a picture */
+    uint32_t rotations, all, frames, slow; /* all: copies per animation frame; slow: ticks per animation frame */
+    uint64_t every, round;                 /* reciprocals of `slow` and of `frames` */
+    ang along, spin;                       /* along: mask for dir, all bits or none */
+    bool ages;                             /* the picture depends on the age */
+    unsigned shift;                        /* the copies number 2^(32 - shift); 0: not a power of 2 */
+    ang half;                              /* half the angle between two copies */
 };
 
 enum { AGE_BITS = 40, YOUNG = 1 << 23 };
@@ -472,7 +478,7 @@ static struct picker picker_of(const struct style *style)
                             .half = shift ? 1u << (shift - 1) : 0 };
 }
 
-/* Where bullet i's picture is, where its age matters. */
+/* Returns the offset in bytes of bullet i's picture, for a kind whose picture depends on the age. */
 static inline uint32_t picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t age = bullets_age(s, i, clock);
@@ -482,7 +488,7 @@ static inline uint32_t picked(const struct picker *p, const struct bullets *s, u
     return (frame * p->all + stamp_turn((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
 }
 
-/* Where the pictures of n bullets are. What is listed by slot is asked for as well, and not drawn. */
+/* Finds the offsets in bytes of the pictures of n bullets. Those listed by slot are included but not used. */
 static void pick(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
                  const uint32_t *restrict slots, uint32_t n, uint32_t *restrict at)
 {
@@ -500,8 +506,8 @@ static void pick(const struct draw_target *c, const struct bullets *s, const str
             at[k] = stamp_turn(dir[slots[k]], p.rotations) * p.size;
 }
 
-/* Eight pixels wide, and turned: most bullets. A store is what a row waits for, so the copy is found meanwhile; with
- * wider pictures the time is shorter where copies are picked before. */
+/* Draws rotated pictures up to 8 px wide, as most bullets are. Their rows are limited by stores, so selecting each copy
+ * in the meantime is free. For wider pictures it is faster to select the copies beforehand. */
 static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, const struct picker *p, uint32_t n)
 {
@@ -518,7 +524,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
     }
 }
 
-/* Each shows a picture of its own. */
+/* Draws a kind whose bullets show different pictures. */
 static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                      const struct style *style, uint32_t n)
 {
@@ -552,7 +558,7 @@ static void draw_singly(struct draw_target *c, const struct bullets *s, const st
         draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
 }
 
-/* A sprite's only picture, or its first. */
+/* Returns a sprite's first picture. */
 static inline struct image first_image(const struct sprite *pic)
 {
     return (struct image){ pic->pix, pic->w, pic->h, pic->pitch };
@@ -607,8 +613,8 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
     return stamp_make(&l->stamp, &image, banks);
 }
 
-/* The layer's band holds every picture that reaches into the field, so all bullets of a kind that is alike are listed
- * as destinations. */
+/* Draws the listed bullets of a kind on the layer. The layer's band has space for every picture that reaches into the
+ * field, so all bullets of a kind that is alike are listed as destinations. */
 static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
                        const struct window *t, uint16_t kind)
 {
@@ -620,7 +626,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
 
     if (style->alike) {
         bool made = make_stamp(l, style, n);
-        assert(made); /* a picture of the band's size is never too much */
+        assert(made); /* a picture that fits in the band always fits in a stamp */
         stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
         return;
     }
@@ -634,7 +640,7 @@ static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, c
     }
 }
 
-/* The kinds of order[from .. to - 1], topmost first. Returns how many bullets were listed. */
+/* Draws the kinds of order[from .. to - 1] on the layer, topmost first. Returns the number of bullets listed. */
 static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
                             struct lists *l, const struct window *t, uint32_t from, uint32_t to)
 {
@@ -647,7 +653,7 @@ static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *lay
     return n;
 }
 
-/* The cells of the layer in which a bullet of order[0 .. to - 1] may be visible. */
+/* Finds the cells of the layer in which a bullet of order[0 .. to - 1] may be visible. */
 static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_t to, struct stamp_cells *cells)
 {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -662,7 +668,7 @@ static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_
     stamp_cells_find(layer, cells, l->cells, x0, y0, x1, y1);
 }
 
-/* Of a block's bullets, those in a cell where something may be seen. */
+/* Returns the live bullets of a block that are in cells where a bullet may be visible, as a mask. */
 static uint64_t seen_ones(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
 {
     uint32_t at[SLOTS_BLOCK];
@@ -721,8 +727,8 @@ static size_t opaque_pixels(const struct image *image)
     return n;
 }
 
-/* Is the overdraw of all of them high enough? No when a picture is too large for a layer's band, or is blended with
- * what is under it. Pixels are counted only where the pictures' sizes leave a doubt. */
+/* Returns whether to draw on a layer: the bullets' opaque pixels number at least `enough`, no picture is too large for
+ * a layer's band, and none is blended. Opaque pixels are counted only if the pictures' sizes do not rule it out. */
 static bool is_layered(struct lists *l, uint64_t enough)
 {
     uint64_t most = 0, sum = 0;

@@ -1,8 +1,10 @@
 /*
- * video_lines.c - lines of text, over all else: broken into rows, aligned, letter by letter, in boxes.
+ * video_lines.c - draws lines of text over everything else: broken into rows, aligned, revealed letter by letter,
+ * boxed.
  *
- * Rows are broken as for the whole text, so that no word jumps while its letters come. A row may end at a blank, and
- * between characters of scripts that have none (from U+2E80 on), but not before a sign that closes.
+ * Rows are broken for the whole text, so that no word jumps to the next row while it is being revealed. A row may end
+ * at a space, or between characters of scripts without spaces (U+2E80 and above), but not before closing punctuation or
+ * after opening punctuation.
  */
 #include <string.h>
 #include "../../../fb/blit.h"
@@ -13,19 +15,19 @@ enum { MARGIN = 6, CELL_GAP = 1, UNSPACED = 0x2e80 };
 
 struct page {
     const struct cart *cart;
-    struct face face; /* data NULL: the cells' font */
+    struct face face; /* data NULL: the cell font is used */
     struct font font;
     const uint32_t *code;
     uint32_t n;
-    int width, height; /* of a row: px it may have, 0: any; px to the next */
+    int width, height; /* width of a row, px, 0: unlimited; distance between rows, px */
 };
 
 struct row {
-    uint32_t first, end, next; /* it shows [first, end); the next begins at `next` */
+    uint32_t first, end, next; /* the row shows codes [first, end); the next row starts at code `next` */
     int px;
 };
 
-/* A glyph of the cells' font as one of a face. */
+/* Converts a glyph of the cell font to a glyph of a face. Always returns true. */
 static bool cell_picture(const struct font *font, uint32_t code, struct face_glyph *g, int y)
 {
     *g = (struct face_glyph){ font->glyphs + (size_t)(code - (uint32_t)font->first) * CART_GLYPH,
@@ -38,8 +40,8 @@ static bool cell_picture(const struct font *font, uint32_t code, struct face_gly
     return true;
 }
 
-/* The glyph of a code: the font's own, or else, but of a blank, that of the first of `fonts` that has it, or of the
- * cells' font, at the bottom of the row. */
+/* Finds the glyph of a code in the page's font. If that has none and the code is not blank, falls back to the first of
+ * `fonts` that has one, then to the cell font, aligned with the bottom of the row. Returns false if there is none. */
 static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
 {
     const int side = p->face.data ? p->face.height : TEXT_SIDE;
@@ -72,13 +74,13 @@ static int advance(const struct page *p, uint32_t code)
     return text_blank(code) ? side / (code == 0x3000 ? 1 : 3) : side / 2 + 1;
 }
 
-/* Signs that never end one. */
+/* Returns whether a code is opening punctuation, which never ends a row. */
 static bool opens(uint32_t code)
 {
     return code == 0x300c || code == 0x300e || code == 0x3010 || code == 0xff08 || code == '(';
 }
 
-/* The row that begins at `first`. */
+/* Returns the row that starts at code `first`. */
 static struct row row_at(const struct page *p, uint32_t first)
 {
     struct row row = { first, first, first, 0 }, fit = row;
@@ -118,7 +120,7 @@ static void draw_code(struct draw_target *c, const struct page *p, uint32_t code
     }
 }
 
-/* Rows of the whole text, and the px of the widest. */
+/* Returns the number of rows of the whole text; *widest: width of the widest row, px. */
 static int measure(const struct page *p, int *widest)
 {
     int rows = 0;
@@ -183,8 +185,8 @@ static void draw_line(struct draw_target *c, uint32_t i, int x, int y)
     }
 }
 
-/* The quarter of a character twice as large, drawn with the corners that scale2x finds, so that slants are no
- * stairs. */
+/* Draws a quarter (0 to 3, row by row) of a glyph at double size into out. Corners follow the scale2x rule, so that
+ * slanted lines do not turn into stairs. */
 static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH])
 {
     const int x0 = quarter % 2 * 4, y0 = quarter / 2 * 4;
@@ -203,7 +205,7 @@ static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH])
         }
 }
 
-/* A glyph as one of 8 x 8 px; what is outside of the cell is cut off. */
+/* Returns the glyph's pixels as 8 x 8 px, cropped to the cell; `room` holds them if they have to be copied. */
 static const uint8_t *fitted(const struct face_glyph *g, uint8_t room[CART_GLYPH])
 {
     if (g->w == FIX_CELL && g->h == FIX_CELL && g->pitch == FIX_CELL && g->x == 0 && g->y == 0)
@@ -218,7 +220,8 @@ static const uint8_t *fitted(const struct face_glyph *g, uint8_t room[CART_GLYPH
     return room;
 }
 
-/* What a cell shows of its character; of a large one the quarter is made in `room`. False: nothing, or a box. */
+/* Finds the glyph that cell i shows. For a large character it is the cell's quarter, made in `room`. Returns false if
+ * there is none: the cell is blank, or shows a box. */
 static bool cell_glyph(const struct page *p, const struct fix *f, uint32_t i, uint8_t room[CART_GLYPH],
                        struct face_glyph *g)
 {

@@ -1,6 +1,6 @@
 /*
- * video_look.c - which palette of the ROM is loaded, and its tables. Nothing in RAM says so, for colours are RAM: the
- * palette is loaded that most of them come from.
+ * video_look.c - finds the ROM palette that is loaded, and its tables. RAM stores colours but not the palette they came
+ * from, so the palette that matches the most colours counts as loaded.
  */
 #include "video.h"
 

@@ -1,12 +1,13 @@
 /*
- * video_over.c - what stands between the picture and its text: the dim, plates; and the shade that a view asks for
- * between backgrounds and what matters.
+ * video_over.c - draws what is between the picture and its text (the dim and plates), and the shade with which a view
+ * dims backgrounds.
  *
- * A shade is a table of the ROM: what is drawn and blended over it afterwards finds colours of the palette as ever. The
- * dim is exact, but comes when all of the picture is drawn. Pixels are indices, and all share 256 colours, so a dim
- * cannot darken the colours of the picture alone. But few of the 256 are drawn in one frame: a colour that text or a
- * portrait has too moves to an entry that nobody draws with. Then each entry is either the picture's, and dark, or
- * theirs. Only where all entries are taken is a colour shown by the one that comes nearest.
+ * A shade is a lookup table from palette entries to darker entries of the same palette, so pictures drawn and blended
+ * over it afterwards still find the colours they expect. A dim is exact, but is applied when the whole picture has been
+ * drawn. Pixels are indices into 256 shared colours, so darkening the picture's colours would darken text as well. But
+ * a frame uses only some of the 256 entries: a colour that the picture shares with text or a portrait is moved to an
+ * unused entry, so that each entry belongs either to the dark picture or to what is drawn over it. Only when no entry
+ * is free is a dark colour replaced by the nearest one available.
  */
 #include <string.h>
 #include "../../../fb/fb.h"
@@ -27,7 +28,7 @@ static int squared(uint32_t a, uint32_t b, int shift)
     return d * d;
 }
 
-/* The entry that comes nearest to a colour; of several the first. */
+/* Returns the entry nearest to a colour, the first among equals. */
 static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
 {
     int best = 0, off = 3 * 256 * 256;
@@ -40,7 +41,7 @@ static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
     return (uint8_t)best;
 }
 
-/* The next entry from i on that nobody draws with, or COLOURS. */
+/* Returns the first entry from i that is not drawn with, or COLOURS. */
 static int next_free(const bool drawn[COLOURS], const bool over[COLOURS], int i)
 {
     while (i < COLOURS && (drawn[i] || over[i]))
@@ -48,7 +49,7 @@ static int next_free(const bool drawn[COLOURS], const bool over[COLOURS], int i)
     return i;
 }
 
-/* rgb becomes the colours of the dimmed picture; `to` tells where each that is drawn went. */
+/* Changes rgb to the colours of the dimmed picture. Sets to[i] to the entry that replaces entry i in the picture. */
 static void share_out(uint32_t rgb[COLOURS], const bool drawn[COLOURS], const bool over[COLOURS], fx share,
                       uint8_t to[COLOURS])
 {
@@ -102,7 +103,7 @@ void video_shade(const struct draw_target *c)
     }
 }
 
-/* A rectangle whose corners are rounded off: its first and last rows begin so many pixels further in. */
+/* Draws a rectangle with rounded corners: its first and last three rows are inset by in[0..2] px, outermost first. */
 static void rounded(struct fb *fb, int x, int y, int w, int h, const int in[3], uint8_t colour)
 {
     for (int k = 0; k < 3; k++) {

@@ -1,28 +1,28 @@
 /*
- * video_work.c - what a picture takes to draw, as work (vm.h), found without drawing it.
+ * video_work.c - estimates the work of drawing a picture (vm_state.h) without drawing it.
  *
- * A picture has no say in a tick, so the tick counts what drawing its frame will take, and ends in a fault where that
- * is too much. Nearly always the number of things shows that it is little; otherwise each is looked at.
+ * Drawing happens outside the tick, so the tick counts the work of drawing its frame in advance, and ends in a fault if
+ * that is too much. The number of entities nearly always shows that the work is small; otherwise each one is counted.
  */
 #include "../../base/int.h"
 #include "../lasers_run.h"
 #include "video.h"
 
-/* Pixels that are a unit of work: of a picture, of a blended one, of a plate, of a laser's line; and rows of a piece of
- * one. */
+/* Pixels per unit of work: of an opaque picture, a blended picture, a plate, a laser's line; ROW_PX: rows per unit of a
+ * laser's segment. */
 enum { SOLID_PX = 64, BLEND_PX = 8, PLATE_PX = 16, LINE_PX = 3, ROW_PX = 2 };
 
-/* Units: a pixel of a laser's round end, which takes a root, a piece of its line, a letter. */
+/* Units of work: for a pixel of a laser's round end, which takes a square root, a segment of its line, a letter. */
 enum { AN_END_PX = 1, A_PIECE = 20, A_LETTER = 30 };
 
-enum { RIM = 5 /* times that an enemy is drawn whose rim is white */ };
+enum { RIM = 5 /* times an enemy with a white rim is drawn */ };
 
 static uint64_t screen_px(const struct board *b)
 {
     return (uint64_t)b->cart.m.screen_w * (uint64_t)b->cart.m.screen_h;
 }
 
-/* Of n pictures of that sprite. */
+/* Returns the work of n pictures of that sprite. */
 static uint64_t pictures(const struct board *b, uint64_t n, uint32_t sprite, bool blend)
 {
     const struct sprite *s = &b->pictures[sprite];
@@ -73,7 +73,7 @@ static uint64_t enemies(const struct board *b)
     return work;
 }
 
-/* Sprites and plates over a dimmed picture are drawn twice. */
+/* Counts sprites and plates over a dimmed picture twice, because they are drawn twice. */
 static uint64_t sprites(const struct board *b)
 {
     const struct sprites *s = &b->sprites;
@@ -90,7 +90,7 @@ static uint64_t sprites(const struct board *b)
     return work;
 }
 
-/* Of as many letters, and a box. */
+/* Returns the work of a line of text with that many letters and a box. */
 static uint64_t text(const struct board *b, uint64_t letters)
 {
     uint64_t side = 8;
@@ -110,7 +110,7 @@ static uint64_t lines(const struct board *b)
     return work;
 }
 
-/* Of all of a laser's pieces as if each went across the field, and was round at both ends. */
+/* Returns an upper bound of a laser's work, as if each of its segments crossed the screen and had two round ends. */
 static uint64_t laser_at_most(const struct board *b, uint32_t i)
 {
     const uint64_t w = (uint64_t)b->lasers.width[i] / FX_ONE + 2, px = screen_px(b);
@@ -120,7 +120,7 @@ static uint64_t laser_at_most(const struct board *b, uint32_t i)
     return lasers_corners(b, i) * (A_PIECE + rows / ROW_PX + line / LINE_PX + 2 * end * AN_END_PX);
 }
 
-/* A way from corner to corner, px. */
+/* A vector from corner to corner, px. */
 struct way {
     int64_t x, y;
 };
@@ -134,7 +134,8 @@ static struct way way_at(const struct board *b, uint32_t i, uint32_t k)
     return (struct way){ ((int64_t)bx - ax) / FX_ONE, ((int64_t)by - ay) / FX_ONE };
 }
 
-/* May two pieces meet at more than half a right angle, and so be round there? Short ones are drawn as one. */
+/* Returns whether the line may turn by 45 degrees or more between two segments, and so have round ends there. Drawing
+ * merges short segments, so it may turn less often. */
 static bool is_sharp(struct way a, struct way b)
 {
     return a.x * b.x + a.y * b.y <= int64_abs(a.x * b.y - a.y * b.x);
@@ -174,7 +175,7 @@ static uint64_t bullets_and_shots(const struct board *b)
     return bullets(b, &b->bullet_kinds) + bullets(b, &b->shot_kinds);
 }
 
-/* What all of it takes at most, as if each picture were as large as the screen and blended. */
+/* Returns an upper bound of all work, as if each picture were as large as the screen and blended. */
 static uint64_t at_most(const struct board *b)
 {
     const uint64_t things = (uint64_t)b->bullets.s.live + b->shots.s.live + b->sparks.s.live + b->items.s.live +

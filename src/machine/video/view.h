@@ -1,5 +1,5 @@
 /*
- * view.h - what a player wants to see.
+ * view.h - the player's display settings for the picture.
  */
 #ifndef MACHINE_VIEW_H
 #define MACHINE_VIEW_H
@@ -7,28 +7,27 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* How a player wants to see the picture. It is given to draw beside RAM and reaches no tick: neither RAM nor a hash or
- * demo knows of it. */
+/* A view is passed to board_draw together with RAM. No tick sees it, so it is in no RAM, hash or demo. */
 
-/* How much darker backgrounds and back sprites are: not at all, by a quarter, a half, three quarters. */
+/* How much backgrounds and back sprites are darkened: not at all, by a quarter, a half or three quarters. */
 enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, VIEW_DIMS };
 
-/* Whom the colours are for: those who see all, or lack the cones for long (protanopia), middle (deuteranopia) or short
- * waves (tritanopia). */
+/* Colour-blind mode: off, or for players without the cones for long (protanopia), medium (deuteranopia) or short
+ * wavelengths (tritanopia). */
 enum view_colours { VIEW_ALL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
 
-enum { VIEW_SOFT = 4 /* a soft flash has a VIEW_SOFTth of its share */ };
+enum { VIEW_SOFT = 4 /* divides the share of a soft flash */ };
 
-/* All zero: the picture as it is. */
+/* All zero: the picture is not changed. */
 struct view {
     enum view_dim dim;
-    bool soft_flashes; /* of `screen.flash`; and whoever is hurt blinks softly */
+    bool soft_flashes; /* weakens `screen.flash` and the white blinking of hurt enemies */
     enum view_colours colours;
-    const uint8_t *shades; /* CART_SHADES bytes (cart.h), for a ROM that has none of its own; NULL: such a ROM's
-                              backgrounds are not dimmed */
+    const uint8_t *shades; /* CART_SHADES bytes (cart.h) for a ROM without its own; NULL: the backgrounds of such a
+                              ROM are not dimmed */
 };
 
-/* The colour (0xRRGGBB) shown for one. Greys stay as they are. */
+/* Returns the colour (0xRRGGBB) shown for rgb. Greys do not change. */
 uint32_t view_colour(enum view_colours colours, uint32_t rgb);
 
 #endif

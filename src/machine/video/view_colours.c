@@ -1,9 +1,10 @@
 /*
- * view_colours.c - the picture's colours for those who tell fewer apart.
+ * view_colours.c - colours for the colour-blind modes.
  *
- * What such an eye sees of a colour is a matrix of its red, green and blue in linear light: those of G. M. Machado,
- * M. M. Oliveira and L. A. F. Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency",
- * IEEE Transactions on Visualization and Computer Graphics 15 (2009), for a cone that is missing (severity 1.0):
+ * A colour as a colour-blind eye sees it is simulated by a matrix applied to its red, green and blue in linear light.
+ * The matrices are those of G. M. Machado, M. M. Oliveira and L. A. F. Fernandes, "A Physiologically-based Model for
+ * Simulation of Color Vision Deficiency", IEEE Transactions on Visualization and Computer Graphics 15 (2009), for a
+ * missing cone (severity 1.0):
  *
  *     protanopia    0.152286  1.052583 -0.204868    deuteranopia  0.367322  0.860646 -0.227968
  *                   0.114503  0.786281  0.099216                  0.280085  0.672501  0.047413
@@ -12,12 +13,12 @@
  *                  -0.078411  0.930809  0.147602
  *                   0.004733  0.691367  0.303900
  *
- * The colour less that is what is lost. Half of the red and blue that are lost are added to the channel that is seen
- * and weighs least in how bright a colour is: blue, and for tritanopia red, where half of the lost blue is also taken
- * from green. So red and green part where blue and yellow do, blue and yellow where red and green do, and what was
- * light stays light: how a bullet stands out from a background is hardly touched. To move all of it parts what was
- * alike little further, and makes more alike that was not. A row of numbers says what is added to a channel. Its sum is
- * 0, so a grey stays as it is.
+ * The colour minus the simulated colour is what the eye loses. Half of the lost red and blue is added to a channel that
+ * the eye does see and that contributes little to brightness: blue, and for tritanopia red, where half of the lost blue
+ * is also subtracted from green. So red and green differ along the blue-yellow axis, blue and yellow along the
+ * red-green axis, and light colours stay light: the contrast of bullets with backgrounds hardly changes. Adding all of
+ * the lost colour instead of half would separate confused colours little further, and would make more distinct colours
+ * alike. Each row of `added` is what is added to one channel. Its sum is 0, so greys do not change.
  */
 #include "view.h"
 
@@ -43,14 +44,14 @@ static const uint16_t linear[LEVELS] = {
     57105, 57646, 58190, 58737, 59287, 59840, 60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952, 65535
 };
 
-/* What is added to red, green and blue, in 65536ths of red, green and blue. */
+/* What is added to red, green and blue (rows), in 65536ths of red, green and blue (columns). */
 static const int32_t added[VIEW_COLOURS][3][3] = {
     [VIEW_PROTAN] = { [2] = { 27905, -32914, 5009 } },
     [VIEW_DEUTAN] = { [2] = { 21119, -29609, 8490 } },
     [VIEW_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
 };
 
-/* The level whose light is nearest, the darker of two; of what is beyond the ends the end. */
+/* Returns the sRGB level nearest to a linear light, the darker one of a tie. Out of range: 0 or LEVELS - 1. */
 static uint32_t level_of(int32_t light)
 {
     int lo = 0, hi = LEVELS - 1;

@@ -1,15 +1,16 @@
 /*
- * api.c - see api.h. Every API function is one C closure, `call`, which knows its entry: it checks, folds, and runs. It
- * is made when a script first reads its name, so a game has those that it uses. The tables of the API share a metatable
- * for this; pairs makes the rest of a table, so that no script can tell.
+ * api.c - see api.h. Every API function is a C closure, `call`, bound to its entry: it checks the arguments, folds them
+ * into the digest, and runs the entry. Functions are created when a script first reads their names, so a game has only
+ * those it uses. The tables of the API share a metatable for this; pairs creates the remaining functions of a table
+ * first, so scripts cannot see the difference.
  */
 #include "api.h"
 #include <string.h>
 #include "../../base/hash.h"
 #include "api_parts.h"
 
-/* Every API function. The hash of its name is folded into the digest in place of its index, so that new entries do not
- * change old demos. */
+/* The body of every API function. The digest uses the hash of the entry's name instead of its index, so that new
+ * entries do not invalidate old demos. */
 static int call(lua_State *L)
 {
     struct api_bound *f = api_bound(L);
@@ -47,7 +48,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
     int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
     for (int i = 0; i < all; i++)
         fields += v[i].given || (i < e->count && e->params[i].def);
-    lua_createtable(L, 0, fields); /* it is walked over for each bullet of a figure: no empty places */
+    lua_createtable(L, 0, fields); /* exact size: the table is iterated for each bullet of a figure */
     for (int i = n; i < all; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);
@@ -58,7 +59,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
         bool own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);
-        else if (!own || !p->def || p->type == A_FIRE) /* older library modules hand on all that they get */
+        else if (!own || !p->def || p->type == A_FIRE) /* older library modules pass on every argument they receive */
             continue;
         else if (p->type == A_BOOL)
             lua_pushboolean(L, (int)v[i].i);
@@ -73,7 +74,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
     return 1;
 }
 
-/* sys.check(name, ...): what `call` does for C entries, for those written in Lua. */
+/* sys.check(name, ...): checks the arguments of an entry written in Lua, as `call` does for C entries. */
 int api_sys_check(lua_State *L)
 {
     const struct api_entry *e = api_find(api_of(L), luaL_checkstring(L, 1));
@@ -95,7 +96,7 @@ void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f)
     lua_pushcclosure(L, f, 1);
 }
 
-enum { SEARCH = 100 /* VM instructions that a search for an entry counts for */ };
+enum { SEARCH = 100 /* VM instructions charged for searching an entry */ };
 
 void api_push_call(lua_State *L, const struct api_entry *e)
 {

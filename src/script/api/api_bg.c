@@ -1,5 +1,5 @@
 /*
- * api_bg.c - bg: the background's layers and its plane.
+ * api_bg.c - the Lua table bg: background layers and the plane.
  */
 #include <stdio.h>
 #include <string.h>
@@ -8,8 +8,8 @@
 #include "api_parts.h"
 
 enum {
-    MOST_LINES = 1024,  /* the highest field */
-    SHADE_WORK = 500000 /* VM instructions that take as long */
+    MOST_LINES = 1024,  /* the highest field, in lines */
+    SHADE_WORK = 500000 /* work of building one table of shades, in VM instructions */
 };
 
 static const char def[] = "bg.lines", fog_def[] = "plane: fog";
@@ -27,7 +27,7 @@ static void push_name(lua_State *L, const char *name)
         lua_pushnil(L);
 }
 
-/* ---- what layers and the plane share ---- */
+/* ---- shared by layers and the plane ---- */
 
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
 
@@ -217,7 +217,7 @@ static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* Makes the tables of shades that follow from `to`. */
+/* Builds the tables of shades, at offset `at`, for fading to the colour `to`. */
 static void shade(struct board *b, int at, uint32_t to)
 {
     if (!b->bg_shades.s.live)
@@ -231,7 +231,7 @@ void api_bg_shade(lua_State *L, struct board *b, bool other)
 {
     const bool fog = b->bg.fog[BG_PLANE] != BG_NO_FOG, black = b->bg.over[0];
 
-    if (fog) /* also where nothing is made: no palette is part of what a tick computes */
+    if (fog) /* charged even if no table is built, because the palette is not part of the tick's result */
         vm_charge(L, SHADE_WORK);
     if (black)
         vm_charge(L, SHADE_WORK);
@@ -320,7 +320,7 @@ static int bg_plane(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* The list of px at `at`. */
+/* Reads the list of px at stack index `at` into px. Returns its length; raises an error if it exceeds room. */
 static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
 {
     const lua_Unsigned n = lua_rawlen(L, at);
@@ -341,7 +341,8 @@ static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
     return (uint32_t)n;
 }
 
-/* Bytes of the list are folded too: a table's are not. */
+/* Sets the line offsets of layer i from the list. Folds the numbers, because the call itself does not fold the contents
+ * of a table. */
 static void set_list(lua_State *L, struct board *b, uint32_t i, int at)
 {
     fx px[MOST_LINES];
@@ -388,7 +389,7 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_param fade_params[] = { PARAM("n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL, "") };
 static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL, "") };
 
-/* Returns the frames until it is black. */
+/* Starts a fade of n frames, to black and back; 0 ends it. Returns the frames until the screen is black. */
 static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_I].i && !b->bg.over[0]) {

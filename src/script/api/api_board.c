@@ -1,5 +1,5 @@
 /*
- * api_board.c - board and rom.
+ * api_board.c - the Lua tables board and rom.
  */
 #include <math.h>
 #include <stdio.h>
@@ -9,7 +9,7 @@
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* The only parameter of each entry here. */
+/* Index of the only parameter of each entry here. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
 static const struct api_param name_opt[] = { PARAM(
@@ -92,7 +92,7 @@ static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The slots of the part that the argument names. */
+/* Returns the slots of the pool named at stack index `at`; raises an error if it is unknown. */
 static const struct slots *slots_at(lua_State *L, struct board *b, const char *entry, int at)
 {
     const struct slots *s = part_named(b, lua_tostring(L, at));
@@ -119,7 +119,7 @@ static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* A pause comes before it, and a stop that is longer; a task on its way to a practice mark passes it over. */
+/* A pause or a longer stop takes precedence; a task fast-forwarding to a practice mark ignores the stop. */
 static int board_stop(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t until = -v[ARG_FRAMES].i - 1;
@@ -197,7 +197,7 @@ static int rom_text(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Upvalue 1: what the table is called. */
+/* __newindex of a read-only table. Upvalue 1: the table's name. */
 static int read_only(lua_State *L)
 {
     const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
@@ -205,7 +205,7 @@ static int read_only(lua_State *L)
     return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read-only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
 }
 
-/* Leaves a read-only view of the table on top of the stack in its place. */
+/* Replaces the table on top of the stack by a read-only view of it. */
 static void seal(lua_State *L, const char *name)
 {
     lua_newtable(L);

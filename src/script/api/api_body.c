@@ -1,7 +1,7 @@
 /*
- * api_body.c - enemies with parts: enemy.def{ parts }, enemy.spawn{ follow }, and what goes round or wanders.
+ * api_body.c - enemies with parts: enemy.def{ parts }, enemy.spawn{ follow }, orbits and wandering.
  *
- * What a kind's parts are is kept as a text in the registry, as drops are: how deep they go, then PART_BYTES for each.
+ * The parts of a kind are stored as a string in the registry, like drops: the nesting depth, then PART_BYTES per part.
  */
 #include "../../base/bytes.h"
 #include "../../base/int.h"
@@ -37,7 +37,7 @@ static const struct api_entry part_entry = { .name = "enemy.def part", .params =
 struct body_part {
     uint16_t kind, tag;
     fx dx, dy;
-    int32_t share, hp, rate; /* hp 0, rate -1: the kind's */
+    int32_t share, hp, rate; /* hp 0, rate -1: the kind's own */
 };
 
 static struct body_part part_at(const uint8_t *p)
@@ -51,7 +51,8 @@ static struct body_part part_at(const uint8_t *p)
                                (int32_t)bytes_get32(p + 20) };
 }
 
-/* Pushes what a kind's parts are; NULL (nil is pushed): it has none. *n: how many. */
+/* Pushes the string with a kind's parts and returns it, or pushes nil and returns NULL if the kind has none. *n is the
+ * number of parts. */
 static const uint8_t *push_parts(lua_State *L, uint16_t kind, int *n)
 {
     size_t size = 0;
@@ -62,7 +63,7 @@ static const uint8_t *push_parts(lua_State *L, uint16_t kind, int *n)
     return *n ? (const uint8_t *)list : NULL;
 }
 
-/* How many parts of parts a kind has. */
+/* Returns the nesting depth of a kind's parts; 0: no parts. */
 static int deep(lua_State *L, uint16_t kind)
 {
     int n;
@@ -73,7 +74,7 @@ static int deep(lua_State *L, uint16_t kind)
     return d;
 }
 
-/* Leaves what the table on the stack says of one part, as a text. */
+/* Packs the table on the stack, which describes one part, into a string and pushes it. */
 static int read_part(lua_State *L)
 {
     struct api_value v[P_RATE + 1];

@@ -1,5 +1,5 @@
 /*
- * api_bomb.c - bomb.def, and how a player's bomb begins. When it ends, and that the button starts it: players_run.c.
+ * api_bomb.c - bomb.def, and starting a player's bomb. players_run.c ends bombs and starts them from the button.
  */
 #include <string.h>
 #include "../../base/edit.h"
@@ -7,8 +7,8 @@
 #include "../../machine/sound.h"
 #include "api_parts.h"
 
-/* Registry: a list of bombs, struct bomb, with their run under their number below 0, and their numbers by name. Only a
- * game that declares one has it. */
+/* Registry: the list of bombs, only in games that declare one. Keys: number -> struct bomb, -number -> run function,
+ * name -> number. */
 static const char bombs_key = 0;
 
 enum { MOST_BOMBS = 255, NAME_ROOM = 32 };
@@ -32,7 +32,7 @@ static const struct api_param def[] = {
     PARAM("cost", A_INT, OPT, 0, INT32_MAX, NULL, "1", "amount that the bomb takes from `stock`; 0 needs no register"),
 };
 
-/* Pushes the list; false: there is none, and nothing is pushed. */
+/* Pushes the list of bombs. Returns false, and pushes nothing, if there is none. */
 static bool push_bombs(lua_State *L)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &bombs_key) == LUA_TTABLE)
@@ -71,13 +71,13 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Pushes the list; returns bomb i (from 1 on). */
+/* Pushes the list of bombs; returns bomb i (from 1). */
 static const struct bomb *push_bomb(lua_State *L, int i)
 {
     push_bombs(L);
     lua_rawgeti(L, -1, i);
     const struct bomb *bomb = lua_touserdata(L, -1);
-    lua_pop(L, 1); /* the list keeps it */
+    lua_pop(L, 1); /* the list keeps it alive */
     return bomb;
 }
 
@@ -113,7 +113,7 @@ uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struc
     return (uint8_t)i;
 }
 
-/* Takes the cost from the stock; false: there is not enough. */
+/* Takes the cost from the stock. Returns false if the stock is too low. */
 static bool pay(lua_State *L, struct board *b, uint32_t p, const struct bomb *bomb)
 {
     const int reg = bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;

@@ -1,5 +1,5 @@
 /*
- * api_boss.c - what boss.lua and its pieces do in C: the checks of boss.def, and how often spells were tried and
+ * api_boss.c - the C half of boss.lua and its modules: the checks of boss.def, and the counts of spells tried and
  * captured.
  */
 #include <stdio.h>
@@ -10,21 +10,21 @@
 
 /* ---- boss.def ---- */
 
-/* What is being read: stack indices; and has it a last phase? */
+/* The state of reading a boss: stack indices, and whether a last phase was found. */
 struct reading {
     lua_State *L;
-    int boss, cast, ids, phases; /* cast: names of its members, 0: the boss is one */
+    int boss, cast, ids, phases; /* cast: table of its members' names, 0 if the boss is alone */
     bool last;
 };
 
-/* The field of the table at `at`; its type. */
+/* Pushes the field of the table at `at` and returns its type. */
 static int field(lua_State *L, int at, const char *name)
 {
     lua_pushstring(L, name);
     return lua_rawget(L, at);
 }
 
-/* In place of the table on top: what sys.check makes of it. */
+/* Replaces the table on top by the result of sys.check. */
 static void checked(lua_State *L, const char *entry)
 {
     lua_pushcfunction(L, api_sys_check);
@@ -34,7 +34,7 @@ static void checked(lua_State *L, const char *entry)
     lua_replace(L, -2);
 }
 
-/* The arguments of a phase; upvalue: its name in errors. */
+/* Checks the arguments of a phase. Upvalue: the entry name for errors. */
 static int check_phase(lua_State *L)
 {
     struct api_entry e = *api_find(api_of(L), "boss.def phase");
@@ -43,7 +43,7 @@ static int check_phase(lua_State *L)
     return api_checked(L, &e);
 }
 
-/* In place of the phase on top: what sys.check makes of it; errors say which it is. */
+/* Replaces the phase on top by the result of sys.check; errors name the phase. */
 static void checked_phase(lua_State *L, int number)
 {
     const int at = lua_gettop(L);
@@ -60,7 +60,7 @@ static void checked_phase(lua_State *L, int number)
     lua_settop(L, at);
 }
 
-/* Fails unless the field of the table at `at` is such a one. */
+/* Raises an error unless the field of the table at `at` matches p. */
 static void check_field(lua_State *L, const char *entry, int at, const struct api_param *p)
 {
     struct api_value v;
@@ -70,7 +70,7 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
     lua_pop(L, 1);
 }
 
-/* Alone it has its own kind and place; with a cast, each of that has. */
+/* A boss without a cast has its own kind and position; with a cast, each member has them instead. */
 static void check_alone(lua_State *L, int boss, bool alone)
 {
     static const struct api_param own[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
@@ -86,7 +86,7 @@ static void check_alone(lua_State *L, int boss, bool alone)
             lua_pop(L, 1);
 }
 
-/* The cast, checked, on top of the list; its names, by name, at r->cast. */
+/* Replaces the boss's `cast` with the checked list and pushes it, then the set of members' names (r->cast). */
 static void read_cast(struct reading *r, int list)
 {
     lua_State *L = r->L;
@@ -113,7 +113,7 @@ static void read_cast(struct reading *r, int list)
     lua_setfield(L, r->boss, "cast");
 }
 
-/* Fails over a word that names none of the cast. */
+/* Raises the error for a word that is not the name of a cast member. */
 static void no_member(struct reading *r, const char *phase, const char *what, const char *word)
 {
     lua_State *L = r->L;
@@ -144,7 +144,8 @@ static bool knows_member(lua_State *L, const char *key, const void *of)
     return is;
 }
 
-/* The field of the phase at `at`, a value of that type or, with a cast, a table of them by name, which is copied. */
+/* Checks the field of the phase at `at`: a value that matches p or, with a cast, a table of them by member name, which
+ * is replaced by a copy. */
 static void each_of_cast(struct reading *r, int at, const char *phase, const struct api_param *p)
 {
     lua_State *L = r->L;
@@ -212,7 +213,7 @@ static void check_bonus(lua_State *L, int at, const char *id)
     lua_pop(L, 1);
 }
 
-/* Pushes who leads the phase at `at`: the first of the cast who has a bar in it. */
+/* Pushes the leader of the phase at `at`: the first cast member with a bar in it. */
 static void push_leader(struct reading *r, int at)
 {
     lua_State *L = r->L;
@@ -235,7 +236,8 @@ static void push_leader(struct reading *r, int at)
     lua_settop(L, list);
 }
 
-/* What the phase at `at` does not say of its portrait is its leader's, and then the boss's. Is there one? */
+/* Fills the portraits the phase at `at` omits from its leader, then from the boss. Returns whether it has a
+ * portrait. */
 static bool read_portrait(struct reading *r, int at)
 {
     static const char *const names[] = { "portrait", "portrait_left" };
@@ -253,7 +255,7 @@ static bool read_portrait(struct reading *r, int at)
     return is_true(L, at, "portrait");
 }
 
-/* A spell with a portrait cuts in unless it says otherwise. */
+/* Sets `cut_in` for a spell with a portrait, unless the phase sets it. */
 static void read_cut_in(struct reading *r, int at, const char *id)
 {
     lua_State *L = r->L;
@@ -269,7 +271,7 @@ static void read_cut_in(struct reading *r, int at, const char *id)
     }
 }
 
-/* In place of the entry on top: the phase, checked. Talks before it stand in its `talk`. */
+/* Replaces the phase on top by the checked one. */
 static void read_phase(struct reading *r, int i)
 {
     static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL },
@@ -305,7 +307,7 @@ static void read_phase(struct reading *r, int i)
     lua_settop(L, at);
 }
 
-/* The table of talks, on top, goes to the field `talk` of what is at `at`; nil if it is empty. */
+/* Pops the table of talks into the field `talk` of the table at `at`; nil if it is empty. */
 static void give_talks(lua_State *L, int at)
 {
     if (lua_rawlen(L, -1) == 0) {
@@ -315,8 +317,8 @@ static void give_talks(lua_State *L, int at)
     lua_setfield(L, at, "talk");
 }
 
-/* The phases, checked, in place of the boss's own list; a talk stands with the phase that comes after it, and behind
- * the last with the boss. */
+/* Replaces the boss's list of phases by the checked phases. Talks are stored in the phase that follows them, those
+ * after the last phase in the boss. */
 static void read_phases(struct reading *r)
 {
     lua_State *L = r->L;
@@ -354,7 +356,7 @@ static void read_phases(struct reading *r)
 
 static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
-/* What sys.check made of boss.def's arguments becomes the boss. Has it a last phase? */
+/* Turns the checked arguments of boss.def into the boss. Returns whether it has a last phase. */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
     struct reading r = { .L = L, .boss = v[0].at };
@@ -392,13 +394,14 @@ static uint64_t name_hash(uint64_t h, const char *name)
     return hash_bytes(h, name, strlen(name) + 1);
 }
 
-/* The key of what is kept: names are too long for one, their hash is not. Scripts can hardly mean it. */
+/* Builds the nvram key of a spell's history: a hash, because the names are too long for a key. The key is one that
+ * scripts are unlikely to use. */
 static void history_key(char key[NV_KEY + 1], uint64_t of, const char *difficulty, const char *ship)
 {
     snprintf(key, NV_KEY + 1, "spell %016llx", (unsigned long long)name_hash(name_hash(of, difficulty), ship));
 }
 
-/* Tries in the upper half, captures in the lower. */
+/* Returns the tries in the upper 32 bits and the captures in the lower. */
 static uint64_t kept_at(const struct board *b, const char *key)
 {
     struct nv_value kept = nvram_get(&b->nvram, key);
@@ -414,10 +417,10 @@ static void count_one(struct board *b, const char *key, int64_t add)
     if ((add == ADD_TRY ? tries : captures) == INT32_MAX)
         return;
     keep.bits += add == ADD_TRY ? 1ull << 32 : 1;
-    nvram_set(&b->nvram, key, &keep); /* without room, what is kept stays as it was */
+    nvram_set(&b->nvram, key, &keep); /* if nvram is full, the old value remains */
 }
 
-/* The ship of the first who plays; of nobody the first that is declared. */
+/* Returns the ship of the first player in the game; without players, the first ship declared. */
 static const char *first_ship(const struct board *b)
 {
     uint16_t kind = 0;
@@ -428,7 +431,7 @@ static const char *first_ship(const struct board *b)
     return name ? name : "";
 }
 
-/* In practice, whose tries the cabinet counts, nothing is added. */
+/* Adds nothing in practice, where the cabinet counts the tries. */
 static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.m;

@@ -1,5 +1,5 @@
 /*
- * api_bullet.c - bullet and shot.
+ * api_bullet.c - the Lua tables bullet and shot.
  */
 #include "../../base/trig.h"
 #include "../../machine/sound.h"
@@ -8,13 +8,13 @@
 
 /* ---- kinds ---- */
 
-/* Places of bullet_def and of shot_def. */
+/* Indices shared by bullet_def and shot_def. */
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
-/* Of bullet_def alone. */
+/* Indices of bullet_def only. */
 enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS, D_HARMLESS };
 
-/* Of shot_def alone. */
+/* Indices of shot_def only. */
 enum { D_CANCELS = D_ORDER + 1, D_PIERCE, D_EVERY };
 
 enum { MOST_ORDER = 100 };
@@ -81,7 +81,7 @@ static const struct api_param shot_def[] = {
           "frames before the shot can hit the same target again; defaults to 6; needs `pierce`"),
 };
 
-/* The ROW_CLOUD of the kind that is declared next. */
+/* Appends the ROW_CLOUD row of the kind declared next. */
 static void declare_cloud(lua_State *L, struct bullet_kinds *k)
 {
     const struct api_shape none = { .shape = SHAPE_NONE, .rows = 1 };
@@ -90,7 +90,7 @@ static void declare_cloud(lua_State *L, struct bullet_kinds *k)
     api_kind(L, "bullet.def", &k->s, &columns, &none);
 }
 
-/* Sets the cloud of kind i. */
+/* Fills the cloud row of kind i. */
 static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 {
     const int cloud = i + ROW_CLOUD;
@@ -102,7 +102,7 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
     k->flags[i] |= KIND_CLOUDED;
 }
 
-/* Declares a kind of bullets or shots but for graze and damage; returns its index. */
+/* Declares a kind of bullet or shot, except graze and damage; returns its index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum name_kind what, const char *entry, struct api_value *v)
 {
     const struct api_shape shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS);
@@ -123,7 +123,7 @@ static int define(lua_State *L, struct bullet_kinds *k, enum name_kind what, con
     return i;
 }
 
-/* hp and what is told of their end. */
+/* Sets a kind's hp and the effects of its death. */
 static void define_hp(lua_State *L, struct board *b, int i, const struct api_value *v)
 {
     struct bullet_kinds *k = &b->bullet_kinds;
@@ -167,7 +167,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* How it goes through what it hits. */
+/* Sets how a kind of shot pierces what it hits. */
 static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const struct api_value *v)
 {
     enum { USUAL = 6 };
@@ -232,7 +232,7 @@ static const struct api_param shot_fire[] = {
     AROUND
 };
 
-enum { A_TARGET = 8 /* looking at so many is a unit of work */ };
+enum { A_TARGET = 8 /* targets examined per unit of work */ };
 
 ang api_aim(struct board *b, bool shot, fx x, fx y)
 {
@@ -242,7 +242,7 @@ ang api_aim(struct board *b, bool shot, fx x, fx y)
     return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
 }
 
-/* The player whose shot it is + 1, or 0. */
+/* Returns the number + 1 of the player who fires the shot, or 0. */
 static uint8_t shooter(const struct board *b, const struct api_value *v)
 {
     const struct api_value *by = v[FIRE_BY].given ? &v[FIRE_BY] : &v[FIRE_PLACE + PLACE_FROM];
@@ -266,7 +266,7 @@ bool api_flight(lua_State *L, struct board *b, const char *entry, const struct a
                                 .by = tasks_serial(b) };
     if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
-    if (s->player && b->player.hit[s->player - 1]) /* it cannot fire */
+    if (s->player && b->player.hit[s->player - 1]) /* a hit ship cannot fire */
         return false;
     if (v[FIRE_TAG].given)
         s->tag = api_tag(L, entry, v[FIRE_TAG].at);
@@ -330,9 +330,9 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
-enum { VISIT = 4 /* VM instructions that a visit counts for, besides those of the function */ };
+enum { VISIT = 4 /* VM instructions charged per visit, in addition to the function's own */ };
 
-/* The handles of those with the tag, in memory that Lua holds on top of the stack. */
+/* Lists the handles of entities with the tag, in a userdata pushed on the stack. */
 static const int64_t *list_tagged(lua_State *L, const struct board *b, enum handle_kind kind, const struct slots *s,
                                   const uint16_t *tags, uint32_t tag, uint32_t *n)
 {
@@ -446,7 +446,7 @@ static const struct api_prop shot_props[] = {
     { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ }
 };
 
-/* Q32 as a number: exact, for a place or a speed has 48 bits. */
+/* Pushes a Q32 number. Exact, because positions and speeds have 48 bits. */
 static void push_q32(lua_State *L, int64_t v)
 {
     lua_pushnumber(L, (double)v / 4294967296.0);
@@ -509,14 +509,14 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
     }
 }
 
-/* A script's write to dir or speed ends the running motion step's drive of it. */
+/* Ends the running motion step's control of dir or speed after a script writes it. */
 void api_override(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->step_flags[i] & STEP_BEGUN)
         s->step_flags[i] |= (uint8_t)what;
 }
 
-/* Sets x, y, vx or vy and leaves the other of the pair as it is. */
+/* Sets x, y, vx or vy and leaves the other coordinate of the pair unchanged. */
 static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
 {
     int64_t x, y;
@@ -530,7 +530,7 @@ static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
     }
 }
 
-/* A write of the place takes a bullet away from the step that leads it. */
+/* Ends the lead of the running motion step after a script writes the position. */
 static void let_go(const struct board *b, struct bullets *s, uint32_t i)
 {
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
@@ -591,7 +591,7 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
     }
 }
 
-/* The column of hp; a fault where there is none. */
+/* Returns the column hp; a fault if the pool has none. */
 static int32_t *hp_of(lua_State *L, struct board *b)
 {
     if (!b->bullets.hp)
@@ -666,7 +666,7 @@ static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
     count_tagged(L, &b->shots, tag);
 }
 
-enum { A_WRITE = 10, AN_ACT = 2, AN_AIM = 4 /* work, of a thing of a group */ };
+enum { A_WRITE = 10, AN_ACT = 2, AN_AIM = 4 /* work per entity of a group */ };
 
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
@@ -694,7 +694,7 @@ const struct api_thing api_shots_thing = { "shots", shots_props, FLIES_LAST + 1,
 enum verb { V_AIM, V_TURN, V_SHIFT, V_REMOVE };
 enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY };
 
-/* A place in Q32, moved within the world. */
+/* Returns a Q32 coordinate moved by `by`, clamped to the world. */
 static int64_t shifted(int64_t at, int64_t by)
 {
     const int64_t edge = (int64_t)WORLD << 32;
@@ -747,7 +747,7 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     if (!handle_kind_group(handle_kind(h))) {
         if (board_alive(b, h))
             act(b, shot, &targets, handle_slot(h), verb, v);
-        else if (verb == V_REMOVE && board_there(b, h)) /* held: what else it touched is spared */
+        else if (verb == V_REMOVE && board_there(b, h)) /* held: releasing it spares whatever else it touched */
             bullets_release(s, handle_slot(h));
         return 0;
     }
@@ -782,7 +782,7 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
-/* What waits for the group's tag need not have it. */
+/* Signals all bullets or shots waiting for the group's tag, which need not have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
@@ -803,7 +803,7 @@ static const struct api_param self_shift[] = { SELF_OF(FLYING), SHIFT_DX, SHIFT_
 static const struct api_param self_only[] = { SELF_OF(FLYING) };
 static const struct api_param self_group[] = { SELF_OF(1 << H_GROUP | 1 << H_SHOTS) };
 
-/* Patterns take the parameters of these two, or of lasers. */
+/* Patterns take the parameters of one of these two, or of a laser. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
         "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
@@ -821,7 +821,7 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
              "removes the entire group, or only its members in a circle, a box or a line; returns the number removed")
-/* The verbs of one and of a group; `it` names who does it. */
+/* The verbs of a single entity and of a group; `it` names the target in the help. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
         API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \

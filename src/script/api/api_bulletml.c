@@ -1,6 +1,6 @@
 /*
- * api_bulletml.c - bullet.ml: BulletML documents of the ROM. A game without room for them has no bullet.ml
- * (api_reserved.c).
+ * api_bulletml.c - bullet.ml: the BulletML documents of the ROM. bullet.ml is missing from a game with no capacity for
+ * them (api_reserved.c).
  */
 #include <string.h>
 #include "../bulletml_run.h"
@@ -26,7 +26,7 @@ enum {
 
 static const char ENTRY[] = "bullet.ml";
 
-enum { FASTEST = 64 /* px a frame of speed 1 */ };
+enum { FASTEST = 64 /* px per frame for speed 1 */ };
 
 static const struct api_param params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
@@ -50,10 +50,10 @@ static const struct api_param params[] = {
           "on_fire(b, label): called with each bullet and the label of its element; label may be nil"),
 };
 
-/* The nearest Q31.32; the range was checked. */
+/* Rounds to the nearest Q31.32; the range has been checked. */
 static int64_t q32(double v)
 {
-    const double whole = v * 4294967296.0; /* exact, below 2^51 for what is below 2^19 */
+    const double whole = v * 4294967296.0; /* exact; |v| < 2^19, so the product is below 2^51 */
 
     return fx_nearest(whole);
 }
@@ -83,7 +83,7 @@ static bool knows_label(lua_State *L, const char *key, const void *of)
     return false;
 }
 
-/* The error for the key of `kinds` on top. */
+/* Raises the error for the key of `kinds` on top of the stack. */
 static void refuse_label(lua_State *L, const struct ml *ml)
 {
     const char *label = luakeys_text(L, -1);
@@ -101,7 +101,7 @@ static void refuse_label(lua_State *L, const struct ml *ml)
     api_error(L, ENTRY, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &near, "labels"));
 }
 
-/* Reads kinds = { label = kind } into out, the kind of each label. */
+/* Reads kinds = { label = kind } into out, indexed by label. */
 static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_KINDS])
 {
     static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
@@ -117,7 +117,7 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
     }
 }
 
-/* Reads params = { $1, $2, .. }; returns how many. */
+/* Reads params = { $1, $2, .. }; returns their number. */
 static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PARAMS])
 {
     static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL };
@@ -133,13 +133,13 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
         lua_rawgeti(L, at, (lua_Integer)i + 1);
         api_fold(L, b, -1);
         api_check(L, ENTRY, &param, lua_gettop(L), &v);
-        const int64_t whole = (int64_t)v.n; /* the parts one by one: their sum has more bits than a double */
+        const int64_t whole = (int64_t)v.n; /* in two parts: a double cannot hold the sum exactly */
         out[i] = whole * ML_ONE + q32(v.n - (double)whole);
     }
     return (int)n;
 }
 
-/* A seed that is not 0. */
+/* Returns a seed other than 0, random if the argument is 0. */
 static uint32_t seed_of(struct board *b, const struct api_value *v)
 {
     return v->i ? (uint32_t)v->i : 1 + (uint32_t)board_chance(b, UINT32_MAX);
@@ -198,7 +198,7 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* { name =, labels = { .. } } of each document, in byte order of the names. */
+/* Returns { name =, labels = { .. } } for each document, in byte order of the names. */
 static int documents(lua_State *L, struct board *b, struct api_value *v)
 {
     struct ml ml;

@@ -1,5 +1,5 @@
 /*
- * api_check.c - checks arguments against the API table and words the errors.
+ * api_check.c - checks arguments against the API table and writes the error messages.
  */
 #include <assert.h>
 #include <math.h>
@@ -25,8 +25,8 @@ const char *const api_thing_names[HANDLES] = {
     "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document"
 };
 
-/* Handles are whole numbers (handle.h), and Lua has no way to refuse arithmetic with these. But what it makes of one
- * and of a fraction is as large as they are, and no argument may be. */
+/* Handles are integers (handle.h), and Lua cannot refuse arithmetic on them. A handle plus a fraction is a double in
+ * the range of handles, which no argument can reach. */
 static bool was_handle(double v)
 {
     return v >= 0x1p62 && v < 0x1p63;
@@ -95,7 +95,7 @@ static void check_int(lua_State *L, const char *entry, const struct api_param *p
         expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
 }
 
-/* The number that was looked at; of what is none, 0. */
+/* Returns the number in v; 0 if it is not a number. */
 static double number_of(const struct api_value *v)
 {
     double d;
@@ -117,7 +117,7 @@ static void check_number(lua_State *L, const char *entry, const struct api_param
         expected_number(L, entry, p, at, "a number");
 }
 
-/* An end of a span; `what` words the error. */
+/* Returns an end of a span; `what` is the expected form in the error. */
 static lua_Integer check_end(lua_State *L, const char *entry, const struct api_param *p, int at, int i,
                              const char *what)
 {
@@ -163,7 +163,7 @@ static void check_type(lua_State *L, const char *entry, const struct api_param *
         expected(L, entry, p, at, what);
 }
 
-/* lo and hi bound the length in bytes; hi 0: any. */
+/* Checks a string. lo and hi bound its length in bytes; hi 0: no bound. */
 static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     char what[64];
@@ -203,7 +203,7 @@ static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kin
                                           "spark kind",  "item kind", "laser kind", "option kind" };
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
-/* The noun of a kind of another sort that has that name; NULL: there is none. */
+/* Returns the noun of another sort of kind that has that name, or NULL. */
 static const char *kind_elsewhere(lua_State *L, const char *name)
 {
     for (int k = 0; k < KIND_NOUNS; k++)
@@ -212,7 +212,7 @@ static const char *kind_elsewhere(lua_State *L, const char *name)
     return NULL;
 }
 
-/* A name that was declared: its index, or an error with the nearest one. */
+/* Sets v->i to the index of a declared name; raises an error with the nearest one if it is unknown. */
 static void check_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
                        enum name_kind what, const char *noun)
 {
@@ -231,7 +231,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     api_hint_begin(&near, lua_tostring(L, at));
     for (uint32_t i = 0; i < vm_board(L)->names[what].n; i++) {
         const char *known = board_name(vm_board(L), what, (int)i);
-        if (known) /* NULL: a row that belongs to another kind, as its cloud or a picture */
+        if (known) /* NULL: a row that belongs to another kind, such as its cloud or a picture */
             api_hint_add(&near, known);
     }
     api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "declared"));
@@ -299,7 +299,7 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
     api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
 }
 
-/* A name of rom.lua's `list`; the number of its place, or 0. */
+/* Sets v->i to 1 + the index of a sound or a piece of music in rom.lua. */
 static void check_tune(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
@@ -331,7 +331,7 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const downs[] = { "all", "any" },
                          *const asks[] = { "settings", "replays", "practice", "keys" };
 
-/* By FIRES_. */
+/* Word lists by enum api_type. fire_words is by FIRES_. */
 
 static const struct word_list {
     const char *const *words;
@@ -357,7 +357,7 @@ const char *const *api_type_list(enum api_type type, int *n)
     return has ? WORDS[type].words : NULL;
 }
 
-/* One word of the type's list. */
+/* Sets v->i to the index of the word in the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct word_list *w = &WORDS[p->type];
@@ -413,7 +413,7 @@ static void check_declared(lua_State *L, const char *entry, const struct api_par
     check_name(L, entry, p, at, v, (enum name_kind)k, kind_nouns[k]);
 }
 
-/* Types whose check is Lua's. */
+/* Checks types that correspond to a Lua type. */
 static void check_lua_type(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     static const struct {
@@ -439,7 +439,7 @@ static void check_any(lua_State *L, const char *entry, const struct api_param *p
         expected(L, entry, p, at, "a value");
 }
 
-/* A form of it; what stands in the form, the shape's reader checks. */
+/* Accepts a table or a string; api_hit checks the contents. */
 static void check_hit(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     (void)v;
@@ -449,7 +449,7 @@ static void check_hit(lua_State *L, const char *entry, const struct api_param *p
 
 typedef void check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
-/* By type; a new one has its row here, and in WORDS if it is one of a few words. */
+/* The check of each type. A new type needs a row here, and in WORDS if it is a word list. */
 static check *const CHECKS[] = {
     [A_INT] = check_int,
     [A_COUNT] = check_int,
@@ -515,16 +515,16 @@ static double default_of(const struct api_param *p)
 
     if (!s)
         return 0;
-    while (*s >= '0' && *s <= '9') /* nearly all; strtod takes several times as long */
+    while (*s >= '0' && *s <= '9') /* nearly all defaults; strtod takes several times as long */
         n = 10 * n + (*s++ - '0');
     return *s ? strtod(p->def, NULL) : n;
 }
 
-/* Numbers keep their default as text, as Lua spells it. */
+/* Sets v to the default, which is stored as text in Lua syntax. */
 void api_fill_default(const struct api_param *p, struct api_value *v)
 {
     if (!p->def || (p->def[0] == '0' && !p->def[1]) || (p->type == A_BOOL && p->def[0] == 'f'))
-        return; /* nearly all: v is 0 and false already */
+        return; /* most defaults: v is already 0 or false */
     v->n = default_of(p);
     v->i = (int64_t)v->n;
     if (p->type == A_FX)
@@ -550,8 +550,8 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
     return i < e->count ? &e->params[i] : &fire->params[i - e->count];
 }
 
-/* Whose parameters a call takes besides its own: of a pattern, by the field `fire` of its table at `at`. A wrong word
- * there is found when that argument is checked. */
+/* Returns the entry whose parameters a call takes in addition, for a pattern by the field `fire` of the table at `at`.
+ * A wrong word is reported when that argument is checked. */
 const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at)
 {
     if (!(e->flags & API_FIRE))
@@ -574,7 +574,7 @@ const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int a
     return api_of(L)->fire[found];
 }
 
-/* An entry's own parameter hides one of `fire` of the same name, because it comes first. */
+/* The entry's own parameter precedes one of `fire` with the same name, so the own parameter wins. */
 int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name)
 {
     int n = api_param_count(e, fire);
@@ -592,7 +592,7 @@ bool api_step_word(lua_State *L, const char *name)
     return api_search_param(api_find(api_of(L), "motion.def step"), NULL, name) >= 0;
 }
 
-/* The error for the stray key on top. */
+/* Raises the error for the unknown key on top of the stack. */
 static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire)
 {
     const struct board *b = vm_board(L);
@@ -618,13 +618,13 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "arguments"));
 }
 
-/* What a call takes. */
+/* The parameters and values a call takes. */
 struct taken {
     const struct api_entry *e, *fire;
     enum name_kind values;
 };
 
-/* The place of that argument among the parameters, and the declared values behind them; -1: there is none. */
+/* Returns the index of the argument, parameters first, then declared values; -1: unknown. */
 static int argument(lua_State *L, const struct taken *t, const char *key)
 {
     const int i = key ? api_search_param(t->e, t->fire, key) : -1;
@@ -641,7 +641,8 @@ static bool knows_argument(lua_State *L, const char *key, const void *of)
     return argument(L, of, key) >= 0;
 }
 
-/* Spreads the table of named arguments at `at` over the stack behind it, a slot a parameter, and looks at them. */
+/* Spreads the table of named arguments at `at` over the stack above it, one slot per parameter, and reads the
+ * parameters into v. */
 static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, struct api_value *v)
 {
     const struct taken taken = { e, fire, api_value_names(fire ? fire : e) };
@@ -663,7 +664,7 @@ static void spread(lua_State *L, const struct api_entry *e, const struct api_ent
         unknown(L, e, fire);
 }
 
-/* Checks the declared values among the arguments, which stand from stack index `at` on. */
+/* Checks the declared values among the arguments, from stack index `at` on. */
 static void check_values(lua_State *L, const struct api_entry *e, enum name_kind names, int at, struct api_value *v)
 {
     for (int k = 0; k < api_values(vm_board(L), names); k++) {
@@ -674,7 +675,7 @@ static void check_values(lua_State *L, const struct api_entry *e, enum name_kind
     }
 }
 
-/* Does a task run the library's function itself, not through one of the game? */
+/* Returns whether a task calls the library function directly, with no game function on the stack. */
 static bool runs_bare(lua_State *L)
 {
     lua_Debug ar;
@@ -687,7 +688,7 @@ static bool runs_bare(lua_State *L)
     return true;
 }
 
-enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments for which, and for what is done with them, a C function has room */
+enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments that fit, with working room, in a C function's guaranteed stack */
 
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
@@ -720,7 +721,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         }
     } else if (top < e->plain)
         lua_settop(L, e->plain);
-    bool lenient = false; /* with `each`, something else than `fire` may be called */
+    bool lenient = false; /* set once `each` is given: the function may call something other than `fire` */
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fire, i);
         if (i < e->plain)

@@ -1,5 +1,5 @@
 /*
- * api_drops.c - lists of the items that enemies, bullets and phases drop.
+ * api_drops.c - lists of items dropped by enemies, bullets and boss phases.
  */
 #include <stdio.h>
 #include "../../base/bytes.h"
@@ -19,9 +19,9 @@ int64_t api_named_number(lua_State *L, const char *entry, const char *what, int 
     return v.i;
 }
 
-enum { DROP_BYTES = 4 /* of a list's entry: kind and number, 16 bits each */ };
+enum { DROP_BYTES = 4 /* bytes per list entry: kind and number, 16 bits each */ };
 
-/* Is it a list that api_drops may have made? */
+/* Returns whether the string has the format of a list made by api_drops. */
 static bool is_list(const struct board *b, const uint8_t *list, size_t size)
 {
     if (!list || size % DROP_BYTES || size > MOST_ITEM_NAMES * DROP_BYTES)
@@ -32,7 +32,7 @@ static bool is_list(const struct board *b, const uint8_t *list, size_t size)
     return true;
 }
 
-/* Of a list that an enemy, a bullet or a phase drops. */
+/* The way enemies, bullets and phases drop a list. */
 static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
 
 void api_push_drops(lua_State *L, const char *entry, int at)

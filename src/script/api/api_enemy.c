@@ -1,5 +1,5 @@
 /*
- * api_enemy.c - enemy.
+ * api_enemy.c - the Lua table enemy.
  */
 #include "../../base/trig.h"
 #include "../events_run.h"
@@ -162,7 +162,8 @@ static const struct api_param spawn[] = {
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
 
-/* A task owned by enemy h: the function at `at` gets h, then the n values on top of the stack (popped). */
+/* Starts a task owned by enemy h. The function at stack index `at` receives h, then the n values on top of the stack
+ * (popped). */
 static void start_task(lua_State *L, struct board *b, int64_t h, int n)
 {
     lua_pushinteger(L, h);
@@ -170,7 +171,7 @@ static void start_task(lua_State *L, struct board *b, int64_t h, int n)
     tasks_start(b, L, h, n + 1);
 }
 
-/* A game without the module path has no routes. */
+/* Raises `message` in a game without the module path, because it has no routes. */
 void api_push_routes(lua_State *L, const char *entry, int at, const char *message)
 {
     lua_pushglobaltable(L);
@@ -187,7 +188,8 @@ void api_push_routes(lua_State *L, const char *entry, int at, const char *messag
     lua_pop(L, 1);
 }
 
-/* Routes belong to path.lua: path.place says where one starts, path.travel follows it and removes the enemy. */
+/* Starts an enemy's route. path.lua implements routes: path.place returns the start position, path.travel follows the
+ * route and removes the enemy. */
 static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
@@ -218,7 +220,7 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
     start_task(L, b, h, 4);
 }
 
-/* Its own drops; without items, it may have none. */
+/* Sets the drops of enemy i. Does nothing in a game without items, unless drops are given (an error). */
 static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct api_value *drops)
 {
     if (drops && drops->given)
@@ -252,7 +254,7 @@ void api_enemy_run(lua_State *L, struct board *b, uint32_t i)
         start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
-/* Where it is to come. False: what it is placed by is dead. */
+/* Reads the spawn position. Returns false if the thing that places the enemy is dead. */
 static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     const struct api_value *at = v + S_PLACE;
@@ -276,7 +278,7 @@ static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v
     return true;
 }
 
-/* What enemy.spawn says of a new enemy. */
+/* Applies the arguments of enemy.spawn to a new enemy. */
 static void set_spawned(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
     struct enemies *e = &b->enemies;
@@ -348,7 +350,7 @@ static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
     return api_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
 }
 
-/* Is enemy i alive, and has it the tag (0: any)? */
+/* Returns whether enemy i is alive and has the tag (0: any). */
 static bool in_group(const struct board *b, uint32_t i, uint32_t tag)
 {
     return !(b->enemies.flags[i] & ENEMY_GONE) && api_has_tag(b->enemies.tag, i, tag);
@@ -389,7 +391,7 @@ enum {
     PROPS = P_BODY + BODY_FOLLOW + 1
 };
 
-/* The last is of groups alone. */
+/* The last is for groups only. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
             "horizontal position in the field; a write teleports the enemy and ends its move"),
@@ -598,7 +600,8 @@ static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     enemies_shift(&b->enemies, i, v[SHIFT_X].f, v[SHIFT_Y].f);
 }
 
-/* The player a script's damage or kill counts for: the one given, else the nearest living one, 1 or 2; 0: none. */
+/* Returns the player, 1 or 2, credited with damage or a kill by a script: the one given, otherwise the nearest living
+ * one; 0: none. */
 static uint32_t credit(const struct board *b, uint32_t i, const struct api_value *player)
 {
     struct targets t = board_players(b);
@@ -616,8 +619,8 @@ static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api
     events_enemy_die(b, L, i, credit(b, i, &v[KILL_PLAYER]));
 }
 
-/* A death runs on_death, which may remove others and spawn new ones in their slots: so those that live now are listed
- * first, and each is asked whether it still does. */
+/* Applies the verb to each enemy of a group. A death runs on_death, which may remove enemies and spawn others in their
+ * slots, so the live enemies are listed first, and each is checked again before its turn. */
 static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
 {
     int list = lua_gettop(L) + 1;
@@ -676,7 +679,7 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_act(L, b, kill_one, v);
 }
 
-/* Takes also those that leave in this frame: what else they touched is spared. */
+/* Also removes enemies that despawn in this frame; whatever else they touched is spared. */
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
@@ -694,7 +697,7 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The verbs of one and of a group; `it` names who does it. */
+/* The verbs of a single enemy and of a group; `it` names the target in the help. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \

@@ -1,5 +1,5 @@
 /*
- * api_enemy.h - what the functions of enemies share: api_enemy.c, and api_body.c for those with parts.
+ * api_enemy.h - declarations shared by api_enemy.c and api_body.c (enemies with parts).
  */
 #ifndef SCRIPT_API_ENEMY_H
 #define SCRIPT_API_ENEMY_H
@@ -8,27 +8,27 @@
 
 enum { MOST_RATE = ENEMY_MOST_RATE / ENEMY_WHOLE };
 
-/* What a verb does with one enemy; and with the enemy or group that is its first argument. */
+/* A verb acts on enemy i; api_enemy_act applies it to the enemy or group in the first argument. */
 typedef void api_enemy_verb(lua_State *L, struct board *b, uint32_t i, const struct api_value *v);
 int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v);
 
-/* A new enemy, without the task of its kind, or NO_SLOT. */
+/* Spawns an enemy without starting the task of its kind. Returns its slot, or NO_SLOT. */
 int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner);
 
-/* Starts its kind's run, if it has one. */
+/* Starts the run function of enemy i's kind as a task, if the kind has one. */
 void api_enemy_run(lua_State *L, struct board *b, uint32_t i);
 
-/* Keeps the parts that the table at `at` says for a kind. */
+/* Stores the parts listed in the table at `at` for a kind. */
 void api_body_define(lua_State *L, int32_t kind, int at);
 
-/* Raises if a new part of a kind would be too deep. */
+/* Raises an error if a new part of a kind would be nested too deep. */
 void api_body_check_depth(lua_State *L, const struct board *b, uint16_t kind, int64_t body);
 
-/* Brings the parts of a new enemy's kind, and theirs; then starts their tasks. */
+/* Spawns the parts of a new enemy, and their parts in turn; run_parts then starts their tasks. */
 void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body);
 void api_body_run_parts(lua_State *L, struct board *b, uint32_t body);
 
-/* Properties, where there are bodies. set raises if i is no part, but for its rate. */
+/* Properties that need bodies. set raises an error if i is not a part, except for its rate. */
 enum api_body_prop { BODY_RATE, BODY_DX, BODY_DY, BODY_SHARE, BODY_FOLLOW };
 void api_body_get(lua_State *L, const struct board *b, uint32_t i, enum api_body_prop p);
 void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop p, fx v);

@@ -1,5 +1,5 @@
 /*
- * api_error.c - errors of the API, and the script digest: what calls had as arguments and results.
+ * api_error.c - API errors, and the script digest of the arguments and results of calls.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
     return vm_fault(L, FAULT_SCRIPT, "%s: %s", entry, message);
 }
 
-/* ---- places, for errors that are found later than they were made ---- */
+/* ---- places of calls, for errors found later ---- */
 
 static const char places_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
 
@@ -55,7 +55,7 @@ int api_error_at(lua_State *L, const char *entry, const char *name, const char *
 
 /* ---- the script digest ---- */
 
-enum { FOLDED = 8 /* bytes of a text that count as a VM instruction */ };
+enum { FOLDED = 8 /* bytes of text charged as one VM instruction */ };
 
 void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
 {

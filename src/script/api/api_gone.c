@@ -1,5 +1,5 @@
 /*
- * api_gone.c - what Lua has elsewhere and this board has not, and what to use instead: for `check`, and for faults.
+ * api_gone.c - standard Lua names that this board lacks, and what to use instead; for `check` and for faults.
  */
 #include <string.h>
 #include "api_parts.h"

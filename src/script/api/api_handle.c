@@ -6,7 +6,7 @@
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* Registry: a table a kind of handle, of names that were read: a method, or false for a name that is none. */
+/* Registry: a table per kind of handle, of names read so far -> method, or false if the name is not a method. */
 static const char methods_key[HANDLES] = { 0 };
 
 bool api_push_method(lua_State *L, int kind, const char *name)
@@ -45,14 +45,14 @@ bool api_property(const struct api_thing *t, const char *name)
     return search_prop(t, name, &unused) != NULL;
 }
 
-/* The property of that name, if it stands where one was found last; else NULL. No verb has a property's name. */
+/* Returns the property of that name if the guess is right, otherwise NULL. No verb has the name of a property. */
 static const struct api_prop *prop_guessed(const struct api_thing *t, const uint8_t *guess, const char *name)
 {
     return *guess < t->n && !strcmp(t->props[*guess].value.name, name) ? &t->props[*guess] : NULL;
 }
 
-/* The guess for a property of things of that kind; reads and writes have theirs, so that the first read of a name
- * always goes the same way. */
+/* Returns the guess for a property of that kind of thing. Reads and writes have separate guesses, so that the first
+ * read of a name always takes the same path. */
 static uint8_t *prop_guess(struct board *b, enum handle_kind kind, bool write, const char *name, size_t n)
 {
     return &b->vm.guesses.props[api_guess(name, n, (unsigned)kind + (write ? HANDLES : 0))];
@@ -97,7 +97,7 @@ static int no_property(lua_State *L, const struct api_thing *t, int kind, const 
     return vm_fault(L, FAULT_SCRIPT, "%s has no property \"%s\"", api_thing_names[kind], name);
 }
 
-/* The error for a write to what can only be read or called: a property, a verb, alive. */
+/* Raises the error for writing a name that can only be read or called: a property, a verb, `alive`. */
 static int read_only(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     if (api_push_method(L, kind, name))
@@ -109,7 +109,7 @@ static int read_only(lua_State *L, const struct api_thing *t, int kind, const ch
     return no_property(L, t, kind, name);
 }
 
-/* The number of a declared value of that kind of thing, or NO_SLOT. */
+/* Returns the index of a declared value of that kind of thing, or NO_SLOT. */
 static int value_named(lua_State *L, const struct board *b, enum handle_kind kind, const char *name)
 {
     enum name_kind names = api_value_names_of(kind);
@@ -117,7 +117,7 @@ static int value_named(lua_State *L, const struct board *b, enum handle_kind kin
     return api_values(b, names) ? api_names_find(L, names, name) : NO_SLOT;
 }
 
-/* The pool of things of that kind, or that such a group is of. */
+/* Returns the pool of that kind of thing, or of a group's members. */
 static const struct slots *pool(const struct board *b, enum handle_kind kind)
 {
     switch (kind) {
@@ -138,7 +138,7 @@ static const struct slots *pool(const struct board *b, enum handle_kind kind)
     }
 }
 
-/* The tags of its things. */
+/* Returns the tags of the members of a group. */
 static const uint16_t *tags_of(const struct board *b, enum handle_kind group)
 {
     return group == H_GROUP   ? b->bullets.tag
@@ -191,13 +191,13 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
     return 0;
 }
 
-/* Properties that rom.lua switches on. */
+/* Properties that must be enabled in rom.lua. */
 enum { ENEMIES = 1 << H_ENEMY | 1 << H_ENEMIES };
 static const struct {
     const char *name;
-    unsigned of;      /* kinds of handles */
-    int group;        /* of columns */
-    const char *word; /* of rom.lua */
+    unsigned of;      /* mask of handle kinds */
+    int group;        /* column group (GROUP_) */
+    const char *word; /* the setting in rom.lua */
 } switched[] = {
     { "frozen",
       1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_ITEM | 1 << H_LASER | 1 << H_GROUP | 1 << H_SHOTS |
@@ -210,7 +210,7 @@ static const struct {
     { "dy", ENEMIES, GROUP_BODIES, "bodies" },
 };
 
-/* One that is off is an error, whether anything is there to have it or not. */
+/* Raises a fault if the property is disabled, even if the thing does not exist. */
 static void check_on(lua_State *L, const struct board *b, const struct api_thing *t, enum handle_kind kind,
                      const char *name)
 {
@@ -221,7 +221,7 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
                      switched[i].word);
 }
 
-/* Of a thing that is there, and of a player's properties that last. */
+/* Pushes a property of a thing that exists, or one that lasts of a player who is out; otherwise nil. */
 static int push_property(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int p)
 {
     const struct api_prop *prop = &t->props[p];
@@ -233,7 +233,7 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     return 1;
 }
 
-enum { A_READ = 4, A_WRITE = 6 /* work, beside the instruction; the next look of the guard compares the sum */ };
+enum { A_READ = 4, A_WRITE = 6 /* work in addition to the VM instruction; the guard compares the sum later */ };
 
 static int get_property(lua_State *L)
 {
@@ -272,7 +272,7 @@ static int get_property(lua_State *L)
     return push_property(L, b, t, h, p);
 }
 
-/* A register stops at its least, whatever is taken from it, and at its most, whatever is added. */
+/* Sets a register; the value is clamped to its min and max. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
     const uint32_t row = board_register_row(b, slot, (uint32_t)reg);
@@ -324,6 +324,6 @@ void api_open_handles(lua_State *L)
     lua_pushinteger(L, 0);
     lua_pushcfunction(L, get_property);
     lua_pushcfunction(L, set_property);
-    lualib_seal(L); /* of the number type */
+    lualib_seal(L); /* the metatable of the number type */
     lua_pop(L, 1);
 }

@@ -1,13 +1,13 @@
 /*
- * api_hint.c - tables with names: which key an error blames, and what it suggests: the nearest word that is known, or,
- * where none is near, all of them, if they are few.
+ * api_hint.c - tables with named keys: which key an error reports, and its suggestion: the nearest known name or, if
+ * none is near, all known names if there are few.
  */
 #include <stdio.h>
 #include <string.h>
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-enum { WHOLE = 100 }; /* characters of a list that is still read */
+enum { WHOLE = 100 }; /* characters of the longest list worth printing */
 
 void api_hint_begin(struct api_hint *h, const char *word)
 {
@@ -37,9 +37,9 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
 
 /* ---- globals ---- */
 
-enum { SHORT_NAME = 2 /* bytes of a name that is like too many others */ };
+enum { SHORT_NAME = 2 /* bytes; a name this short resembles too many others */ };
 
-/* Of what the code at level 1 sees, the local or the upvalue whose name is nearest. */
+/* Suggests the nearest local or upvalue visible to the code at level 1. */
 static void near_local(lua_State *L, const char *name, int *best, const char **found)
 {
     const char *local;

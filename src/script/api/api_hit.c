@@ -1,5 +1,5 @@
 /*
- * api_hit.c - hit shapes, as kinds have them: `hit = { circle = 3 }`.
+ * api_hit.c - the hit shapes of kinds: `hit = { circle = 3 }`.
  */
 #include <string.h>
 #include "../../base/trig.h"
@@ -14,7 +14,7 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
     return v.f;
 }
 
-/* The one key of the table at `at`; it has no other. */
+/* Returns the only key of the table at `at`; raises an error if there are none or several. */
 static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_whose whose)
 {
     static const struct api_param keys[] = {
@@ -37,7 +37,7 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     return key;
 }
 
-/* Item i of the list on top of the stack (which stays there), a number of px or degrees. */
+/* Checks element i, px or degrees, of the list on top of the stack, which stays there. */
 static struct api_value item(lua_State *L, const char *entry, enum hit_whose whose, int i, const struct api_param *p)
 {
     struct api_value v = { 0 };
@@ -62,7 +62,7 @@ static struct api_value item(lua_State *L, const char *entry, enum hit_whose who
         name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL                                                       \
     }
 
-/* A shape reaches no further than a radius may. */
+/* Raises an error if a shape reaches further than a radius may. */
 static void check_reach(lua_State *L, const char *entry, int64_t reach)
 {
     if (reach > (int64_t)MAX_SPEED << 16)
@@ -70,7 +70,7 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
                   MAX_SPEED);
 }
 
-/* A bullet's bar lies along its dir; an enemy, which has none, gives one. */
+/* Reads a capsule. A bullet's capsule lies along its dir; an enemy, which has no dir, must give one. */
 static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
 {
     const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL };
@@ -110,7 +110,7 @@ static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, 
     }
 }
 
-/* The shape that was drawn with a sprite, whose name is on top of the stack. */
+/* Reads the hit shape drawn with the sprite whose name is on top of the stack. */
 static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
 {
     const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, NULL };

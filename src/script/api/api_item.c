@@ -1,5 +1,5 @@
 /*
- * api_item.c - item.
+ * api_item.c - the Lua table item.
  */
 #include <string.h>
 #include "../../base/trig.h"
@@ -33,7 +33,7 @@ static const struct api_param def[] = {
 
 static const char DEF[] = "item.def";
 
-/* The number of a register among those that items give or fill. */
+/* Returns the number of a register among those that items give or fill, adding it if it is new. */
 static int register_number(lua_State *L, const char *name)
 {
     int i = api_names_find(L, N_ITEM_REGISTER, name);
@@ -114,7 +114,7 @@ static bool has_most(const struct board *b, uint32_t row)
     return registers_rule(&b->registers, row).most != REGISTER_MOST;
 }
 
-/* Has any ship, or the run, a register of that name with a max? */
+/* Returns whether any ship, or the run, has a register of that name with a max. */
 static bool can_fill(lua_State *L, const struct board *b, const char *name)
 {
     const int of_run = api_run_register(L, name);
@@ -127,7 +127,7 @@ static bool can_fill(lua_State *L, const struct board *b, const char *name)
     return of_run >= 0 && has_most(b, b->registers.first + (uint32_t)of_run);
 }
 
-/* Neither a ship nor the run has the item's register r. */
+/* Raises the error for the items' register r, which neither a ship nor the run has. */
 static void refuse_register(lua_State *L, const struct board *b, int r)
 {
     const struct item_kinds *k = &b->item_kinds;
@@ -212,7 +212,7 @@ static int item_group(lua_State *L, struct board *b, struct api_value *v)
 
 enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
 
-/* The last is of groups alone. */
+/* The last is for groups only. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position in the field"), PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position in the field"), PROP_WRITE },
@@ -300,7 +300,7 @@ static const struct api_param self[] = { SELF };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
 
-/* A player that is dead or not in the game attracts nothing. */
+/* Pulls item i to the given player, or to the nearest. A player who is dead or not in the game attracts nothing. */
 static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct targets t = board_players(b);
@@ -317,7 +317,7 @@ static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
     slots_drop(&b->items.s, i);
 }
 
-/* For the item before the colon, or each of the group. */
+/* Applies the verb to the item before the colon, or to each of the group. */
 static void each_of(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;

@@ -1,13 +1,13 @@
 /*
- * api_laser.c - laser: kinds, beams, bolts and curves, their properties and verbs. A game without room for lasers has
- * no table `laser` (api_reserved.c).
+ * api_laser.c - the Lua table laser: kinds, beams, bolts and curves, their properties and verbs. A game with no
+ * capacity for lasers has no table `laser` (api_reserved.c).
  */
 #include <string.h>
 #include "../../base/trig.h"
 #include "../../machine/lasers_run.h"
 #include "api_parts.h"
 
-enum { FRAMES = 1000000 /* most of a warning, growth or fade */ };
+enum { FRAMES = 1000000 /* longest warning, growth or fade */ };
 
 /* ---- kinds ---- */
 
@@ -50,7 +50,7 @@ static const struct api_param laser_def[] = {
     PARAM("every", A_INT, OPT, 1, 65535, "frames", "4", "frames from one hit to the next; needs `damage`"),
 };
 
-/* The share of its width that hits, or -1: nothing does. */
+/* Returns the share of the laser's width that hits, or -1 if it hits nothing. */
 static fx read_hit(lua_State *L, int at)
 {
     static const struct api_param share = { "hit.share", A_FX, REQ, 0, 1, NULL, NULL, NULL };
@@ -105,7 +105,8 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
-/* What all three have, in this order. `owners`: whose player a laser takes by default. */
+/* Parameters shared by beams, bolts and curves, in this order. `owners`: the arguments whose player owns the laser by
+ * default, for the help. */
 #define LASER_PARAMS(owners)                                                                                           \
     PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"), PLACE,                                \
         PARAM("dir", A_DIR, OPT, 0, 0, NULL, "90",                                                                     \
@@ -129,7 +130,7 @@ enum {
     F_TAG,
     F_WIDTH,
     F_BY,
-    F_OWN, /* and what is of one alone */
+    F_OWN, /* parameters that not all have follow */
     F_SPEED = F_OWN,
     F_MOTION,
     F_DELAY,
@@ -182,7 +183,7 @@ static uint8_t player_of(const struct board *b, const struct api_value *v)
     return v->given ? board_player_of(b, v->i) : 0;
 }
 
-/* What the common arguments say of the head, which is at (x, y). */
+/* Builds the head of a laser at (x, y) from the shared arguments. */
 static struct bullet_shape head_of(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
                                    fx y)
 {
@@ -204,7 +205,7 @@ static struct bullet_shape head_of(lua_State *L, struct board *b, const char *en
     return s;
 }
 
-/* A ship that was hit fires no laser of its own. */
+/* Returns whether the shooter is a ship that was hit and the laser is one a ship shoots; it is then not fired. */
 static bool is_silent(const struct board *b, const struct bullet_shape *s)
 {
     return s->player && b->player.hit[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
@@ -221,9 +222,9 @@ static int push_laser(lua_State *L, const struct board *b, int32_t i)
     return 1;
 }
 
-enum { FADE = 12 /* frames, of what flies */ };
+enum { FADE = 12 /* frames, for bolts and curves */ };
 
-/* A bolt or a curve. */
+/* Fires a bolt or a curve. */
 static int fly(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_shape *shape)
 {
     fx x, y;
@@ -256,7 +257,7 @@ static int curve(lua_State *L, struct board *b, struct api_value *v)
     return fly(L, b, "laser.curve", v, &(struct laser_shape){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
 }
 
-/* Where a beam begins. False: what it is placed by is gone. */
+/* Reads the start of a beam. Returns false if the thing that places it is dead. */
 static bool beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     struct api_value place[PLACE_PARAMS];
@@ -472,7 +473,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     switch (p) {
     case L_X:
         lasers_place(b, i, v->f, h->y[i]);
-        api_set_flight(L, b, h, NULL, i, p, v); /* the part that is finer than an fx */
+        api_set_flight(L, b, h, NULL, i, p, v); /* sets the bits below an fx */
         return;
     case L_Y:
         lasers_place(b, i, h->x[i], v->f);
@@ -482,7 +483,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     case L_VX:
     case L_VY:
     case L_MOTION:
-        if (l->form[i] != LASER_BEAM) /* else it does not fly */
+        if (l->form[i] != LASER_BEAM) /* a beam does not fly */
             api_set_flight(L, b, h, NULL, i, p, v);
         break;
     case L_LENGTH:
@@ -607,7 +608,7 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
-/* What waits for the group's tag need not have it. */
+/* Signals all lasers waiting for the group's tag, which need not have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct motion_world w = board_world(b, false);

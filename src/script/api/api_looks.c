@@ -1,8 +1,8 @@
 /*
  * api_looks.c - the named pictures of a kind of enemy or player.
  *
- * Each is a row of the kinds' list that has no name: picture n of kind k is row k - n, and the kind's own row is
- * picture 0. So a kind without any takes nothing. Their names stay with the scripts: a table a kind.
+ * Each picture is a row without a name in the list of kinds: picture n of kind k is row k - n, and the kind's own row
+ * is picture 0, so a kind without pictures costs nothing. The names are stored in Lua, in a table per kind.
  */
 #include <stdio.h>
 #include <string.h>
@@ -53,7 +53,7 @@ void api_pictures_read(lua_State *L, const char *entry, const struct api_value *
         if (p->n == most)
             api_error(L, entry, "pictures: too many (at most %d)", most);
         lua_getfield(L, table->at, names[i]);
-        add(L, entry, p, names[i], lua_gettop(L), own); /* the table keeps the name */
+        add(L, entry, p, names[i], lua_gettop(L), own); /* the table keeps the string alive */
         lua_pop(L, 1);
     }
 }
@@ -91,7 +91,7 @@ void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const stru
     lua_pop(L, 1);
 }
 
-/* Pushes the names of a kind's pictures, or false. */
+/* Pushes the table of a kind's picture names; returns false if it has none. */
 static bool push_names(lua_State *L, enum name_kind of, int32_t kind)
 {
     return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[of]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;

@@ -1,6 +1,6 @@
 /*
- * api_motion.c - motion.def: reads a list of steps into a motion program. What the steps emit, wait_for and path say is
- * read by api_step.c.
+ * api_motion.c - motion.def: reads a list of steps into a motion program. api_step.c reads the settings of emit,
+ * wait_for and path.
  */
 #include <stdio.h>
 #include <string.h>
@@ -87,11 +87,11 @@ enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 struct reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
-    int bounces; /* open ones */
+    int bounces; /* bounces not yet closed */
     bool fine;
-    uint32_t brief; /* after which row the last step stands that lasts, but may be over at once */
+    uint32_t brief; /* number of rows up to the last step that takes time, but may end at once */
     const char
-        *brief_is; /* which, and when: "`orbit` takes no time once its thing has despawned"; NULL: there was none */
+        *brief_is; /* that step and the condition: "`orbit` takes no time once its thing has despawned"; NULL: none */
 };
 
 static const char DEF[] = "motion.def";
@@ -117,7 +117,7 @@ static bool knows_step_key(lua_State *L, const char *key, const void *of)
     return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, of);
 }
 
-/* The error for the unknown key of a step on top. */
+/* Raises the error for the unknown key of a step on top of the stack. */
 static void unknown_key(lua_State *L, int step, const char *where)
 {
     const char *name = luakeys_text(L, -1);
@@ -127,7 +127,7 @@ static void unknown_key(lua_State *L, int step, const char *where)
     api_refuse_key(L, where, &step_fields);
 }
 
-/* The number of a step that key k sets, if a value's name may stand for it; else STEP_NUMBERS. */
+/* Returns the number of a step that key k sets, if the name of a value may replace it; otherwise STEP_NUMBERS. */
 static enum step_number step_number(int k)
 {
     switch (k) {
@@ -183,7 +183,7 @@ uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
     return 0;
 }
 
-/* Reads the keys of the step table at `at` into v; a loop's list entries are left alone. Returns the names in it. */
+/* Reads the keys of the step table at `at` into v, but not a loop's list entries. Returns the names of values used. */
 static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
 {
     uint64_t named = 0;
@@ -205,7 +205,7 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
     return named;
 }
 
-/* The settings that each step that leads may have beside kind and bank. */
+/* The settings that each leading step may have and must have, in addition to kind and bank. */
 static const struct {
     int key;
     uint32_t may, must;
@@ -229,7 +229,7 @@ static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step
         step_error(L, step, "`go_to` with `over = forever` never arrives");
 }
 
-/* The key that leads, alone but for its settings; and its settings with it alone. */
+/* Raises an error if a leading key is combined with anything but its settings, or a setting lacks its leading key. */
 static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
 {
     int found = -1;
@@ -269,7 +269,7 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
                    "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
 
-/* A number of a place: itself, or a value's name. */
+/* Reads a coordinate, either a number into *out or the name of a value, which is returned as NAMED_BITS. */
 static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
     struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
@@ -284,7 +284,7 @@ static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum 
     return 0;
 }
 
-/* { x, y } at v, of go_to or at; returns the names in it. */
+/* Reads the { x, y } of go_to or at; returns the names of values used. */
 static uint64_t read_place(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
 {
     int keys = 0, top = lua_gettop(L);
@@ -303,7 +303,7 @@ static uint64_t read_place(lua_State *L, int step, const struct api_value *v, co
     return named;
 }
 
-/* Sets what a step that leads has beside the others; returns the names in it. */
+/* Sets the fields of a leading step; returns the names of values used. */
 static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
 {
     s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
@@ -317,12 +317,12 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
         s->dir = v[M_PHASE].a;
     if (v[M_POLAR].given)
         s->speed = api_units(fine, &v[M_POLAR]);
-    if (s->does & DOES_GO_TO) /* speed is its setting */
+    if (s->does & DOES_GO_TO) /* go_to uses speed as its own setting */
         s->does &= ~(uint32_t)DOES_SPEED;
     return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
 }
 
-/* v's frames; forever is the most there are. */
+/* Returns the frames in v; forever is UINT32_MAX. */
 static uint32_t frames(const struct api_value *v)
 {
     return v->i > 1000000000 ? UINT32_MAX : (uint32_t)v->i;
@@ -364,7 +364,7 @@ static void fill_step(lua_State *L, struct motion_step *s, const struct api_valu
     s->does |= named ? DOES_NAMED : 0;
 }
 
-/* The error for a loop, whose first row is `open`, that may run on without a frame of time. */
+/* Raises the error for a loop, with first row `open`, that could run without taking a frame. */
 static void untimed(lua_State *L, const struct reader *r, uint32_t open, const char *what, int step)
 {
     if (r->brief_is && r->brief > open)
@@ -372,7 +372,8 @@ static void untimed(lua_State *L, const struct reader *r, uint32_t open, const c
     step_error(L, step, what);
 }
 
-/* Checks that a loop without a frame of time inside ends, and soon. Returns the steps it runs at once. */
+/* Raises an error if a loop that takes no time does not end, or takes too many steps. Returns the steps it runs in one
+ * frame. */
 static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, bool timed, uint64_t inside,
                           int64_t count, int step)
 {
@@ -385,7 +386,7 @@ static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, b
     return inside * rounds;
 }
 
-/* The step that was read last may be over at once; `is` says when. */
+/* Notes that the last step read may end at once; `is` is the condition. */
 static bool is_brief(struct reader *r, const char *is)
 {
     r->brief = r->n;
@@ -393,7 +394,7 @@ static bool is_brief(struct reader *r, const char *is)
     return false;
 }
 
-/* Does time pass in the step that was read last? */
+/* Returns whether the last step read takes time. */
 static bool takes_time(struct reader *r, const struct motion_step *s)
 {
     if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
@@ -401,7 +402,7 @@ static bool takes_time(struct reader *r, const struct motion_step *s)
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
-/* A step whose word is `word`, beside which may stand what `may` has bits of. */
+/* Raises an error if the step `word` is combined with keys that are not in the mask `may`. */
 static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int word, uint32_t may)
 {
     for (int k = 0; k < M_KEYS; k++)
@@ -410,7 +411,7 @@ static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
                       step_keys[word].name);
 }
 
-/* Adds the legs of a route, kind and bank with the first. */
+/* Adds the legs of a route; the first one sets kind and bank. */
 static void read_path(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     const uint32_t before = r->n;
@@ -429,7 +430,7 @@ static void read_path(lua_State *L, struct reader *r, const struct api_value v[M
         step_error(L, step, "path: the route has no length; add a second point");
 }
 
-/* Reads a step that holds no others; does time pass in it? */
+/* Reads a step without nested steps; returns whether it takes time. */
 static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], uint64_t named, int step)
 {
     struct motion_step *s, rows[EMIT_ROWS];
@@ -459,7 +460,7 @@ static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M
 
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
 
-/* The walls that a list of words names. */
+/* Returns the walls named in a list of words. */
 static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
 {
     static const char *const words[] = { "left", "right", "top", "bottom" };
@@ -485,7 +486,7 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
     return walls;
 }
 
-/* The way to a wall, inside the loop of bounces that step `open` opens. */
+/* Adds the flight to a wall, inside the loop of bounces that was just opened. */
 static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
@@ -499,7 +500,7 @@ static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[
     s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
 }
 
-/* Reads a loop or bounces, with the steps inside, from the table at `at`. Returns the steps it runs at once. */
+/* Reads a loop or bounces with the nested steps from the table at `at`. Returns the steps it runs in one frame. */
 static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
                           bool *timed)
 {
@@ -532,8 +533,8 @@ static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, con
     return loop_work(L, r, open, inner, inside, v[word].i, step);
 }
 
-/* Reads the list of steps in the table at `at`; returns the most steps it runs without time passing. *timed: time
- * passes. */
+/* Reads the list of steps in the table at `at`. Returns the largest number of steps it runs without taking time; sets
+ * *timed to whether it takes any. */
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
 {
     uint64_t work = 1;
@@ -560,7 +561,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
 
 enum { HEAD_NAME, HEAD_FINE, HEADS };
 
-/* What is next to the steps: name and fine. Returns the name or NULL. */
+/* Reads the arguments next to the steps: name and fine. Returns the name or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
     static const struct api_param head[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
@@ -597,7 +598,7 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, DEF, "expected at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
         api_error(L, DEF, "too many steps in one frame");
-    uint32_t refused_before = b->steps.s.refused; /* tells which of the two pools was full */
+    uint32_t refused_before = b->steps.s.refused; /* to find out which of the two pools was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
         board_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);

@@ -1,13 +1,13 @@
 /*
- * api_names.c - the names scripts declare, tags, and suggestions for misspelt names; and the values of things, which
- * are kept and read as fx.
+ * api_names.c - declared names, tags, suggestions for misspelt names, and the declared values of things, which are
+ * stored as fx.
  */
 #include <string.h>
 #include "../../base/edit.h"
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* Registry: name -> index; and the block of a struct name_list, whose strings are those names. */
+/* Registry: name -> index; and the array of a struct name_list, which points to the same strings. */
 static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
 static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
@@ -18,7 +18,7 @@ const char *api_names_off(lua_State *L, enum name_kind what)
     return api_off(&vm_board(L)->cart.m, nouns[what]);
 }
 
-/* What is off has no names. */
+/* A disabled sort of name has no table. */
 void api_open_names(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -32,7 +32,7 @@ void api_open_names(lua_State *L)
     }
 }
 
-/* Room for n names; it doubles. */
+/* Makes room for n names; the capacity doubles. */
 static void make_room(lua_State *L, enum name_kind what, uint32_t n)
 {
     struct name_list *t = &vm_board(L)->names[what];
@@ -100,7 +100,7 @@ void api_names_push(lua_State *L, enum name_kind what, int index)
         lua_pushnil(L);
 }
 
-/* Words of other engines, and what they are called here. */
+/* Words used by other engines, and the names used here. */
 static const char *const meanings[][2] = {
     { "angle", "dir" },     { "direction", "dir" }, { "heading", "dir" },        { "velocity", "speed" },
     { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
@@ -156,7 +156,7 @@ uint16_t api_tag(lua_State *L, const char *entry, int at)
     if (i != NO_SLOT)
         return (uint16_t)i;
     i = (int)vm_board(L)->names[N_TAG].n;
-    i = i ? i : 1; /* 0: no tag */
+    i = i ? i : 1; /* tag 0 means no tag */
     if (i > 4095)
         api_error(L, entry, "tag: too many tags (at most 4095 in a run), got \"%s\"", tag);
     api_names_declare(L, N_TAG, entry, tag, i);

@@ -1,12 +1,12 @@
 /*
- * api_open.c - the globals of the API: its tables, whose functions are made when a script first reads their names.
+ * api_open.c - the globals of the API: its tables, whose functions are created when a script first reads their names.
  */
 #include <stdio.h>
 #include <string.h>
 #include "../events_run.h"
 #include "api_parts.h"
 
-/* The __index of the API's tables: a field that a game has put there is found before. */
+/* The __index of the API's tables; not called for fields that the game has set. */
 static int missing_field(lua_State *L)
 {
     const char *of = api_push_space(L, 1);
@@ -23,7 +23,7 @@ static int missing_field(lua_State *L)
     return 1;
 }
 
-/* Tables that few games name. */
+/* Tables that are created on first use, because few games use them. */
 static bool is_late(const char *space)
 {
     return !strcmp(space, "bomb");
@@ -49,8 +49,8 @@ bool api_open_late(lua_State *L, const char *name)
     return true;
 }
 
-/* What an entry needs before a script can find it: "wait" stands among the globals, "bullet.fire" needs a global table
- * bullet, but for a table that is off. */
+/* Makes an entry reachable for scripts: "wait" becomes a global, "bullet.fire" needs a global table bullet, unless that
+ * table is disabled. */
 static void install(lua_State *L, const struct api_entry *e)
 {
     const char *split = strpbrk(e->name, ".:");

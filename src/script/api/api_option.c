@@ -1,5 +1,5 @@
 /*
- * api_option.c - option.def, and what player.def says of a ship's options.
+ * api_option.c - option.def, and the options of ships in player.def.
  */
 #include <stdio.h>
 #include <string.h>
@@ -83,7 +83,7 @@ static fx place_axis(lua_State *L, const char *where, int axis)
     return v.f;
 }
 
-/* Reads { { dx, dy }, .. } at `at`; returns how many. */
+/* Reads { { dx, dy }, .. } at `at`; returns the number of places. */
 static uint32_t read_places(lua_State *L, const char *where, int at, fx place[OPTION_PLACES][2])
 {
     const lua_Unsigned n = lua_rawlen(L, at);
@@ -177,7 +177,7 @@ static enum option_style read_style(lua_State *L, const struct api_value *v)
     return (enum option_style)api_error(L, PLAYER, "options.style: expected fixed, trail or orbit, got \"%s\"", word);
 }
 
-/* What belongs to one style alone. */
+/* Raises an error for settings that belong to another style. */
 static void check_style(lua_State *L, const struct api_value *v, enum option_style style)
 {
     static const struct {
@@ -197,7 +197,7 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
 
 static const char plans_key = 0; /* registry: kind of ship -> struct option_plan */
 
-/* The list of plans stands in the heap of Lua, and so do they. */
+/* Stores a ship's plan. Both the plans and the array of pointers to them are in Lua's heap. */
 static void keep_plan(lua_State *L, struct board *b, int32_t ship, struct option_plan *plan)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &plans_key) != LUA_TTABLE) {

@@ -1,41 +1,41 @@
 /*
- * api_plan.c - the arguments of a call whose table looks like those of the calls before.
+ * api_plan.c - faster argument passing for calls whose tables have the same keys as those of earlier calls.
  *
- * What a call's arguments are, and every error about them, is api_arguments (api_check.c). A function that is called
- * again and again with a table gets a plan: which parameter came behind which one when a table was last walked over,
- * the Lua strings that are the parameters' names, and the values of what is not given. Lua keeps one string of a short
- * text, so a key that is the plan's own string is that name, and no letter is looked at. A key that a plan does not
- * know is looked up and learnt; one that is no parameter, or no text, leaves the call to api_arguments, from the
- * beginning: until then nothing was done but to read.
+ * api_arguments (api_check.c) defines the arguments of a call and raises every error about them. A function that is
+ * called repeatedly with a table gets a plan: the order of parameters in the last table that was iterated, the Lua
+ * strings of the parameters' names, and the values of omitted arguments. Lua interns short strings, so a key that is
+ * the plan's own string is that name, and no characters are compared. A key unknown to the plan is looked up and
+ * learnt; if it is not a parameter, or not a string, api_arguments processes the call from the start, since the plan
+ * has only read so far.
  *
- * A plan lives in Lua's heap, held by its function, and holds its strings. It changes no result: what it says of the
- * order is only where a search begins.
+ * A plan is in Lua's heap; its function keeps it alive, and it keeps its strings alive. It changes no result, because
+ * the order of parameters only decides where a search starts.
  */
 #include "../../base/bits.h"
 #include "api_parts.h"
 
 enum {
     WARM = 16,                /* calls before a plan is made */
-    ROOMY = LUA_MINSTACK - 3, /* places for which a C function has room behind its arguments; odd, as values' are */
-    FURTHER = 16,             /* that a function of the API may need */
+    ROOMY = LUA_MINSTACK - 3, /* stack slots a C function has above its arguments; odd, as the offsets of values are */
+    FURTHER = 16,             /* stack slots an API function may need in addition */
     KEYS = MAX_PARAMS
 };
 
 struct api_plan {
-    const struct api_entry *fire; /* whose parameters are taken besides */
-    enum name_kind names;         /* of the declared values, which stand behind the parameters */
+    const struct api_entry *fire; /* the entry whose parameters are taken in addition */
+    enum name_kind names;         /* list of the declared values, which follow the parameters */
     int n, values;
-    uint64_t required;        /* bits of parameters */
-    uint8_t follow[KEYS + 1]; /* what came behind each; the last: first of all */
-    const void *key[KEYS];    /* the Lua string of each, or the plan itself, which is no key */
-    struct api_value start[]; /* of what is not given */
+    uint64_t required;        /* mask of required parameters */
+    uint8_t follow[KEYS + 1]; /* the parameter that followed each one; last element: the first one */
+    const void *key[KEYS];    /* the Lua string of each name, or the plan's own address until it is known */
+    struct api_value start[]; /* values of omitted arguments */
 };
 
 static void fill(struct api_plan *p, const struct api_entry *e, const struct api_entry *fire)
 {
     for (int i = 0; i < p->n + p->values; i++) {
         p->key[i] = p;
-        p->start[i] = (struct api_value){ .at = e->plain + 2 }; /* a nil behind the table */
+        p->start[i] = (struct api_value){ .at = e->plain + 2 }; /* the nil above the table */
         if (i >= p->n)
             continue;
         const struct api_param *param = api_param_at(e, fire, i);
@@ -44,7 +44,7 @@ static void fill(struct api_plan *p, const struct api_entry *e, const struct api
     }
 }
 
-/* Makes the plan of f, which holds it; a plan holds its names as user values. */
+/* Makes the plan of f, which keeps it alive; the plan's user values keep its names alive. */
 static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api_entry *fire)
 {
     const struct api_entry *e = f->entry;
@@ -59,7 +59,7 @@ static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api
     return p;
 }
 
-/* The plan for this call, whose table is on top of the stack, with nothing behind it; NULL: it has none. */
+/* Returns the plan for this call, whose table must be the last argument, or NULL if there is none. */
 static struct api_plan *plan_for(lua_State *L, struct api_bound *f, const struct api_entry **fire)
 {
     const struct api_entry *e = f->entry;
@@ -76,7 +76,8 @@ static struct api_plan *plan_for(lua_State *L, struct api_bound *f, const struct
     return make(L, f, *fire);
 }
 
-/* The number of the parameter, or declared value, that the key of the two values on top names, learnt; -1: none's. */
+/* Returns the index of the parameter or declared value named by the key below the top of the stack, and stores the key
+ * in the plan; -1: unknown. */
 static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
 {
     const void *key = lua_topointer(L, -2);
@@ -87,7 +88,7 @@ static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
     if (i < p->n + p->values)
         return i;
     const char *name = luakeys_text(L, -2);
-    if (!name || (e->flags & API_FIRE && !strcmp(name, "each"))) /* with `each`, less is required */
+    if (!name || (e->flags & API_FIRE && !strcmp(name, "each"))) /* `each` makes fewer arguments required */
         return -1;
     i = api_search_param(e, p->fire, name);
     if (i < 0 && p->values > 0) {
@@ -104,8 +105,8 @@ static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
     return i;
 }
 
-/* Walks over the table at `at`: its keys and values stay on the stack, behind a nil. False: something in it is no
- * argument. */
+/* Iterates over the table at `at`. Leaves the keys and values on the stack, above a nil. Returns false if a key is not
+ * an argument. */
 static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, int at, struct api_value *v,
                  uint64_t *given)
 {
@@ -141,7 +142,7 @@ static void check(lua_State *L, const struct api_entry *e, const struct api_plan
     api_check_looked(L, e->name, &param, &v[i]);
 }
 
-/* All arguments are plain, and as many are given as there can be. */
+/* Checks a call whose arguments are all positional and all on the stack. */
 static int check_plain(lua_State *L, const struct api_entry *e, struct api_value *v)
 {
     for (int i = 0; i < e->count; i++) {

@@ -1,5 +1,5 @@
 /*
- * api_player.c - player, pad, score.
+ * api_player.c - the Lua tables player, pad and score.
  */
 #include <string.h>
 #include "../events_run.h"
@@ -69,7 +69,7 @@ static const char run_key = 0; /* registry: kind -> run */
 
 static const char needs_key = 0; /* registry: kind -> the unlock it needs */
 
-/* Keeps the value at `at` for a kind. Only a game that gives one has the table. */
+/* Stores the value at `at` for a kind. Creates the table on first use. */
 static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
@@ -95,7 +95,8 @@ void api_player_needs(lua_State *L, int32_t kind)
     lua_settop(L, top + 1);
 }
 
-/* The register, + 1, at whose most all items come: the ship's, or else one of the run. */
+/* Returns the number + 1 of the register whose max collects all items, or PLAYER_FULL_RUN + the number for a register
+ * of the run; 0: none. The ship's registers come first. */
 static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, const struct api_value *full)
 {
     const char *name = full->given ? lua_tostring(L, full->at) : NULL;
@@ -111,7 +112,7 @@ static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, 
     return (uint8_t)(of_run < 0 ? i + 1 : PLAYER_FULL_RUN + i);
 }
 
-/* How the ship attracts items. */
+/* Sets how the ship attracts items. */
 static void define_items(lua_State *L, struct board *b, int32_t kind, const struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
@@ -170,7 +171,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* sys.join: in C because it starts the kind's task. */
+/* sys.join; in C because it starts the kind's task. */
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
@@ -181,7 +182,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
         return vm_fault(L, FAULT_SCRIPT, "player %d has joined %d games; restart the board", (int)i + 1,
                         GENERATIONS - 1);
     b->player.in[i] = PLAYER_IN;
-    for (uint32_t p = 0; p <= i; p++) { /* with two in, both stand aside */
+    for (uint32_t p = 0; p <= i; p++) { /* with two players, both start off centre */
         events_player_start(b, p, &x, &y);
         if (b->player.in[p] && p != i)
             player_place(&b->player, p, x, y);
@@ -189,10 +190,10 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     registers_start(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
     api_items_check(L, b);
-    options_drop_of(&b->options, i, 0); /* of the game before */
+    options_drop_of(&b->options, i, 0); /* left over from the game before */
     b->core.extended[i] = 0;
     b->core.over = 0;
-    input_forget(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not for its ship */
+    input_forget(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not meant for the new ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
@@ -490,7 +491,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* of no more bytes than there is room for */
+    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* the parameter limits its length to that of the field */
     if (v[ENTER_SHIP].given)
         strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
     if (v[ENTER_STAGE].given)

@@ -1,5 +1,5 @@
 /*
- * api_query.c - query; and api_place, which reads the place of every fire, spawn and burst.
+ * api_query.c - the Lua table query; and api_place, which reads the position of every fire, spawn and burst.
  */
 #include <string.h>
 #include "../../machine/lasers_run.h"
@@ -28,7 +28,7 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
     return true;
 }
 
-/* A pool to ask: its places and tags. Of lasers the places are those that found() sets. */
+/* A pool to search: its positions and tags. found() computes the positions of lasers. */
 struct field {
     enum handle_kind kind;
     const struct slots *s;
@@ -63,7 +63,8 @@ static uint64_t distance_squared(const struct field *f, uint32_t i, fx x, fx y)
     return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
-/* Sorts the list of slots at `list` (1..n) by distance, then slot: heapsort in place, so no worst case. */
+/* Sinks element i of the heap in the list of slots at `list` (1..n), ordered by distance, then slot. Heapsort in place,
+ * which has no quadratic worst case. */
 static void sift(lua_State *L, int list, lua_Integer i, lua_Integer n, const struct field *f, fx x, fx y)
 {
     for (;;) {
@@ -105,9 +106,9 @@ static bool in_region(const struct board *b, const struct field *f, const struct
     return f->kind == H_LASER ? api_region_laser(b, r, i) : api_region_has(r, f->x[i], f->y[i]);
 }
 
-enum { A_CORNER = 3, A_LINE = 3, AN_ENTRY = 12, A_LEVEL = 6 /* work; the last two: of an entry that is sorted */ };
+enum { A_CORNER = 3, A_LINE = 3, AN_ENTRY = 12, A_LEVEL = 6 /* work; the last two per sorted entry */ };
 
-/* A laser's place is the one of its line that is nearest to the region's. Leaves a userdata on the stack. */
+/* Sets the position of each laser to the point on it nearest to the region's. Leaves a userdata on the stack. */
 static void place_lasers(lua_State *L, const struct board *b, struct field *f, const struct api_region *r)
 {
     const uint32_t n = f->s->top;
@@ -121,7 +122,7 @@ static void place_lasers(lua_State *L, const struct board *b, struct field *f, c
     f->y = y;
 }
 
-/* What sort_near is for n of them. */
+/* Returns the work of sort_near for n entries. */
 static uint64_t sort_work(uint64_t n)
 {
     uint64_t levels = 0;
@@ -131,7 +132,7 @@ static uint64_t sort_work(uint64_t n)
     return n * (AN_ENTRY + A_LEVEL * levels);
 }
 
-/* Pushes the list of what is in the region, nearest to its place first; `there` false: an empty one. */
+/* Pushes the list of entities in the region, nearest to its position first; `there` false: an empty list. */
 static int found(lua_State *L, struct board *b, struct field *f, uint32_t tag, const struct api_region *r, bool there)
 {
     uint32_t end = there ? f->s->used ? f->s->top : f->s->live : 0;
@@ -170,7 +171,7 @@ static int query(lua_State *L, struct board *b, const char *entry, const struct 
     return found(L, b, &f, number, &r, there);
 }
 
-/* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
+/* Calls are folded with the indices of their arguments, so newer parameters come last, to keep old demos valid. */
 enum { NEAR_WHAT, NEAR_X, NEAR_Y, NEAR_RADIUS, NEAR_TAG, NEAR_FROM, NEAR_DX, NEAR_DY };
 
 static const struct api_param near[] = {
@@ -192,7 +193,7 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
     return query(L, b, "query.near", &v[NEAR_WHAT], &v[NEAR_TAG], place);
 }
 
-/* Of query.box and query.line; their shape follows. */
+/* Parameters of query.box and query.line, before those of the shape. */
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
 #define ASKED                                                                                                          \
     PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),       \

@@ -1,5 +1,5 @@
 /*
- * api_region.c - the regions that place and shape words name, and the clears of bullets and shots in them.
+ * api_region.c - the regions that place and shape words describe, and clearing bullets, shots and lasers in them.
  */
 #include "../../base/geom.h"
 #include "../../entities/sparks.h"
@@ -24,7 +24,7 @@ static bool any_given(const struct api_value *v, int first, int n)
 
 enum { BOX_WORDS = 2, LINE_WORDS = 3 };
 
-/* The shape whose words are given; raises if they are those of several, or not all of one's. */
+/* Returns the shape whose words are given; raises an error for words of several shapes, or only some words of one. */
 static enum api_region_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
 {
     bool circle = v[REGION_RADIUS].given, box = any_given(v, REGION_W, BOX_WORDS),
@@ -100,7 +100,7 @@ static const struct bullet_kinds *kinds_of(const struct board *b, const struct b
     return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
 }
 
-/* The spark that a cleared bullet leaves: `given` (an argument), or its kind's. */
+/* Emits the spark of a cleared bullet: the argument `given`, otherwise its kind's. */
 static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
 {
     if (given->given)
@@ -109,17 +109,17 @@ static void leave_spark(struct board *b, const struct bullets *s, const struct a
         board_vanish(b, i);
 }
 
-/* The item that it becomes, if one is given. */
+/* Spawns the item a cleared bullet turns into, if one is given. */
 static void leave_item(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
 {
     if (given->given)
         board_turn_into(b, (uint16_t)given->i, s->x[i], s->y[i]);
 }
 
-/* What a clear takes: with the tag (0: any), in the region, and clearable unless `all`. */
+/* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `all`. */
 struct clearing {
     struct api_region region;
-    const struct api_value *spark, *items; /* as given */
+    const struct api_value *spark, *items; /* arguments as given */
     uint32_t tag;
     bool all;
 };
@@ -132,10 +132,10 @@ static bool takes(const struct board *b, const struct bullets *s, const struct c
            (c->all || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
 }
 
-enum { A_LINE = 3, A_CLEAR = 10 /* work: of a bullet that is tested against a line; of one that is cleared */ };
+enum { A_LINE = 3, A_CLEAR = 10 /* work: per bullet tested against a line; per bullet cleared */ };
 
-/* Removes what the clear takes; returns how many. What is held has left the field in this frame: what it touched is
- * spared, and it is not counted. */
+/* Removes the bullets that match; returns their number. Held ones, which left the field in this frame, are released, so
+ * whatever they touched is spared, but are not counted. */
 static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const struct clearing *c)
 {
     lua_Integer n = 0;
@@ -156,7 +156,7 @@ static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const
     return n;
 }
 
-/* A call's arguments are folded with their numbers, so what came later stands behind, for the demos of before. */
+/* Calls are folded with the indices of their arguments, so newer parameters come last, to keep old demos valid. */
 enum {
     C_TAG,
     C_X,
@@ -177,7 +177,7 @@ enum {
     C_EVERY = C_LASERS
 };
 
-/* What all clears take, of bullets and of lasers. */
+/* Parameters of all clears, of bullets and of lasers. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
         PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,                                                               \
@@ -200,16 +200,16 @@ const struct api_param api_clear_params[CLEAR_PARAMS] = {
 
 /* ---- lasers ---- */
 
-enum { EVERY = 12 /* px between what a laser leaves along its line */ };
+enum { EVERY = 12 /* px between the sparks and items along a cleared laser */ };
 
-/* What that is. */
+/* The spark and item a cleared laser leaves. */
 struct remains {
     bool spark;
     uint16_t kind;
     const struct api_value *items;
 };
 
-/* At each of its places. */
+/* Leaves them at one position. */
 static void leave_one(struct board *b, fx x, fx y, void *context)
 {
     const struct remains *r = context;
@@ -220,7 +220,7 @@ static void leave_one(struct board *b, fx x, fx y, void *context)
         board_turn_into(b, (uint16_t)r->items->i, x, y);
 }
 
-/* Laser i is cleared: each so many px it leaves the spark that is given, or its kind's, and the item. It goes whole. */
+/* Clears laser i as a whole. Every `every` px it leaves the given spark, otherwise its kind's, and the given item. */
 static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
                         const struct api_value *items, fx every)
 {
@@ -233,7 +233,7 @@ static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct 
     lasers_remove(b, i);
 }
 
-/* Removes the lasers that the clear takes; returns how many. shooting: players' lasers too. */
+/* Removes the lasers that match; returns their number. shooting: also players' lasers. */
 static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clearing *c, fx every, bool shooting)
 {
     const struct laser_kinds *kinds = &b->laser_kinds;

@@ -1,13 +1,13 @@
 /*
- * api_register.c - registers, of ships (player.def) and of a run (game.def): their rules and their names.
+ * api_register.c - the rules and names of registers, of ships (player.def) and of the run (game.def).
  */
 #include <stdio.h>
 #include <string.h>
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-/* Registry: kind of ship, or RUN_REGISTERS, -> { name -> number }; and -> { number -> { show, at, label, mark } }, of
- * those that say how they are shown. */
+/* Registry, by kind of ship or RUN_REGISTERS: { name -> number }; and { number -> { show, at, label, mark } }, for
+ * registers that declare how they are shown. */
 static const char names_key = 0, shows_key = 0;
 
 static const char *const shows[] = { "none", "number", "icons", "bar", "times", NULL }, *const places[] = { "top",
@@ -38,13 +38,13 @@ const struct api_param api_register_settings[REGISTER_SETTINGS] = {
 };
 
 struct reg {
-    const char *name, *show, *place, *label; /* NULL: not said; the table that is declared keeps them meanwhile */
+    const char *name, *show, *place, *label; /* NULL: not given; the declared table keeps the strings alive */
     bool marked;
     int32_t mark;
     struct register_rule rule;
 };
 
-/* Pushes the table of the registry under that key, made when there is none. */
+/* Pushes the registry table under that key, creating it on first use. */
 static void registry(lua_State *L, const void *key)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) == LUA_TTABLE)
@@ -55,7 +55,7 @@ static void registry(lua_State *L, const void *key)
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
 }
 
-/* The word of `words` that setting v is; NULL: it is not given. */
+/* Returns the word in `words` that setting `which` of v equals; NULL if it is not given. */
 static const char *read_word(lua_State *L, const char *entry, const char *name, const struct api_value *v, int which,
                              const char *const *words, const char *expected)
 {
@@ -69,7 +69,7 @@ static const char *read_word(lua_State *L, const char *entry, const char *name, 
     return NULL;
 }
 
-/* A whole number, or `otherwise`. */
+/* Returns the integer in v, or `otherwise` if it is not given. */
 static int32_t setting(const struct api_value *v, int32_t otherwise)
 {
     if (!v->given)
@@ -93,7 +93,7 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
         api_error(L, entry, "%s: `hold` requires `drain` (a number or forever)", name);
 }
 
-/* Reads { start = 3, max = 6, show = "icons" } at `at`. */
+/* Reads the rule { start = 3, max = 6, show = "icons" } at `at`. */
 static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct reg *r)
 {
     static const struct api_fields fields = { api_register_settings, REGISTER_SETTINGS, NAME_LISTS };
@@ -115,7 +115,7 @@ static void read_rule(lua_State *L, const char *entry, const char *name, int at,
     check_rule(L, entry, name, r);
 }
 
-/* Is the name one that the thing, or the table game, has already? */
+/* Raises an error if the name is already used by players or by the table game. */
 static void check_name(lua_State *L, const char *entry, int32_t kind, const char *name)
 {
     static const char *const of_run[] = { "def", "stage", "mode", "continues", "frames", NULL };
@@ -133,7 +133,7 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
     lua_pop(L, 1);
 }
 
-/* The register of that name, whose value is on top. */
+/* Reads the register named `of`, whose declared value is on top of the stack. */
 static struct reg read_register(lua_State *L, const char *entry, int32_t kind, const char *of)
 {
     struct reg r = { .name = of, .rule = { .most = REGISTER_MOST, .every = 1 } };
@@ -160,7 +160,7 @@ static void set_word(lua_State *L, const char *field, const char *word)
     lua_setfield(L, -2, field);
 }
 
-/* Keeps how register i is shown. Only a game that says it has the table. */
+/* Stores how register i is shown. Creates the table on first use. */
 static void keep_show(lua_State *L, int32_t kind, int i, const struct reg *r)
 {
     int top = lua_gettop(L);
@@ -218,7 +218,7 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
     lua_pop(L, 1);
 }
 
-/* Registers get their numbers in byte order of their names, so that no table order decides. */
+/* Numbers the registers in byte order of their names, so that the result does not depend on the table's order. */
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
 {
     const char *names[PLAYER_REGISTERS];
@@ -307,7 +307,7 @@ int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_RE
     registry(L, &names_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
-            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it */
+            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it alive */
     lua_settop(L, top);
     return n;
 }

@@ -1,6 +1,6 @@
 /*
- * api_reserved.c - names that are kept for later features: a script that uses one gets an error that says so. A feature
- * that is added leaves the list; a test checks that no name of the list exists.
+ * api_reserved.c - names reserved for later features: a script that uses one gets an error saying so. Remove a name
+ * when its feature is added; a test checks that no listed name exists.
  */
 #include <string.h>
 #include "../std.h"
@@ -24,7 +24,7 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* An entry's name may be followed by what it is of, in quotes. */
+/* An entry's name may be followed by a quoted detail. */
 static bool is_of(const char *row, const char *of)
 {
     size_t n = strlen(row);
@@ -49,10 +49,10 @@ const char *api_reserved_row(int i, const char **of, char *how)
     return reserved[i].names;
 }
 
-/* The tables that are there only if rom.lua says so. */
+/* Tables that exist only if rom.lua enables them. */
 static const struct {
     const char *names;
-    size_t room; /* of struct manifest: an int32_t, 0: off */
+    size_t room; /* offset in struct manifest of an int32_t; 0: disabled */
     const char *line;
 } optional[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items),
@@ -94,7 +94,7 @@ void api_no_field(lua_State *L, const char *of, const char *name)
         vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, name, STD_NOT_HERE);
 }
 
-/* Explains what is missing in the table of that name, if there is one. */
+/* Makes reads of missing fields explain themselves in the table of that name, if it exists. */
 static void explain_missing(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);

@@ -1,5 +1,5 @@
 /*
- * api_rng.c - rng and angle.
+ * api_rng.c - the Lua tables rng and angle.
  */
 #include <string.h>
 #include "../../base/rng.h"
@@ -30,7 +30,7 @@ static int rng_int(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* 53 random bits, so that the fraction is exact. */
+/* Returns a random fraction, 0 <= f < 1, of 53 bits, so that it is exact. */
 static double fraction(struct board *b)
 {
     return (double)(draw(b, 0) >> 11) / 9007199254740992.0;
@@ -40,7 +40,7 @@ static int rng_number(lua_State *L, struct board *b, struct api_value *v)
 {
     double n = v[ARG_A].n + (v[ARG_B].n - v[ARG_A].n) * fraction(b);
 
-    if (n >= v[ARG_B].n && v[ARG_B].n > v[ARG_A].n) /* the sum was rounded up */
+    if (n >= v[ARG_B].n && v[ARG_B].n > v[ARG_A].n) /* the sum was rounded up to the bound */
         n = v[ARG_A].n;
     lua_pushnumber(L, n);
     return 1;
@@ -81,7 +81,7 @@ static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, 
                                              PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at") };
 static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
 
-/* A thing, or a table with x and y. False: a dead thing. */
+/* Reads the position of a thing or of a table with x and y. Returns false for a dead thing. */
 static bool where(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
 {
     struct api_param px = { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL },
@@ -109,7 +109,7 @@ static int angle_to(lua_State *L, struct board *b, struct api_value *v)
 
     if (!where(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) ||
         (ax == bx && ay == by))
-        lua_pushnumber(L, 90); /* nowhere to point: down, as aim does */
+        lua_pushnumber(L, 90); /* same position: down, as for `aim` */
     else
         lua_pushnumber(L, trig_to_degrees(trig_atan2(fx_sub(by, ay), fx_sub(bx, ax))));
     return 1;

@@ -1,5 +1,5 @@
 /*
- * api_save.c - save.
+ * api_save.c - the Lua table save.
  */
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /*
- * api_screen.c - sprite, spark, text, palette, screen.
+ * api_screen.c - the Lua tables sprite, spark, text, palette and screen.
  */
 #include <math.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static const struct api_param put[] = {
 
 #define OVER_BLEND "sprites in layer \"over\" cannot blend"
 
-/* Two ways to say where. */
+/* Raises an error unless the position is given by exactly one of x, y and follow. */
 static void check_put(lua_State *L, const struct api_value *v)
 {
     const bool xy = v[PUT_X].given && v[PUT_Y].given;
@@ -71,8 +71,8 @@ static void check_put(lua_State *L, const struct api_value *v)
         api_error(L, "sprite.put", "blend: " OVER_BLEND);
 }
 
-/* Sprite i follows what is given. A player outlives the scene that the sprite belongs to; of others, it is the only
- * owner. */
+/* Makes sprite i follow the given thing. A player outlives the scene that owns the sprite, so the sprite keeps its
+ * owner; any other thing becomes the owner. */
 static void follow(struct board *b, uint32_t i, const struct api_value *v)
 {
     struct sprites *s = &b->sprites;
@@ -240,7 +240,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* Raises where sprite i has no such property. */
+/* Raises an error if sprite i does not have the property. */
 static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
     const bool plate_is = is_plate(s, i);
@@ -338,7 +338,7 @@ static const struct api_param spark_def[] = {
 static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
                                "after the first counts as one)";
 
-/* banks: the first is the kind's, and each other a row after it. drawn: the rest of `bank`. */
+/* Reads `banks`: the first is the kind's, each further one adds a row. drawn: the remaining bits of `bank`. */
 static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
 {
     const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };
@@ -381,7 +381,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { A_SPARK = 6 /* work */ };
+enum { A_SPARK = 6 /* work per spark */ };
 enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
 static const struct api_param burst[] = {
@@ -552,7 +552,7 @@ static uint32_t colour(const uint8_t *p, int i)
     return (uint32_t)p[3 * i] << 16 | (uint32_t)p[3 * i + 1] << 8 | p[3 * i + 2];
 }
 
-/* Which palette is loaded, where that matters. */
+/* Returns the loaded palette if the cart has looks, otherwise 0. */
 static int loaded(const struct board *b)
 {
     return b->cart.has_looks ? board_palette(b) : 0;

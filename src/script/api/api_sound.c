@@ -1,18 +1,18 @@
 /*
- * api_sound.c - sound and music.
+ * api_sound.c - the Lua tables sound and music.
  */
 #include <string.h>
 #include "../../base/edit.h"
 #include "../../machine/sound.h"
 #include "api_parts.h"
 
-/* Parameters by place. */
+/* Parameter indices. */
 enum { P_NAME, P_VOLUME, P_PAN, P_FROM, P_PITCH };
 enum { M_NAME, M_FADE, M_AGAIN, M_BACK, M_AT };
 enum { VOL_SHARE, VOL_OVER };
 enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 
-enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths: with nothing playing, 120 beats a minute */ };
+enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths of beats per minute, used while nothing plays */ };
 
 static const struct api_param play[] = {
     PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
@@ -49,7 +49,7 @@ static const struct api_param until[] = { PARAM(
     "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1",
     "number of beats to wait for, or the name of a marker of the current piece") };
 
-/* On the way to a mark nothing is heard. */
+/* Returns whether the running task is fast-forwarding to a practice mark, when nothing is heard. */
 static bool skips(const struct board *b)
 {
     return b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
@@ -114,7 +114,7 @@ static int music_stop(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The piece that plays; false: none. */
+/* Reads the current piece into t; returns false if none plays. */
 static bool playing(const struct board *b, struct tune *t)
 {
     if (!b->music.tune)
@@ -161,7 +161,7 @@ static int music_marker(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-enum { BEAT_FRAMES = 360000 /* a beat of tempo 1 in frames: 60 seconds of 60 in hundredths */ };
+enum { BEAT_FRAMES = 360000 /* frames per beat at tempo 1, which is 0.01 beats per minute, at 60 frames a second */ };
 
 static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -173,7 +173,7 @@ static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- music.wait ---- */
 
-/* What a task waits for; on its stack, in these places, behind the argument. */
+/* Stack indices of the values of a waiting task. */
 enum { W_TUNE = 1, W_BEAT, W_MARK, W_MARKS, W_LEFT, W_ALL = W_LEFT };
 
 static int64_t waits_for(lua_State *L, int what)
@@ -181,7 +181,8 @@ static int64_t waits_for(lua_State *L, int what)
     return lua_tointeger(L, what);
 }
 
-/* Has it come? While what played at the beginning plays, by its beats; else by frames. */
+/* Returns whether the wait is over. Counts beats while the piece that played at the start still plays, otherwise
+ * frames. */
 static bool has_come(lua_State *L, struct board *b)
 {
     const struct seq *s = &b->music;
@@ -209,7 +210,7 @@ static int wait_on(lua_State *L, int status, lua_KContext context)
     return lua_yieldk(L, 0, 0, wait_on);
 }
 
-/* On the way to a mark it comes in no time. */
+/* Completes the wait at once while fast-forwarding to a practice mark. */
 static int pass_beats(lua_State *L, struct board *b)
 {
     uint64_t work = 1;
@@ -224,7 +225,7 @@ static int pass_beats(lua_State *L, struct board *b)
     return 1;
 }
 
-/* The number of the marker in the piece that plays; 0: none plays. */
+/* Returns the number of the marker in the current piece; 0 if none plays; raises an error if it is unknown. */
 static int marker_named(lua_State *L, struct board *b, const char *name)
 {
     const char *found = NULL;
@@ -244,7 +245,8 @@ static int marker_named(lua_State *L, struct board *b, const char *name)
     return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);
 }
 
-/* A marker before the loop comes once, and after the piece's end none does. */
+/* Returns whether the marker is still ahead: one before the loop is passed once, and none after the end of the
+ * piece. */
 static bool will_come(lua_State *L, struct board *b, int mark)
 {
     struct tune t;
@@ -263,7 +265,7 @@ static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[ARG_N].given && lua_type(L, v[ARG_N].at) == LUA_TSTRING) {
         mark = marker_named(L, b, lua_tostring(L, v[ARG_N].at));
-        n.i = mark; /* with nothing playing it waits for nothing */
+        n.i = mark; /* 0 while nothing plays: no wait */
     } else if (v[ARG_N].given)
         api_check(L, "music.wait", &whole, v[ARG_N].at, &n);
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))

@@ -1,12 +1,12 @@
 /*
- * api_space.c - the tables of the API ("bullet", "sys"): which those are, and making all functions of one.
+ * api_space.c - the tables of the API ("bullet", "sys"): which tables they are, and creating all functions of one.
  */
 #include "api_parts.h"
 
-/* Registry: the metatable of the API's tables; and the names of those, by table. */
+/* Registry: the metatable of the API's tables; and table -> name. */
 static const char shared_key = 0, spaces_key = 0;
 
-/* A Lua of tests has no API. */
+/* A Lua state in a test may have no API. */
 const char *api_push_space(lua_State *L, int at)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key) != LUA_TTABLE)

@@ -1,5 +1,5 @@
 /*
- * api_std.c - the entries written in Lua (scripts/): their arguments and help; and the list of all modules.
+ * api_std.c - arguments and help of the entries written in Lua (scripts/), and the list of all modules.
  */
 #include "api_parts.h"
 
@@ -10,7 +10,7 @@
 #define TURNS                                                                                                          \
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false",                                                                   \
           "rotate the figure so that its right side faces the direction of flight")
-/* What every pattern has. */
+/* Parameters of every pattern. */
 #define PATTERN                                                                                                        \
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),   \
         PARAM("fire", A_FIRE, OPT, 0, 0, NULL, "bullet", "what to fire"),                                              \
@@ -275,7 +275,7 @@ static const struct api_param tally_line[] = {
     PARAM("stage", A_BOOL, OPT, 0, 0, NULL, "false", "count only what was added in this stage"),
     PARAM("last", A_BOOL, OPT, 0, 0, NULL, "false", "show the line only after the last stage")
 };
-#define UNLOCK_NAME(help) PARAM("name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* kept under "unlock/NAME" */, help)
+#define UNLOCK_NAME(help) PARAM("name", A_STR, REQ, 1, NV_KEY - 7, NULL, NULL /* saved as "unlock/NAME" */, help)
 static const struct api_param unlock_def[] = {
     UNLOCK_NAME("name for unlock.has and `needs`; saved as unlock/NAME"),
     PARAM("when", A_ANY, REQ, 0, 0, "conditions, or a function", NULL,
@@ -296,7 +296,7 @@ static const struct api_param unlock_when[] = {
     PARAM("heard", A_TUNE, OPT, 0, 0, NULL, NULL, "piece of music to hear during a game")
 };
 static const struct api_param unlock_has[] = { UNLOCK_NAME("name given to unlock.def") };
-#define MISSION_NAME(help) PARAM("name", A_STR, REQ, 1, NV_KEY - 8, NULL, NULL /* kept under "mission/NAME" */, help)
+#define MISSION_NAME(help) PARAM("name", A_STR, REQ, 1, NV_KEY - 8, NULL, NULL /* saved as "mission/NAME" */, help)
 static const struct api_param mission_def[] = {
     MISSION_NAME("name for mission.best; saved as mission/NAME"),
     PARAM("title", A_STR, REQ, 1, 63, NULL, NULL, "name shown in the list of missions"),
@@ -608,7 +608,7 @@ static const struct api_thing *const things[HANDLES] = { NULL,
                                                          &api_option_thing,
                                                          &api_bulletml_thing };
 
-/* Names that are no functions of the API. */
+/* Documented names that are not API functions. */
 static const struct api_plain plain[] = {
     { "forever", HELP("means \"without end\" where a number of frames or times is expected") },
     { "print(...)", HELP("writes its arguments to the log") },

@@ -1,5 +1,5 @@
 /*
- * api_step.c - motion steps whose settings are a table of their own: emit, wait_for, path.
+ * api_step.c - motion steps with a table of settings: emit, wait_for, path.
  */
 #include <stdio.h>
 #include <string.h>
@@ -56,7 +56,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
           "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
-/* What each pattern must have: n, and the word for its size. */
+/* The name of each pattern and the argument that is its size; -1: none. */
 static const struct {
     const char *name;
     int size;
@@ -65,7 +65,7 @@ static const struct {
     [EMIT_ARC] = { "arc", E_SWEEP }, [EMIT_STACK] = { "stack", E_SPEED_TO }, [EMIT_LINE] = { "line", E_WIDTH },
 };
 
-/* The number that argument k sets, if a value's name may stand for it; else EMIT_NUMBERS. */
+/* Returns the number that argument k sets, if the name of a value may replace it; otherwise EMIT_NUMBERS. */
 static enum emit_number number_of(int k)
 {
     static const uint8_t numbers[EMIT_PARAMS] = {
@@ -77,7 +77,7 @@ static enum emit_number number_of(int k)
     return numbers[k] ? (enum emit_number)(numbers[k] - 1) : EMIT_NUMBERS;
 }
 
-/* An emit being read. Its arguments, and then the values declared for what it fires, stand from stack index `first`. */
+/* An emit being read. From stack index `first`: its arguments, then the values declared for what it fires. */
 struct reader {
     int step, first;
     bool shots;
@@ -86,7 +86,7 @@ struct reader {
     uint64_t named;
 };
 
-/* The error for the stray key on top. */
+/* Raises the error for the unknown key on top of the stack. */
 static void unknown(lua_State *L, const struct reader *r, const struct api_fields *fields)
 {
     static const char *const places[] = { "x", "y", "from", "dx", "dy" };
@@ -103,7 +103,7 @@ static void unknown(lua_State *L, const struct reader *r, const struct api_field
     api_refuse_key(L, where, fields);
 }
 
-/* Spreads the table at `at` over the stack. */
+/* Spreads the arguments and values of the table at `at` over the stack. */
 static void spread(lua_State *L, struct reader *r, int at)
 {
     const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->values };
@@ -118,7 +118,7 @@ static void spread(lua_State *L, struct reader *r, int at)
         lua_getfield(L, at, board_name(vm_board(L), r->values, k));
 }
 
-/* Checks argument k by its parameter, or reads the name of a value in its place. */
+/* Checks argument k against its parameter, or reads the name of a value in its place. */
 static void check(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
 {
     const int at = r->first + k;
@@ -149,7 +149,7 @@ static void check_all(lua_State *L, struct reader *r)
     }
 }
 
-/* Are the settings those of the pattern? */
+/* Raises an error if the settings do not belong to the pattern, or are incomplete. */
 static void check_pattern(lua_State *L, const struct reader *r, int pattern)
 {
     const char *name = patterns[pattern].name;
@@ -292,8 +292,8 @@ void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
 
 /* ---- path ---- */
 
-/* Where the point on top of the stack lies, rounded as an enemy's place is. path.place stands below it. Pops the
- * point. */
+/* Pops the point on top of the stack and returns its position, rounded like an enemy's. place_at is the stack index of
+ * path.place. */
 static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *y)
 {
     lua_pushvalue(L, place_at);
@@ -307,7 +307,7 @@ static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *
     lua_pop(L, 2);
 }
 
-/* The point on top of the stack as a leg; false: it takes no time. Pops it. */
+/* Pops the point on top of the stack and makes a leg of it. Returns false if the leg takes no time. */
 static bool leg_to(lua_State *L, int step, int place_at, struct api_leg *at, struct motion_step *leg)
 {
     static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };

@@ -1,5 +1,5 @@
 /*
- * api_sys.c - sys, which only the standard library (@std) sees.
+ * api_sys.c - the table sys, which only the standard library (@std) can access.
  */
 #include <string.h>
 #include "../../base/edit.h"
@@ -9,7 +9,7 @@
 #include "../events_run.h"
 #include "api_parts.h"
 
-/* Parameters by place; ARG_: the only one of its entry. */
+/* Parameter indices; ARG_: the only parameter of its entry. */
 enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
 enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
 enum { NOTE_ENTRY, NOTE_NAME };
@@ -44,7 +44,7 @@ static const struct api_param mark[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, N
 static const struct api_param ship[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "") };
 static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
-enum { BACK_FADE = 60 /* frames in which music goes */ };
+enum { BACK_FADE = 60 /* frames for music to fade out */ };
 static const struct api_param wipe[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param hold[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
                                          PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
@@ -113,7 +113,7 @@ static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Raises what sys.drops would, and changes nothing. */
+/* Raises the errors sys.drops would, without changing anything. */
 static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
@@ -121,7 +121,8 @@ static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* All keys of a table, in an order that is the same on every run; of several that no order tells apart, one. */
+/* Returns the keys of a table in an order that is the same in every run; of several keys that the order cannot
+ * distinguish, only one. */
 static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
 {
     uint64_t keys = 0;
@@ -133,14 +134,14 @@ static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
     const int list = lua_gettop(L);
     lua_pushnil(L);
     for (lua_Integer n = 1; luakeys_next(L, v[ARG_LIST].at) > 0; n++) {
-        vm_charge(L, 4 * keys); /* each step looks at all of them */
+        vm_charge(L, 4 * keys); /* each step examines all keys */
         lua_pushvalue(L, -1);
         lua_rawseti(L, list, n);
     }
     return 1;
 }
 
-/* On the board only where there are items. */
+/* Raises an error in a game without items. */
 static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
@@ -167,7 +168,7 @@ enum { WORTH_THING, WORTH_PLAYER };
 static const struct api_param worth[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL, ""),
                                           PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
-/* Of an item that a player takes: it is asked where it was taken. */
+/* An item's points depend on the player's position, so call this while the player is where it was taken. */
 static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[WORTH_THING].i);
@@ -208,7 +209,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
-/* Nor does this. */
+/* Changes no RAM: tells the cabinet that a pre-game menu is shown. */
 static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
@@ -217,7 +218,7 @@ static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* One { name, value } of a list, at place i. */
+/* Stores { name, value } at place i of the list on top of the stack. */
 static void push_register(lua_State *L, const char *name, int32_t value, int i)
 {
     lua_createtable(L, 0, 2);
@@ -245,7 +246,7 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     return 2;
 }
 
-/* Adds the registers of a kind of ship, or of the run, to the list on top. */
+/* Appends the registers of a kind of ship, or of the run, to the list on top of the stack. */
 static void push_registers(lua_State *L, const struct board *b, int32_t kind, uint32_t first)
 {
     const char *names[PLAYER_REGISTERS];
@@ -291,7 +292,7 @@ static int sys_join(lua_State *L, struct board *b, struct api_value *v)
     return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
 }
 
-/* A register of the ship of player 1, or else of the run, as a practice start asks. */
+/* Sets a register of player 1's ship, or otherwise of the run, to the value of a practice start. */
 static void fit_register(lua_State *L, struct board *b, const char *name, int32_t value)
 {
     int reg = api_player_register(L, b, 0, name);
@@ -302,7 +303,7 @@ static void fit_register(lua_State *L, struct board *b, const char *name, int32_
         board_set_run_register(b, (uint32_t)reg, value);
 }
 
-/* A game begins: what is of a run is new. What a practice start asks for comes after the handlers of on.start. */
+/* Starts a game: resets the state of the run, then calls the handlers of on.start, then applies the practice start. */
 static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct practice *practice = &b->start.practice;
@@ -328,13 +329,13 @@ static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The number of the run's register that the value at `at` names, or -1. */
+/* Returns the number of the run's register named at stack index `at`, or -1. */
 static int run_register(lua_State *L, int at)
 {
     return lua_type(L, at) == LUA_TSTRING ? api_run_register(L, lua_tostring(L, at)) : -1;
 }
 
-/* What can be read of the run under that name, or nil. */
+/* Returns a property of the run, or nil if the name is unknown. */
 static int sys_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
@@ -351,7 +352,7 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* A register of player i, or of the run; nil: the player is out. */
+/* Returns a register of player i, or of the run; nil if there is none or the player is out. */
 static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
@@ -368,7 +369,7 @@ static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* False: there is no such register. */
+/* Sets a register of the run. Returns false if it does not exist. */
 static int sys_run_set(lua_State *L, struct board *b, struct api_value *v)
 {
     const int reg = run_register(L, v[RUN_NAME].at);
@@ -395,12 +396,12 @@ static int sys_run_names(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* How often player p can go on; with n, sets that: with 0 it may be that all is over. */
+/* Returns how many continues player p has left; with n, sets the number first. Setting 0 may end the game. */
 static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
 
-    if (p >= PADS) /* of a dead handle */
+    if (p >= PADS) /* a dead handle */
         return 0;
     if (v[CONTINUES_N].given) {
         b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
@@ -437,7 +438,7 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* No background, and the colours of rom.lua. */
+/* Removes the background and restores the colours of rom.lua. */
 static void wipe_scenery(struct board *b)
 {
     const uint8_t *p = cart_palette(&b->cart, "main");
@@ -485,11 +486,11 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
     for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
-        input_forget(&b->input, p, PRESS_PAUSE, PAD_ALL); /* of the screen before */
+        input_forget(&b->input, p, PRESS_PAUSE, PAD_ALL); /* left over from the previous screen */
     return 0;
 }
 
-/* A scope owned by the board: it outlasts the task that makes it. */
+/* Creates a scope owned by the board: it outlives the task that creates it. */
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -543,8 +544,8 @@ static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Which buttons the game does not see: 0 none, 1 those that fire, 2 all that the ship has. Presses from before, or of
- * the time it did not see them, are nobody's. */
+/* Sets which buttons are hidden from the game: 0 none, 1 those that fire, 2 all that control the ship. Their presses
+ * from before the call, or from while they were hidden, are dropped. */
 static const struct api_param hold_players[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
 
 static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
@@ -595,7 +596,7 @@ enum { CUE_NAME, CUE_PAN };
 static const struct api_param cue[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
                                         PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
 
-/* Sounds are outside the hash, and so is this call. */
+/* Not folded: sounds are outside the state hash. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 {
     const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
@@ -641,7 +642,7 @@ static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* All that boss/fight.lua does with music, in no time. */
+/* Applies at once all music changes of boss/fight.lua, while music fast-forwards to a mark. */
 static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
@@ -655,7 +656,7 @@ static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The pieces of rom.lua, by name: { name, title, heard } each. */
+/* Returns { name, title, heard } for each piece in rom.lua, in order of name. */
 static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -681,7 +682,7 @@ static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* nil: no task has its turn. */
+/* Returns the running task, or nil. */
 static int sys_task(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -721,7 +722,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
         lua_newtable(L);
         lua_Integer n = 0;
         for (uint32_t i = 0; i < s[k]->live; i++) {
-            if (!board_name(b, (enum name_kind)k, (int)i)) /* a row of the next kind, or of the one before */
+            if (!board_name(b, (enum name_kind)k, (int)i)) /* a row without a name, which belongs to another kind */
                 continue;
             api_names_push(L, (enum name_kind)k, (int)i);
             lua_rawseti(L, -2, ++n);
@@ -755,7 +756,7 @@ static int sys_on(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* A place may be so far from a thing that is anywhere in the world. */
+/* A position may be as far as that from a thing anywhere in the world. */
 static const struct api_param sys_aim[] = { PARAM("x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
                                             PARAM("y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
                                             PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "") };

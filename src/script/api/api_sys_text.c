@@ -1,5 +1,5 @@
 /*
- * api_sys_text.c - sys: text on the screen, for the library's screens and dialogue.
+ * api_sys_text.c - sys: text on the screen, for the screens and dialogue of the library.
  */
 #include <string.h>
 #include "../../../fb/text.h"
@@ -15,7 +15,7 @@ static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* For ROMs of before: the library asks for it no more. */
+/* For old ROMs; the library no longer calls it. */
 static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -23,7 +23,7 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* The columns of the cells, one behind the other, low bytes first. */
+/* Size of the saved text: the columns of the cells, one after the other, little-endian. */
 static size_t text_bytes(const struct fix *f)
 {
     return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
@@ -70,7 +70,7 @@ static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Does a rectangle of the screen overlap the field? px. */
+/* Returns whether a rectangle of the screen, in px, overlaps the field. */
 static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
 {
     const struct manifest *m = &b->cart.m;
@@ -92,14 +92,14 @@ static bool sprite_covers(const struct board *b, uint32_t i)
            overlaps_field(b, s->x[i] - p->ox * FX_ONE, s->y[i] - p->oy * FX_ONE, p->w, p->h);
 }
 
-/* Of a line that stands on the screen its place is asked. */
+/* Returns whether a text line covers the field. Only a line positioned on the screen has its position tested. */
 static bool line_covers(const struct lines *l, const struct board *b, uint32_t i)
 {
     return !(l->flags[i] & LINE_HIDDEN) &&
            (!(l->flags[i] & LINE_SCREEN) || overlaps_field(b, l->dx[i], l->dy[i], 1, 1));
 }
 
-/* Into the list at `list` of the stack. */
+/* Appends a handle to the list at stack index `list`. */
 static void append_thing(lua_State *L, int list, int64_t handle)
 {
     lua_pushinteger(L, handle);
@@ -139,7 +139,7 @@ enum { WRAP_TEXT, WRAP_WIDTH };
 static const struct api_param sys_wrap[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                              PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
 
-/* Adds a word, of no more than width characters, to the row on top of the stack, or begins the next with it. */
+/* Adds a word, of at most `width` characters, to the row on top of the stack, or starts the next row with it. */
 static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
 {
     size_t m;
@@ -159,7 +159,7 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
     lua_pushlstring(L, word, n);
 }
 
-/* Bytes of what fits into a row of a word of n bytes; a sign that closes does not begin the next. */
+/* Returns the bytes of a word of n bytes that fit in a row. A closing character never starts the next row. */
 static size_t piece_of(const char *word, size_t n, size_t width)
 {
     size_t bytes;

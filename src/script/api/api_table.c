@@ -41,7 +41,7 @@ const char *api_member(const struct api_entry *e, const char *of, char split)
     return !(e->flags & API_LUA) && !strncmp(e->name, of, n) && e->name[n] == split ? e->name + n + 1 : NULL;
 }
 
-/* How long a name is up to its arguments. */
+/* Returns the length of a name without its arguments. */
 static size_t name_length(const char *name)
 {
     const char *arguments = strchr(name, '(');
@@ -51,13 +51,13 @@ static size_t name_length(const char *name)
 
 enum { NEAR_CALLS = 3 };
 
-/* The names that are as near to a word as any, up to NEAR_CALLS of them. */
+/* The names nearest to a word, all at the same distance, up to NEAR_CALLS of them. */
 struct near_calls {
     const char *word, *found[NEAR_CALLS];
-    int best, n; /* n NEAR_CALLS + 1: there are more */
+    int best, n; /* n = NEAR_CALLS + 1: more than NEAR_CALLS */
 };
 
-/* name: "bullet.fire", "say", or "hud.centre(row, ...)". */
+/* Considers a name: "bullet.fire", "say", or "hud.centre(row, ...)". */
 static void near_call(struct near_calls *c, const char *name)
 {
     char last[32];

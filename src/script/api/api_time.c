@@ -1,11 +1,11 @@
 /*
- * api_time.c - wait, task, on.
+ * api_time.c - the Lua globals wait, task and on.
  */
 #include "api_parts.h"
 #include "../events_run.h"
 #include "../../machine/sound.h"
 
-/* Parameters by place; ARG_: the only one of its entry. */
+/* Parameter indices; ARG_: the only parameter of its entry. */
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 

@@ -1,11 +1,11 @@
 /*
- * api_value.c - value.def: names for numbers that a game keeps with each bullet, shot or enemy. The columns are a group
- * of the chip (slots.h), which rom.lua asks for.
+ * api_value.c - value.def: names for numbers that a game stores with each bullet, shot or enemy. The columns are a
+ * group of the chip (slots.h) that rom.lua enables.
  */
 #include <string.h>
 #include "api_parts.h"
 
-/* What can have values, in the order of N_BULLET_VALUE and the next. */
+/* Kinds of entity that can have values, in the order of the lists from N_BULLET_VALUE. */
 enum { KINDS = 3 };
 static const char *const words[KINDS] = { "bullet", "shot", "enemy" };
 static const char *const makers[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
@@ -18,7 +18,8 @@ static bool is_word(const char *name)
     return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, letters);
 }
 
-/* What has the name already: a property, a verb, a reserved name of the thing, or an argument of what makes it. */
+/* Returns whether the name is already used: by a property, a verb, a reserved name of the thing, or an argument of the
+ * function that makes it. */
 static bool taken(lua_State *L, int kind, const char *name)
 {
     const struct api_entry *maker = api_find(api_of(L), makers[kind]);
@@ -28,7 +29,7 @@ static bool taken(lua_State *L, int kind, const char *name)
     is |= api_property(api_of(L)->things[things[kind]], name) || api_property(api_of(L)->things[also], name);
     for (int i = 0; i < maker->count; i++)
         is |= !strcmp(maker->params[i].name, name);
-    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns hand on what they do not know */
+    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns pass on arguments they do not know */
         for (int k = 0; api_entry(api_of(L), i)->flags & API_FIRE && k < api_entry(api_of(L), i)->count; k++)
             is |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
     is |= api_push_method(L, (int)things[kind], name);
@@ -58,7 +59,7 @@ static int read_kind(lua_State *L, const struct api_value *of)
     return api_error(L, DEF, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", word);
 }
 
-/* The columns rom.lua asks for; raises when they are all taken. */
+/* Raises an error if all columns enabled in rom.lua are in use. */
 static void check_room(lua_State *L, const struct board *b, int kind, const char *name)
 {
     const int32_t room[KINDS] = { b->cart.m.bullet_values, b->cart.m.shot_values, b->cart.m.enemy_values };

@@ -1,8 +1,8 @@
 /*
- * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires what the
- * loops of scripts/pattern.lua fire, to the bit, at a tenth of their time; whatever a loop alone can do (`each`,
- * lasers, arguments that only some of its bullets refuse) is left to that. In the digest a volley is one call: its
- * arguments say all of its bullets.
+ * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires exactly the
+ * same bullets as the loops in scripts/pattern.lua, in a tenth of the time. Only the loops handle `each`, lasers, and
+ * arguments that only some of the bullets reject. The digest folds a volley as one call, because its arguments
+ * determine all of its bullets.
  */
 #include <string.h>
 #include "../../base/hash.h"
@@ -10,16 +10,16 @@
 #include "../../machine/emit.h"
 #include "api_parts.h"
 
-/* A pattern's own parameters: n, its size unless it is a ring, then these. */
-enum { OWN_N, OWN_SIZE, OWN_SKIP_BACK = 3 /* from the end */ };
+/* Indices of a pattern's own parameters: n, its size (except for a ring), then the rest. */
+enum { OWN_N, OWN_SIZE, OWN_SKIP_BACK = 3 /* counted from the end */ };
 
 struct volley {
     struct emit_figure f;
     struct bullet_shape shape;
     bool shots, aim;
-    lua_Integer first, last; /* of those that are skipped; the first is 1 */
-    fx x, y;                 /* of a line: the part of its place that stays */
-    double dx, dy;           /* ... and that a bullet's own is added to before it is rounded */
+    lua_Integer first, last; /* skipped bullets, from 1 */
+    fx x, y;                 /* line: the part of the position that is already rounded */
+    double dx, dy;           /* line: the part to which a bullet's own offset is added before rounding */
 };
 
 static uint8_t pattern_of(const char *name)
@@ -47,7 +47,8 @@ static bool within(double v, double most)
     return v >= -most && v <= most;
 }
 
-/* Is it for the loop in Lua? What is no table is, for that says what is wrong. */
+/* Returns whether the loop in Lua must run instead. An argument that is not a table also goes there, for its error
+ * message. */
 static bool is_for_lua(lua_State *L)
 {
     if (lua_gettop(L) != 1 || lua_type(L, 1) != LUA_TTABLE)
@@ -70,7 +71,7 @@ static lua_Integer end_of(lua_State *L, const struct api_value *skip, int i)
     return n;
 }
 
-/* How many of it fly from the i-th on. */
+/* Returns the number of bullets to fire from index i on. */
 static lua_Integer left(const struct volley *v, lua_Integer i)
 {
     const lua_Integer first = v->first > i + 1 ? v->first : i + 1, last = v->last < v->f.n ? v->last : v->f.n;
@@ -78,7 +79,7 @@ static lua_Integer left(const struct volley *v, lua_Integer i)
     return v->f.n - i - (last >= first ? last - first + 1 : 0);
 }
 
-/* Where a line's bullets start: a bullet's own share of the way is added to what was written, then rounded. */
+/* Sets the base position of a line. A bullet's offset is added to the unrounded part, then the sum is rounded. */
 static void line_place(struct board *b, struct volley *v, const struct api_value *place)
 {
     if (place[PLACE_FROM].given) {
@@ -93,7 +94,7 @@ static void line_place(struct board *b, struct volley *v, const struct api_value
     }
 }
 
-/* A line is aimed once, from its middle: from x, y without dx, dy, as in pattern.lua. */
+/* Aims a line once, from its middle: from x, y without dx, dy, as in pattern.lua. */
 static void settle(struct board *b, struct volley *v, bool from)
 {
     if (v->aim) {
@@ -105,7 +106,8 @@ static void settle(struct board *b, struct volley *v, bool from)
     emit_turn(&v->f);
 }
 
-/* Would bullet.fire take the arguments of the first and of the last? What is between them lies between. */
+/* Returns whether bullet.fire would accept the arguments of the first and the last bullet; those of the others lie
+ * between them. */
 static bool all_fit(const struct volley *v)
 {
     for (int end = 0; end < 2; end++) {
@@ -119,7 +121,7 @@ static bool all_fit(const struct volley *v)
     return true;
 }
 
-/* Fires bullet i; false: there is no room. */
+/* Fires bullet i; returns false if the pool is full. */
 static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aimed, const struct api_value *values)
 {
     struct bullet_shape *s = &v->shape;
@@ -146,14 +148,14 @@ static void fire_all(struct board *b, struct volley *v, const struct api_value *
     for (int32_t i = 0; i < v->f.n; i++) {
         if (i + 1 >= v->first && i + 1 <= v->last)
             continue;
-        if (!fire_one(b, v, i, aimed, values)) { /* nor will the others find room */
+        if (!fire_one(b, v, i, aimed, values)) { /* the pool is full for the others too */
             emit_refuse(b, v->shots, (uint64_t)(left(v, i) - 1));
             return;
         }
     }
 }
 
-/* Reads the pattern's own arguments, and what of bullet.fire's all have in common. */
+/* Reads the pattern's own arguments, and the arguments of bullet.fire that all bullets share. */
 static void read(lua_State *L, const struct api_entry *e, const struct api_value *own, struct volley *v)
 {
     const struct api_value *fire = own + e->count, *skip = own + e->count - OWN_SKIP_BACK;
@@ -172,7 +174,7 @@ static void read(lua_State *L, const struct api_entry *e, const struct api_value
     }
 }
 
-/* Fires the pattern; false, and nothing was done: it is for Lua. */
+/* Fires the pattern. Returns false, with no effect, if the loop in Lua must run instead. */
 static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const struct api_value *own)
 {
     const struct api_value *args = own + e->count;
@@ -182,7 +184,7 @@ static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const
     if (left(&v, 0) <= 0)
         return true;
     if (!api_flight(L, b, e->name, args, v.shots, &v.shape))
-        return true; /* the thing it would come from is gone */
+        return true; /* the thing it would come from is dead, or its ship was hit */
     if (v.f.pattern == EMIT_LINE) {
         line_place(b, &v, args + FIRE_PLACE);
         settle(b, &v, args[FIRE_PLACE + PLACE_FROM].given);
@@ -194,7 +196,7 @@ static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const
     return true;
 }
 
-/* What sys.volley gives, bound to the pattern's entry. */
+/* The function that sys.volley returns, bound to the pattern's entry. */
 static int volley(lua_State *L)
 {
     struct api_bound *f = api_bound(L);

@@ -1,8 +1,8 @@
 /*
  * eval.c - see eval.h.
  *
- * The line is compiled behind "return " first, so that the values of an expression are results. If that is a syntax
- * error, the line is compiled as statements, and their error is reported.
+ * The line is first compiled with "return " in front, so that the values of an expression become results. If that is a
+ * syntax error, the line is compiled as statements, whose error is reported.
  */
 #include "eval.h"
 #include <assert.h>
@@ -39,7 +39,7 @@ static void compile(lua_State *L, const char *line)
 
 /* ---- values as words ---- */
 
-/* Pushes "bullet 12", or "no bullet" for a dead handle. */
+/* Pushes "bullet 12" for a live handle, "no bullet" for a dead one. */
 static void push_thing(lua_State *L, int64_t h)
 {
     const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
@@ -50,7 +50,7 @@ static void push_thing(lua_State *L, int64_t h)
         lua_pushfstring(L, "no %s", name);
 }
 
-/* Pushes the words for the value at idx. */
+/* Pushes the value at idx as text. */
 static void push_words(lua_State *L, int idx)
 {
     if (lua_isinteger(L, idx) && handle_is(lua_tointeger(L, idx)))
@@ -59,9 +59,9 @@ static void push_words(lua_State *L, int idx)
         lualib_tolstring(L, idx, NULL);
 }
 
-enum { ENTRIES = 24 /* of a table that are shown */ };
+enum { ENTRIES = 24 /* most entries of a table that are shown */ };
 
-/* Appends the entry whose key and value are on top to the text below them; the key stays. */
+/* Appends the entry whose key and value are on top of the stack to the text below them; pops the value. */
 static void append_entry(lua_State *L, lua_Integer n)
 {
     int key = lua_gettop(L) - 1, text = key - 1;
@@ -143,7 +143,7 @@ static int run_line(lua_State *L)
     return n ? vm_print(L) : 0;
 }
 
-/* The message without "console:1: ", which is every line's place. */
+/* Returns the message without "console:1: ", which is the same for every line. */
 static const char *without_place(const char *message)
 {
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
@@ -168,7 +168,7 @@ bool api_between(struct board *b, lua_CFunction f, uint64_t limit)
     return fine;
 }
 
-/* values NULL: they are printed. */
+/* values NULL: prints the values instead. */
 static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
 {
     struct output *o = b->output;

@@ -1,5 +1,5 @@
 /*
- * eval.h - a line of Lua, run in a board between two frames.
+ * eval.h - runs a line of Lua in a board between two frames.
  */
 #ifndef SCRIPT_EVAL_H
 #define SCRIPT_EVAL_H
@@ -10,21 +10,21 @@
 struct board;
 
 enum {
-    EVAL_LIMIT = 10000000, /* VM instructions a line may run, or work in C worth as many */
-    EVAL_TEXT = 4200       /* bytes that hold all that a line can print */
+    EVAL_LIMIT = 10000000, /* VM instructions a line may run, or the equivalent work in C */
+    EVAL_TEXT = 4200       /* buffer size in bytes for everything a line can print */
 };
 
-/* Runs `line` as a script of the game would: its globals, its rules, nothing of @std's own. It is an expression list
- * ("player.get(1).x") or statements. The events it raises are applied at once, handlers included. Tasks it starts get
- * their first turn in the next frame; it cannot wait itself. Its requests to the cabinet (attract, quit) are dropped;
- * board.reset comes with the end of the next tick.
+/* Runs `line` with the globals and rules of a game script, and no access to @std internals. The line is an expression
+ * list ("player.get(1).x") or statements. Events it raises are applied at once, handlers included. Tasks it starts
+ * first run in the next frame; the line itself cannot wait. Its requests to the cabinet (attract, quit) are dropped;
+ * board.reset takes effect at the end of the next tick.
  *
- * out (size bytes, size >= 1) gets what it printed, then its values, lines ending in \n. False: it did not compile,
- * failed, or ran for too long; out is one sentence, and RAM can only be restored. On a board with a fault it always
- * fails. */
+ * out (size bytes, size >= 1) receives the printed text, then the values, in lines ending in \n. Returns false if the
+ * line did not compile, failed, or ran for too long: out is then one sentence, and RAM must be restored by the caller.
+ * Always fails on a board with a fault. */
 bool board_eval(struct board *b, const char *line, char *out, size_t size);
 
-/* The same; its values go into v (values.h), and out gets a sentence only where it fails. What it prints is dropped. */
+/* As board_eval, but stores the values in v (values.h); out is set only on failure, and printed text is dropped. */
 struct values;
 bool board_eval_values(struct board *b, const char *line, struct values *v, char *out, size_t size);
 

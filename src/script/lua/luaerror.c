@@ -1,9 +1,9 @@
 /*
  * luaerror.c - error, assert and pcall.
  *
- * error wraps its value in a carrier, a userdata with a metatable of its own, so that pcall can tell what a script
- * raised from what the machine raised. A fault on its way through a pcall is kept in the registry, so that a __close
- * handler that raises an error in its place cannot hide it: from then on every pcall that fails passes the fault on.
+ * error wraps its value in a carrier, a userdata with its own metatable, so that pcall can distinguish errors raised by
+ * a script from faults raised by the VM. A fault that passes through a pcall is stored in the registry, so that a
+ * __close handler cannot hide it by raising another error: from then on every failing pcall passes the fault on.
  */
 #include <stdint.h>
 #include "../../machine/machine.h"
@@ -35,7 +35,8 @@ void lualib_trace(lua_State *L)
     lua_rawgetp(L, LUA_REGISTRYINDEX, &trace_key);
 }
 
-/* Raises the value on top in a carrier; a carrier, which a __close handler may get, as it is. */
+/* Raises the value on top, wrapped in a carrier. A carrier, which a __close handler may receive, is raised
+ * unchanged. */
 static int throw_value(lua_State *L)
 {
     if (!lualib_raised(L, -1)) {
@@ -77,7 +78,7 @@ static int base_assert(lua_State *L)
     return throw_at(L, 1);
 }
 
-/* Message handler of pcall: keeps the first fault and its traceback, while the stack is still there. */
+/* The message handler of pcall: stores the first fault and its traceback while the stack still exists. */
 static int note_fault(lua_State *L)
 {
     if (lualib_raised(L, 1) || lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL) {
@@ -93,9 +94,9 @@ static int note_fault(lua_State *L)
     return 1;
 }
 
-enum { IN_TASK = 1 }; /* what Lua hands pcall_done after a wait: only tasks can wait, so no handler runs then */
+enum { IN_TASK = 1 }; /* pcall_done's context after a wait; only tasks can wait, so no handler is running */
 
-/* The stack: the handler, true, then what the function returned or the error. */
+/* Finishes pcall. The stack holds the message handler, true, and then the function's results or the error. */
 static int pcall_done(lua_State *L, int status, lua_KContext context)
 {
     if (status == LUA_OK || status == LUA_YIELD)
@@ -112,7 +113,7 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     return 2;
 }
 
-enum { A_PCALL = 20 /* work: one that catches an error; the others are less */ };
+enum { A_PCALL = 20 /* work of a pcall that catches an error; others cost less */ };
 
 static int base_pcall(lua_State *L)
 {
@@ -124,11 +125,11 @@ static int base_pcall(lua_State *L)
     lua_insert(L, 2);
     struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
     int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
-    tasks_act_for(vm_board(L), was); /* an error may have left an enemy's handler */
+    tasks_act_for(vm_board(L), was); /* an error may have unwound an enemy's handler */
     return pcall_done(L, status, 0);
 }
 
-/* What a __close handler sees when it looks at a carrier. */
+/* The __tostring of a carrier, which a __close handler may call: the text of the wrapped value. */
 static int carrier_tostring(lua_State *L)
 {
     if (!lualib_raised(L, 1))

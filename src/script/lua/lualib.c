@@ -1,6 +1,6 @@
 /*
- * lualib.c - see lualib.h. The base functions, and what is kept of the stock libraries; the rest is in the lua*.c
- * files.
+ * lualib.c - see lualib.h. The base functions, and the list of names kept from the stock libraries; the other functions
+ * are in the lua*.c files.
  */
 #include "lualib.h"
 
@@ -11,7 +11,7 @@
 #include "../script.h"
 #include "../vm.h"
 
-static const char metatables_key; /* registry: those that setmetatable ever set */
+static const char metatables_key; /* registry: metatables set with setmetatable, as weak keys */
 
 /* ---- metatables ---- */
 
@@ -23,7 +23,8 @@ static void refuse_field(lua_State *L, int metatable, const char *name, const ch
     lua_pop(L, 1);
 }
 
-/* Lua follows a chain of __call within one instruction, without an end if there is none. */
+/* Only a function is allowed as __call, because Lua follows a chain of __call tables within one instruction, forever
+ * if the chain is a loop. */
 static void refuse_call(lua_State *L, int metatable, const char *where)
 {
     lua_pushliteral(L, "__call");
@@ -33,7 +34,7 @@ static void refuse_call(lua_State *L, int metatable, const char *where)
     lua_pop(L, 1);
 }
 
-/* Enters the metatable at 2 in the list lualib_check_metatables walks. */
+/* Adds the metatable at 2 to the set that lualib_check_metatables walks. */
 static void remember_metatable(lua_State *L)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
@@ -102,7 +103,7 @@ void lualib_seal(lua_State *L)
 
 /* ---- load ---- */
 
-/* Replaces the reader function at 1 by all it returns, put together. */
+/* Replaces the reader function at 1 by the concatenation of all strings it returns. */
 static void read_pieces(lua_State *L)
 {
     luaL_Buffer out;
@@ -127,7 +128,7 @@ static void read_pieces(lua_State *L)
     lua_replace(L, 1);
 }
 
-/* nil and "CHUNK:LINE: what", as for an error of syntax. */
+/* Pushes nil and "CHUNK:LINE: what", as for a syntax error. Returns 2. */
 static int refuse_text(lua_State *L, const char *chunk, int line, const char *what)
 {
     lua_pushnil(L);
@@ -138,7 +139,8 @@ static int refuse_text(lua_State *L, const char *chunk, int line, const char *wh
     return 2;
 }
 
-/* load(text or function, name, mode, env); whatever mode says, text only. An error in the function is passed on. */
+/* load(text or function, name, mode, env). Ignores mode: only source text is accepted. Propagates an error in the
+ * reader function. */
 static int base_load(lua_State *L)
 {
     bool reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
@@ -173,7 +175,7 @@ static int base_load(lua_State *L)
     return 1;
 }
 
-/* ---- what stays ---- */
+/* ---- kept functions ---- */
 
 static const struct {
     const char *library, *names;
@@ -195,7 +197,7 @@ const char *lualib_names(const char *library)
     return NULL;
 }
 
-/* A stock function whose work grows with the text at argument 1 alone. */
+/* Calls a stock function whose work grows only with the length of the string in argument 1. */
 static int charged(lua_State *L)
 {
     if (lua_type(L, 1) == LUA_TSTRING)
@@ -203,7 +205,7 @@ static int charged(lua_State *L)
     return luaparts_stock(L);
 }
 
-/* A stock function whose work grows with how much it returns. */
+/* Calls a stock function whose work grows with its number of results. */
 static int charged_results(lua_State *L)
 {
     int n = luaparts_stock(L);
@@ -212,7 +214,7 @@ static int charged_results(lua_State *L)
     return n;
 }
 
-/* True when name is one of the words of list, which are separated by spaces. */
+/* Returns whether name is one of the words in list, which are separated by spaces. */
 static bool listed(const char *list, const char *name)
 {
     size_t n = strlen(name);
@@ -223,7 +225,7 @@ static bool listed(const char *list, const char *name)
     return false;
 }
 
-/* Takes out of the table on top what is not listed. */
+/* Removes unlisted entries from the table on top. */
 static void keep(lua_State *L, const char *list)
 {
     lua_pushnil(L);
@@ -266,7 +268,7 @@ static void open_string(lua_State *L)
     lua_pop(L, 1);
 }
 
-/* "2" ^ "3" goes through the strings' metatable to the C library's pow. */
+/* Removes __pow from the metatable of strings: "2" ^ "3" would call the C library's pow. */
 static void open_string_metatable(lua_State *L)
 {
     lua_pushliteral(L, "");

@@ -1,16 +1,22 @@
 /*
- * lualib.h - the library scripts see: stock Lua 5.4 without what is unbounded or differs between hosts.
+ * lualib.h - the library scripts see: stock Lua 5.4 without functions that are unbounded or differ between hosts.
  *
- * What stays of base, string, table, math and utf8 behaves as in Lua 5.4, with these differences. pairs visits whole
- * numbers ascending, then strings in byte order, as they were when it was called, and refuses other keys and what is
- * no table. table.sort is a stable merge sort that takes any comparator, writes only what moves and, when it fails,
- * leaves the table as it was. Texts never hold an address, a NaN is "nan", and there is no __pow of texts;
- * string.format refuses %a %A %p; its %q writes a whole float in decimal and refuses a fraction. sin cos tan asin
- * acos atan go through trig.h: good to about 1e-9, or to x / 2^52 where x is large. A malformed pattern is an error
- * even where matching would not have reached the flaw. load takes text only, what script.h forbids is an error as of
- * syntax, and an error in its reader is passed on. setmetatable refuses __gc, __mode, and a __call that is no
- * function. A text has MAX_TEXT bytes at most. pcall catches what error and assert raised and nothing else. Work in
- * C is charged with vm_charge. tests/unit/test_lua_reference.c compares the two.
+ * The remaining functions of base, string, table, math and utf8 behave as in Lua 5.4, except:
+ * - pairs visits integer keys in ascending order, then string keys in byte order, as they were when it was called. It
+ *   refuses other keys and anything but a table.
+ * - table.sort is a stable merge sort that accepts any comparator, writes only elements that move, and leaves the table
+ *   unchanged if a comparison fails.
+ * - Strings never contain an address, NaN is "nan", and strings have no __pow.
+ * - string.format refuses %a %A %p; %q writes an integral float in decimal and refuses a fraction.
+ * - sin cos tan asin acos atan use trig.h: accurate to about 1e-9, or to x / 2^52 for large x.
+ * - A malformed pattern is an error even if matching would not have reached the malformed part.
+ * - load accepts source text only, reports what script.h forbids as a syntax error, and propagates an error in its
+ *   reader.
+ * - setmetatable refuses __gc, __mode, and a __call that is not a function.
+ * - A string has at most MAX_TEXT bytes.
+ * - pcall catches only what error and assert raise.
+ *
+ * Work done in C is charged with vm_charge. tests/unit/test_lua_reference.c compares this library with stock Lua.
  */
 #ifndef SCRIPT_LUALIB_H
 #define SCRIPT_LUALIB_H
@@ -19,33 +25,36 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Replaces and removes, once, right after the stock base, string, table, math and utf8 were opened into globals. What
- * is not listed goes, unknown globals included; so do print and require, which are the host's. */
+/* Replaces and removes library functions. Call it once, right after opening the stock base, string, table, math and
+ * utf8 libraries as globals. Removes every unlisted name, unknown globals included, and also print and require,
+ * which the host provides. */
 void lualib_open(lua_State *L);
 
-/* The names that stay of a library ("math"; "": the globals), with blanks between; NULL: there is no such library. */
+/* Returns the names remaining in a library ("math"; "": the globals), separated by spaces, or NULL if it does not
+ * exist. */
 const char *lualib_names(const char *library);
 
-/* Pushes the text of the value at idx as tostring and print show it. Honours __tostring and __name. */
+/* Pushes and returns the string that tostring and print show for the value at idx. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
 
-/* True for what error and assert raise: a carrier around the script's value. lualib_unwrap pushes that value. */
+/* Returns whether the value at idx was raised by error or assert: it is then a carrier of the script's value, which
+ * lualib_unwrap pushes. */
 bool lualib_raised(lua_State *L, int idx);
 void lualib_unwrap(lua_State *L, int idx);
 
-/* Pushes the traceback of the first fault that went through a pcall, taken where it was raised, or nil. */
+/* Pushes the traceback of the first fault that passed through a pcall, taken where it was raised; or nil. */
 void lualib_trace(lua_State *L);
 
-/* An error when a metatable that setmetatable ever set has got since what setmetatable refuses. Before each step of the
- * collector. */
+/* Raises an error if any metatable set with setmetatable has since gained a field that setmetatable refuses. Called
+ * before each turn of the garbage collector. */
 void lualib_check_metatables(lua_State *L);
 
-/* Takes two values off the stack: what answers reads of fields, and on top what answers writes. They become the
- * metatable of the value below, for good. */
+/* Pops two values, an __index and on top of it a __newindex, and gives the value below a permanent metatable of
+ * them. */
 void lualib_seal(lua_State *L);
 
-/* The Lua function on top becomes one whose locals have no names; chunk is what it was loaded with. For the standard
- * library: a fault in it is told without the name of a local. */
+/* Strips the names of locals from the Lua function on top; chunk is the chunk name it was loaded with. For the
+ * standard library, whose faults are then reported without names of locals. */
 void lualib_drop_locals(lua_State *L, const char *chunk);
 
 #endif

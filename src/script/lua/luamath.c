@@ -1,18 +1,19 @@
 /*
- * luamath.c - math.sin cos tan asin acos atan, the same on every host: the C library's are not even the same on one
- * machine with and without FMA. A double meets only exact or correctly rounded operations on its way to an ang and
- * back, so the error is that of the angle, 2^-33 of a turn, and of Q30.
+ * luamath.c - math.sin cos tan asin acos atan with the same results on every host; the C library's differ even on one
+ * machine with and without FMA. Converting a double to an ang and back uses only exact or correctly rounded operations,
+ * so the error is that of the angle, 2^-33 of a turn, and that of Q30.
  */
 #include <math.h>
 #include <stdbool.h>
 #include "../../base/trig.h"
 #include "luaparts.h"
 
-static const double turn = 4294967296.0;                     /* an ang's 2^32 */
+static const double turn = 4294967296.0;                     /* 2^32: a full turn as an ang */
 static const double turn_per_radian = 683565275.57643158978; /* 2^32 / 2 pi */
 static const double radian_per_turn = 1.4629180792671596e-9; /* 2 pi / 2^32 */
 
-/* The nearest ang to x radians; false for NaN and the infinities. Beyond 1e290 a double names no angle. */
+/* Sets *out to the ang nearest to x radians. Returns false for NaN and the infinities. The inner fmod avoids an
+ * overflow; a double beyond 1e290 is too coarse to determine an angle anyway. */
 static bool to_angle(double x, ang *out)
 {
     double t = fmod(fmod(x, 1e290) * turn_per_radian, turn);
@@ -47,7 +48,7 @@ static int math_tan(lua_State *L)
     return 1;
 }
 
-/* v * 2^by as a whole number, to even, clamped. */
+/* Returns v * 2^by, rounded to nearest with ties to even, clamped to fx. */
 static fx scaled(double v, int by)
 {
     double s = rint(ldexp(v, by));
@@ -71,7 +72,7 @@ static double direction(double y, double x)
     frexp(x, &ex);
     int by = 31 - (x == 0 || (y != 0 && ey > ex) ? ey : ex);
     int32_t a = (int32_t)trig_atan2(scaled(y, by), scaled(x, by));
-    if (a == INT32_MIN && !signbit(y)) /* half a turn has the sign of y */
+    if (a == INT32_MIN && !signbit(y)) /* half a turn takes the sign of y */
         return turn / 2 * radian_per_turn;
     return a ? a * radian_per_turn : copysign(0, y);
 }

@@ -1,9 +1,9 @@
 /*
- * luanames.c - a function of the standard library without the names of its locals, which take about a twelfth of what
- * the library needs of the heap. They are seen in no message but one about a fault of the library itself.
+ * luanames.c - strips the names of locals from a function of the standard library. The names take about a twelfth of
+ * the library's heap memory, and appear only in messages about a fault of the library itself.
  *
- * Lua has no call for this, so the function is dumped and loaded again without them. The form of a dump is that of Lua
- * 5.4, its ldump.c; one that is not read to its last byte leaves the function as it was.
+ * Lua has no call for this, so the function is dumped and loaded again without the names. The dump format is that of
+ * Lua 5.4 (ldump.c). If a dump cannot be parsed to exactly its last byte, the function stays unchanged.
  */
 #include <stdbool.h>
 #include <stdint.h>
@@ -11,15 +11,15 @@
 #include <lauxlib.h>
 #include "lualib.h"
 
-enum { HEADER = 4 + 1 + 1 + 6 + 3 + 8 + 8, DEEP = 32 }; /* of dumps; functions within functions */
+enum { HEADER = 4 + 1 + 1 + 6 + 3 + 8 + 8, DEEP = 32 }; /* bytes of a dump's header; nesting depth of functions */
 
-/* A dump that is read, and written over itself. */
+/* A dump that is read and rewritten in place. */
 struct dump {
     unsigned char *at, *end, *to;
     bool wrong;
 };
 
-/* Passes n bytes, which stay. */
+/* Copies n bytes to the output. */
 static void keep(struct dump *d, size_t n)
 {
     if (n > (size_t)(d->end - d->at)) {
@@ -32,7 +32,7 @@ static void keep(struct dump *d, size_t n)
     d->to += n;
 }
 
-/* A number of 7 bits a byte, the highest first; the last has bit 7. It stays. */
+/* Copies and returns a number, stored as 7 bits per byte, most significant first; bit 7 marks its last byte. */
 static size_t number(struct dump *d)
 {
     size_t n = 0;
@@ -50,7 +50,7 @@ static size_t number(struct dump *d)
 
 static void text(struct dump *d)
 {
-    size_t n = number(d); /* its length + 1; 0: none */
+    size_t n = number(d); /* length + 1; 0: no string */
 
     keep(d, n ? n - 1 : 0);
 }
@@ -67,7 +67,7 @@ static void constant(struct dump *d)
         text(d);
 }
 
-/* The list of locals, from which all go. */
+/* Replaces the list of locals by an empty one. */
 static void locals(struct dump *d)
 {
     unsigned char *list = d->to;
@@ -79,7 +79,7 @@ static void locals(struct dump *d)
         number(d);
     }
     d->to = list;
-    *d->to++ = 128; /* none */
+    *d->to++ = 128; /* the number 0: no locals */
 }
 
 static void function(struct dump *d, int deep)
@@ -103,7 +103,8 @@ static void function(struct dump *d, int deep)
         text(d); /* names of upvalues */
 }
 
-/* What a dump is collected in. lua_dump wants the function on top, so the buffer begins with the first bytes. */
+/* A buffer for a dump. lua_dump needs the function on top of the stack, so the buffer is only initialized when the
+ * first bytes arrive. */
 struct collected {
     luaL_Buffer b;
     bool begun;

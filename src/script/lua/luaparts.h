@@ -1,7 +1,7 @@
 /*
- * luaparts.h - the files lualib.c is put together from.
+ * luaparts.h - what the lua*.c files provide to lualib.c, and helpers they share.
  *
- * Each open function sets its functions in the table on top of the stack.
+ * Each open function stores its functions in the table on top of the stack.
  */
 #ifndef SCRIPT_LUAPARTS_H
 #define SCRIPT_LUAPARTS_H
@@ -17,14 +17,14 @@ void luautf8_open(lua_State *L);    /* utf8: char codepoint codes len offset */
 void luatable_open(lua_State *L);   /* table: concat insert move remove sort unpack */
 void luamath_open(lua_State *L);    /* math: acos asin atan cos sin tan */
 
-/* The functions pairs and tostring. */
+/* The Lua functions pairs and tostring. */
 int luatable_pairs(lua_State *L);
 int luatext_tostring(lua_State *L);
 
-/* Pushes the text of the number at idx. */
+/* Pushes the number at idx as a string; NaN as "nan". */
 void luatext_push_number(lua_State *L, int idx);
 
-/* Puts f in the place of the stock function of this name in the table on top, which f calls with luaparts_stock. */
+/* Replaces the stock function `name` in the table on top by f, which calls the original with luaparts_stock. */
 static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f)
 {
     lua_getfield(L, -1, name);
@@ -32,13 +32,14 @@ static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f
     lua_setfield(L, -2, name);
 }
 
-/* Calls the stock function, which is upvalue 1, in the place of the function that runs. Returns how many results. */
+/* Calls the stock function, upvalue 1, with the running function's stack. Returns its number of results. */
 static inline int luaparts_stock(lua_State *L)
 {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
-/* A position in a text of n bytes, as strings and utf8 count: from 1, or from -1 back. Never below 0. */
+/* Converts a position as the string and utf8 functions take it, 1 for the first byte or -1 for the last of n, to a
+ * positive one; 0 if it is before the first byte. */
 static inline size_t luaparts_position(lua_Integer i, size_t n)
 {
     if (i >= 0)

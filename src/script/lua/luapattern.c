@@ -2,12 +2,12 @@
  * luapattern.c - string.find, match, gmatch and gsub.
  *
  * A pattern is compiled to a flat list of ops. Lua's patterns have no alternatives and repeat only single characters,
- * so each op is passed once on the way to a match, and a repeated op itself keeps what it could still try: how far it
- * went and how far it may come back. When an op fails, the nearest repeated op before it that can try something else
- * does so, and matching goes on behind it. That needs neither recursion nor a stack, and captures need no undoing:
- * whatever lies behind the op is passed again. Each op tried and each character looked at is charged.
+ * so a match passes each op once, and a repeated op itself stores what it can still try: how far it got and how far
+ * back it may go. When an op fails, the nearest repeated op before it that has another try takes it, and matching
+ * continues after that op. This needs neither recursion nor a stack, and captures need no undoing, because all ops
+ * after the retried one run again. Each op tried and each character examined is charged.
  *
- * Classes are those of the C locale, whatever the host's. Semantics: Lua 5.4 reference manual, 6.4.1.
+ * Character classes are those of the C locale on every host. Semantics: Lua 5.4 reference manual, 6.4.1.
  */
 #include <assert.h>
 #include <stdbool.h>
@@ -24,15 +24,15 @@ enum {
 };
 
 enum op_kind {
-    OP_END,  /* a: how many captures the pattern has */
-    OP_CHAR, /* a */
+    OP_END,  /* a: number of captures in the pattern */
+    OP_CHAR, /* the character a */
     OP_ANY,
-    OP_SET,      /* set */
-    OP_OPEN,     /* capture a begins */
+    OP_SET,      /* a character in set */
+    OP_OPEN,     /* capture a starts */
     OP_CLOSE,    /* capture a ends */
-    OP_HERE,     /* capture a is the position */
+    OP_HERE,     /* capture a is this position */
     OP_BACK,     /* the text of capture a again */
-    OP_BALANCE,  /* from a to the b that closes it */
+    OP_BALANCE,  /* %b: from character a to the matching b */
     OP_FRONTIER, /* the character before is outside set, the one here inside */
     OP_LAST      /* the subject's end */
 };
@@ -41,15 +41,15 @@ struct op {
     uint8_t kind;
     uint8_t repeat; /* * + - ? or 0; only of OP_CHAR, OP_ANY and OP_SET */
     uint8_t a, b;
-    int retry; /* the nearest repeated op before, or -1 */
+    int retry; /* index of the nearest repeated op before, or -1 */
     uint64_t set[4];
-    const char *now, *low; /* while matching: where a repeated op has got to, and how far back a greedy one may go */
+    const char *now, *low; /* while matching: how far a repeated op got, and how far back a greedy one may go */
 };
 
 struct capture {
     const char *at;
     size_t size;
-    bool here; /* the position, not a text */
+    bool here; /* a position, not a string */
 };
 
 struct matcher {
@@ -81,7 +81,7 @@ static bool in(const uint64_t set[4], unsigned char c)
     return set[c >> 6] >> (c & 63) & 1;
 }
 
-/* The classes, ASCII alone: a bit for each character below 64, and for each from 64 to 127. */
+/* The classes, ASCII only: a bit per character, 0 to 63 in `low` and 64 to 127 in `high`. */
 static const struct {
     unsigned char letter;
     uint64_t low, high;
@@ -99,7 +99,8 @@ static const struct {
     { 'z', 1, 0 },
 };
 
-/* What % and this character stand for: a class, its complement for a capital, or the character itself. */
+/* Adds the meaning of % and this character: a class, its complement for an upper-case letter, or the character
+ * itself. */
 static void put_escape(uint64_t set[4], unsigned char c)
 {
     for (size_t i = 0; i < sizeof classes / sizeof *classes; i++)
@@ -114,7 +115,8 @@ static void put_escape(uint64_t set[4], unsigned char c)
     put(set, c);
 }
 
-/* The index behind the ] that closes the set whose [ stands before p. A ] right at the start is an ordinary one. */
+/* Returns the position after the ] that closes the set whose [ is before p. A ] at the start of the set is an
+ * ordinary character. */
 static const char *set_end(struct compiler *c, const char *p)
 {
     if (p < c->end && *p == '^')
@@ -128,7 +130,7 @@ static const char *set_end(struct compiler *c, const char *p)
     return p + 1;
 }
 
-/* Reads a set, c->p behind its [, into an empty one. */
+/* Parses a set into `set`, which must be empty; c->p is after the [. */
 static void read_set(struct compiler *c, uint64_t set[4])
 {
     const char *end = set_end(c, c->p), *last = end - 1, *p = c->p;
@@ -180,7 +182,7 @@ static void read_close(struct compiler *c)
     luaL_error(c->L, "invalid pattern capture");
 }
 
-/* The three that follow: c->p at the character behind the %. */
+/* In the next three functions, c->p is at the character after the %. */
 static void read_back(struct compiler *c)
 {
     int i = *c->p++ - '1';
@@ -213,7 +215,8 @@ static void read_repeat(struct compiler *c, struct op *op)
     c->last_repeat = c->count - 1;
 }
 
-/* A single character or class, perhaps repeated; first is the pattern's character, c->p behind it. */
+/* Compiles a single character or class and its repetition, if any. `first` is its first character in the pattern,
+ * and c->p is after it. */
 static void read_single(struct compiler *c, char first)
 {
     struct op *op = emit(c, first == '.' ? OP_ANY : OP_CHAR, (unsigned char)first);
@@ -246,7 +249,8 @@ static void read_escape(struct compiler *c)
         read_single(c, ESCAPE);
 }
 
-/* Compiles pattern [p, end) into ops, which have room for an op a byte and one more. Returns the count of captures. */
+/* Compiles pattern [p, end) into ops, which must have space for an op per byte and one more. Returns the number of
+ * captures. */
 static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
 {
     struct compiler c = { .L = L, .p = p, .end = end, .ops = ops, .last_repeat = -1 };
@@ -307,7 +311,7 @@ static bool one(const struct op *op, char c)
     }
 }
 
-/* As far as op's character repeats. */
+/* Returns the end of the run of op's character at s. */
 static const char *run_length(struct matcher *m, const struct op *op, const char *s)
 {
     const char *e = s;
@@ -321,7 +325,7 @@ static const char *run_length(struct matcher *m, const struct op *op, const char
     return e;
 }
 
-/* The first try of a repeated op at s: where the rest goes on, or NULL. */
+/* Makes the first try of a repeated op at s. Returns where the next op continues, or NULL. */
 static const char *begin(struct matcher *m, struct op *op, const char *s)
 {
     switch (op->repeat) {
@@ -341,7 +345,7 @@ static const char *begin(struct matcher *m, struct op *op, const char *s)
     return op->now;
 }
 
-/* The next try of a repeated op, or NULL. */
+/* Makes the next try of a repeated op. Returns where the next op continues, or NULL. */
 static const char *again(const struct matcher *m, struct op *op)
 {
     if (op->repeat == '-')
@@ -385,7 +389,7 @@ static const char *match_frontier(const struct matcher *m, const struct op *op, 
     return !in(op->set, (unsigned char)before) && in(op->set, (unsigned char)here) ? s : NULL;
 }
 
-/* An op that is not repeated, at s: where the rest goes on, or NULL. */
+/* Tries an op that is not repeated at s. Returns where the next op continues, or NULL. */
 static const char *match_op(struct matcher *m, const struct op *op, const char *s)
 {
     struct capture *c = &m->capture[op->a & (CAPTURES - 1)];
@@ -416,7 +420,7 @@ static const char *match_op(struct matcher *m, const struct op *op, const char *
     return s;
 }
 
-/* Matches at s: the match's end, or NULL. */
+/* Matches at s. Returns the end of the match, or NULL. */
 static const char *match_at(struct matcher *m, const char *s)
 {
     struct op *ops = m->ops;
@@ -438,7 +442,7 @@ static const char *match_at(struct matcher *m, const char *s)
     return s;
 }
 
-/* The next place from s on where a match can begin, or NULL when there is none. */
+/* Returns the next position at or after s where a match can start, or NULL. */
 static const char *candidate(struct matcher *m, const char *s)
 {
     const struct op *first = m->ops;
@@ -450,7 +454,7 @@ static const char *candidate(struct matcher *m, const char *s)
     return found;
 }
 
-/* The first match at or after *s, which becomes its start: its end, or NULL. */
+/* Finds the first match at or after *s and sets *s to its start. Returns its end, or NULL. */
 static const char *search(struct matcher *m, const char **s)
 {
     while ((*s = candidate(m, *s)) != NULL) {
@@ -464,7 +468,7 @@ static const char *search(struct matcher *m, const char **s)
     return NULL;
 }
 
-/* Pushes capture i of the match [s, e); without captures, 0 is the whole match. */
+/* Pushes capture i of the match [s, e); capture 0 is the whole match if the pattern has no captures. */
 static void push_capture(const struct matcher *m, int i, const char *s, const char *e)
 {
     const struct capture *c = &m->capture[i];
@@ -477,7 +481,7 @@ static void push_capture(const struct matcher *m, int i, const char *s, const ch
         lua_pushlstring(m->L, c->at, c->size);
 }
 
-/* Pushes all captures; with `whole`, the whole match when there are none. Returns how many. */
+/* Pushes all captures or, if there are none and `whole` is set, the whole match. Returns the number of values. */
 static int push_captures(const struct matcher *m, const char *s, const char *e, bool whole)
 {
     int n = m->captures == 0 && whole ? 1 : m->captures;
@@ -498,7 +502,7 @@ static void start(struct matcher *m, lua_State *L, struct op *ops, const char *s
     m->captures = 0;
 }
 
-/* Room for the ops of a pattern of n bytes: `few`, or pushed in Lua memory. */
+/* Returns space for the ops of a pattern of n bytes: `few`, or a userdata that it pushes. */
 static struct op *room(lua_State *L, struct op *few, size_t n)
 {
     if (n < FEW_OPS)
@@ -517,7 +521,7 @@ static bool is_plain(const char *p, size_t n)
     return true;
 }
 
-/* The first place of p in s, or NULL. */
+/* Returns the first occurrence of p in s, or NULL. */
 static const char *find_plain(lua_State *L, const char *s, size_t n, const char *p, size_t pn)
 {
     uint64_t work = 0;
@@ -596,9 +600,9 @@ static int string_match(lua_State *L)
 
 /* ---- gmatch ---- */
 
-/* Upvalue 2; upvalue 1 is the text. */
+/* The state of gmatch's iterator, its upvalue 2; upvalue 1 is the subject. */
 struct walk {
-    size_t next, last; /* where to go on, and the end of the last match; NOWHERE: there is none */
+    size_t next, last; /* where to continue, and the end of the last match; NOWHERE: none */
     int captures;
     struct op ops[];
 };
@@ -645,7 +649,7 @@ static int string_gmatch(lua_State *L)
 
 /* ---- gsub ---- */
 
-/* Adds the replacement text at argument 3, its %0 to %9 and %% filled in. */
+/* Adds the replacement string in argument 3, with its %0 to %9 and %% expanded. */
 static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
 {
     size_t n;
@@ -671,7 +675,7 @@ static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const c
     luaL_addlstring(out, p, (size_t)(end - p));
 }
 
-/* Adds what stands for the match [s, e). False: the match itself. */
+/* Adds the replacement of the match [s, e). Returns false if that is the match itself. */
 static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
 {
     lua_State *L = m->L;
@@ -704,9 +708,10 @@ static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, 
     return true;
 }
 
-enum { A_MATCH = 4 /* work: one that is replaced */ };
+enum { A_MATCH = 4 /* work per replaced match */ };
 
-/* Replaces up to max matches; the result is left in out but for what follows the last. Returns the count. */
+/* Replaces up to max matches. Writes the result to out except for the rest of the subject, which starts at *rest.
+ * Returns the number of matches. */
 static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **rest, bool anchor, lua_Integer max,
                               bool *changed)
 {

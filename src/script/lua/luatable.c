@@ -1,11 +1,11 @@
 /*
  * luatable.c - table.concat, insert, move, remove, sort, unpack, and pairs.
  *
- * Sorting works on an array of entries: insertion into short runs, then merging, so it is stable and ends for any
- * comparator. Arrays of whole numbers, of floats and of strings are compared in C; else an entry is an index into a
- * copy of the values, which are compared by Lua. The table is written only when the order is known.
+ * Sorting works on an array of entries: insertion sort of short runs, then merging, so it is stable and terminates for
+ * any comparator. Arrays of only integers, floats or strings are compared in C; otherwise an entry is an index into a
+ * copy of the values, which Lua compares. The table is written only once the order is known.
  *
- * pairs sorts the keys when it is called. A plain list, whose keys are 1..n, needs no copy of them.
+ * pairs sorts the keys when it is called. A plain list, whose keys are 1..n, needs no copy of its keys.
  */
 #include <limits.h>
 #include <stdbool.h>
@@ -28,8 +28,8 @@ struct entry {
         lua_Number f;
         const char *s;
     } v;
-    size_t n;    /* of the string; of a key that is a number: NUMBER_KEY */
-    uint32_t at; /* where it stood, from 0 */
+    size_t n;    /* bytes of the string; NUMBER_KEY: an integer key */
+    uint32_t at; /* original index, from 0 */
 };
 
 static const size_t NUMBER_KEY = SIZE_MAX;
@@ -70,7 +70,7 @@ static bool lua_before(const struct sorter *s, const struct entry *a, const stru
     return before;
 }
 
-/* Keys are charged before they are sorted: how many comparisons they take depends on Lua's hash order. */
+/* Keys are charged before they are sorted, because their number of comparisons depends on Lua's hash order. */
 static void charge(struct sorter *s)
 {
     if (s->order != BY_KEY)
@@ -109,7 +109,7 @@ static void sort_run(struct sorter *s, struct entry *e, size_t n)
     }
 }
 
-/* Merges the sorted [0, half) and [half, n) of from into to. */
+/* Merges the sorted halves [0, half) and [half, n) of `from` into `to`. */
 static void merge(struct sorter *s, struct entry *to, const struct entry *from, size_t half, size_t n)
 {
     size_t a = 0, b = half;
@@ -124,7 +124,7 @@ static void merge(struct sorter *s, struct entry *to, const struct entry *from, 
     memcpy(to + (half - a), from + b, (n - b) * sizeof *to);
 }
 
-/* Sorts e[0, n) with n entries of scratch behind it. Returns where the result is: e or e + n. */
+/* Sorts e[0, n), using the n entries after it as scratch. Returns the start of the result: e or e + n. */
 static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
 {
     struct entry *from = e, *to = e + n, *swap;
@@ -143,13 +143,13 @@ static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
     return from;
 }
 
-/* Room for n entries and their scratch: `few`, or pushed in Lua memory. */
+/* Returns space for n entries and n of scratch: `few`, or a userdata that it pushes. */
 static struct entry *room(lua_State *L, struct entry *few, size_t n)
 {
     return n <= FEW ? few : lua_newuserdatauv(L, 2 * n * sizeof *few, 0);
 }
 
-/* The order all of t[1..n] can be compared in; BY_LUA when there is none in C. */
+/* Returns the order in which C can compare all of t[1..n], or BY_LUA if there is none. */
 static enum order order_of(lua_State *L, lua_Integer n)
 {
     enum order order = BY_LUA, o;
@@ -168,7 +168,7 @@ static enum order order_of(lua_State *L, lua_Integer n)
     return order;
 }
 
-/* The entry of the value on top, number i. */
+/* Returns the entry of the value on top, whose index is i, from 0. */
 static struct entry entry_of(lua_State *L, enum order order, uint32_t i)
 {
     struct entry e = { .at = i };
@@ -275,7 +275,7 @@ static int table_move(lua_State *L)
     lua_Integer from = luaL_checkinteger(L, 2), last = luaL_checkinteger(L, 3), to = luaL_checkinteger(L, 4);
     int into = lua_isnoneornil(L, 5) ? 1 : 5;
 
-    if (into == 1 || lua_type(L, 1) != LUA_TSTRING) /* what has an __index can be read */
+    if (into == 1 || lua_type(L, 1) != LUA_TSTRING) /* a string can be read through its __index */
         luaL_checktype(L, 1, LUA_TTABLE);
     luaL_checktype(L, into, LUA_TTABLE);
     if (last >= from) {
@@ -310,7 +310,7 @@ static size_t add_field(lua_State *L, luaL_Buffer *out, lua_Integer i)
     return n;
 }
 
-enum { A_FIELD = 25 /* work: of one that is a fraction; others are less */ };
+enum { A_FIELD = 25 /* work of a float field; others cost less */ };
 
 static int table_concat(lua_State *L)
 {
@@ -365,13 +365,13 @@ void luatable_open(lua_State *L)
 
 /* ---- pairs ---- */
 
-/* What a walk over the keys found. */
+/* The result of a walk over the keys. */
 struct keys {
-    size_t n, bytes; /* bytes: of all strings */
-    bool texts;      /* there is a string */
-    bool ascending;  /* whole numbers came in order */
+    size_t n, bytes; /* n: number of keys; bytes: length of all string keys */
+    bool texts;      /* there is a string key */
+    bool ascending;  /* integer keys were visited in ascending order */
     lua_Integer first, last;
-    const char *refused; /* a kind of key that has no order; of several, always the same one */
+    const char *refused; /* a kind of key without an order, the first by name; NULL: none */
 };
 
 static void note_key(lua_State *L, struct keys *k, struct entry *e)
@@ -399,7 +399,7 @@ static void note_key(lua_State *L, struct keys *k, struct entry *e)
     k->n++;
 }
 
-/* Walks the table at 1; entries of the first `room` keys go to e. */
+/* Walks the keys of the table at 1 and stores the entries of the first `room` keys in e. */
 static struct keys walk(lua_State *L, struct entry *e, size_t room)
 {
     struct keys k = { .ascending = true };
@@ -413,7 +413,7 @@ static struct keys walk(lua_State *L, struct entry *e, size_t room)
     return k;
 }
 
-/* Iterator over t[1..n]; upvalue: n. */
+/* The iterator over t[1..n]. Upvalue: n. */
 static int next_item(lua_State *L)
 {
     lua_Integer i = lua_tointeger(L, 2), n = lua_tointeger(L, lua_upvalueindex(1));
@@ -428,7 +428,7 @@ static int next_item(lua_State *L)
     return lua_pushnil(L), 1;
 }
 
-/* Iterator over a list of keys; upvalues: the list, how many were visited. */
+/* The iterator over a list of keys. Upvalues: the list, the number of keys visited. */
 static int next_key(lua_State *L)
 {
     lua_Integer i = lua_tointeger(L, lua_upvalueindex(2));
@@ -452,7 +452,8 @@ static int next_nothing(lua_State *L)
     return lua_pushnil(L), 1;
 }
 
-/* An upper bound of the work of sorting the keys: three comparisons a key in short runs, and one in each merge. */
+/* Returns an upper bound on the work of sorting the keys: three comparisons per key in short runs, and one in each
+ * merge. */
 static uint64_t sort_work(const struct keys *k)
 {
     uint64_t comparisons = 3;

@@ -1,9 +1,9 @@
 /*
- * luatext.c - values as text: tostring, string.format, string.rep.
+ * luatext.c - converts values to strings: tostring, string.format, string.rep.
  *
- * The work is stock's. What its texts would hold that differs between hosts, addresses and the spelling of NaN and the
- * infinities, is replaced before it sees it. format checks each conversion itself, because releases of Lua 5.4 differ
- * in which flags they take, and hands on a text in which all of them agree.
+ * The stock functions do the work. Arguments whose text would differ between hosts (addresses, and the spelling of NaN
+ * and the infinities) are replaced first. string.format checks each conversion itself, because releases of Lua 5.4
+ * accept different flags, and passes on a format string that all of them treat alike.
  */
 #include <float.h>
 #include <math.h>
@@ -15,11 +15,11 @@
 #include "../vm.h"
 
 enum {
-    MAX_CONVERSION = 21,        /* bytes behind the %, as in 5.4.4 */
-    MAX_REP = 256 * 1024 * 1024 /* bytes string.rep makes at most: no Lua heap holds more */
+    MAX_CONVERSION = 21,        /* bytes after the %, as in Lua 5.4.4 */
+    MAX_REP = 256 * 1024 * 1024 /* bytes, the longest result of string.rep; no Lua heap is larger */
 };
 
-/* A NaN's sign says nothing and differs between processors. */
+/* Omits the sign of NaN, which has no meaning and differs between processors. */
 void luatext_push_number(lua_State *L, int idx)
 {
     lua_Number v = lua_tonumber(L, idx);
@@ -32,7 +32,7 @@ void luatext_push_number(lua_State *L, int idx)
     lua_tolstring(L, -1, NULL);
 }
 
-/* The text of a value that says nothing of itself: what it is, never where it is. */
+/* Pushes the text of a value without __tostring: its __name or type, without its address. */
 static void push_kind(lua_State *L, int idx)
 {
     int type = luaL_getmetafield(L, idx, "__name");
@@ -71,7 +71,8 @@ int luatext_tostring(lua_State *L)
     return 1;
 }
 
-/* Refuses what is too long on any host, and the empty texts stock would count through. */
+/* Refuses results that are too long for any host, and skips the stock function, which would loop `count` times, for
+ * empty strings. */
 static int string_rep(lua_State *L)
 {
     size_t n, sep_n;
@@ -89,13 +90,14 @@ static int string_rep(lua_State *L)
 
 /* ---- string.format ---- */
 
-/* A conversion: where its flags, its width, the dot of its precision and its letter stand; the latter two may be one.
- */
+/* A conversion: pointers to its flags, its width, the dot of its precision, and its letter. Without a precision, dot
+ * equals letter. */
 struct spec {
     const char *flags, *width, *dot, *letter;
 };
 
-/* The flags a conversion takes, then '.' if it takes a precision; NULL: there is no such conversion. */
+/* Returns the flags that a conversion accepts, and '.' if it accepts a precision; or NULL if there is no such
+ * conversion. */
 static const char *allowed(char letter)
 {
     static const char *const kinds[][2] = { { "c", "-" },  { "di", "-+ 0." },     { "u", "-0." }, { "oxX", "-#0." },
@@ -107,7 +109,7 @@ static const char *allowed(char letter)
     return NULL;
 }
 
-/* Behind at most two digits. */
+/* Returns the position after at most two digits. */
 static const char *skip_number(const char *p)
 {
     for (int i = 0; i < 2 && *p >= '0' && *p <= '9'; i++)
@@ -120,7 +122,7 @@ static bool has_flag(const struct spec *f, char flag)
     return memchr(f->flags, flag, (size_t)(f->width - f->flags)) != NULL;
 }
 
-/* Reads what follows a %. */
+/* Parses the conversion after a %. Raises an error if it is invalid. */
 static struct spec read_spec(lua_State *L, const char *p)
 {
     struct spec f = { .flags = p, .width = p + strspn(p, "-+ #0") };
@@ -138,7 +140,8 @@ static struct spec read_spec(lua_State *L, const char *p)
     return f;
 }
 
-/* Each flag once: five is what some releases take. as_text: the argument is the text of a number, never to be cut. */
+/* Adds a conversion to the format string, with each flag once, because some releases accept at most five. as_text:
+ * the argument is a number's text, to be written with %s and without a precision, which would cut it. */
 static void add_spec(luaL_Buffer *out, const struct spec *f, bool as_text)
 {
     luaL_addchar(out, '%');
@@ -149,7 +152,7 @@ static void add_spec(luaL_Buffer *out, const struct spec *f, bool as_text)
     luaL_addchar(out, as_text ? 's' : *f->letter);
 }
 
-/* Pushes a NaN or an infinity. */
+/* Pushes the text of a NaN or an infinity. */
 static void push_odd(lua_State *L, const struct spec *f, lua_Number v)
 {
     const char *sign = v < 0 ? "-" : has_flag(f, '+') ? "+" : has_flag(f, ' ') ? " " : "";
@@ -158,7 +161,7 @@ static void push_odd(lua_State *L, const struct spec *f, lua_Number v)
     lua_pushfstring(L, "%s%s", sign, v != v ? capital ? "NAN" : "nan" : capital ? "INF" : "inf");
 }
 
-/* Pushes a finite float as Lua reads it; stock would write a hexadecimal one. */
+/* Pushes an integral float as a decimal Lua literal; the stock function would write a hexadecimal one. */
 static void push_literal(lua_State *L, int arg, lua_Number v)
 {
     char text[32];
@@ -168,13 +171,14 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
     lua_pushstring(L, text);
 }
 
-/* Charges for an argument, and replaces it by its text when stock would write another. True: that is for %s. */
+/* Charges for an argument, and replaces it by its text if the stock function would write a different one. Returns
+ * whether that text must be written with %s instead of f's conversion. */
 static bool prepare(lua_State *L, const struct spec *f, int arg)
 {
     bool is_text = lua_type(L, arg) == LUA_TSTRING;
     bool is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
     bool number = strchr("eEfgG", *f->letter) != NULL;
-    lua_Number v = lua_tonumber(L, arg); /* 0 of what is none, which stock refuses */
+    lua_Number v = lua_tonumber(L, arg); /* 0 if it is not a number, which the stock function refuses */
     size_t n = is_text ? (size_t)lua_rawlen(L, arg) : 0;
 
     vm_charge(L, number ? 800 : 16 + (*f->letter == 'q' ? n / 2 : 0));

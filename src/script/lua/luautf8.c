@@ -1,6 +1,6 @@
 /*
- * luautf8.c - utf8.char, codepoint, len and offset are stock's, charged. codes is ours, because releases of Lua 5.4
- * differ in what it lets pass; each code is read by stock's codepoint.
+ * luautf8.c - utf8.char, codepoint, len and offset: the stock functions with their work charged. utf8.codes is
+ * reimplemented, because releases of Lua 5.4 differ in what it accepts; it reads each code with the stock codepoint.
  */
 #include <stdbool.h>
 #include "luaparts.h"
@@ -20,7 +20,7 @@ static int utf8_codepoint(lua_State *L)
     return n;
 }
 
-/* On top is how many there are, or the position of what is none. */
+/* The stock function leaves the number of characters on top, or the position of the first invalid byte. */
 static int utf8_len(lua_State *L)
 {
     int n = luaparts_stock(L);
@@ -38,7 +38,7 @@ static int utf8_offset(lua_State *L)
     lua_settop(L, 2);
     lua_pushinteger(L, from);
     luaparts_stock(L);
-    size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n); /* nil: 0, before the text */
+    size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n); /* nil: 0, before the string */
     vm_charge(L, at > start ? at - start : start - at);
     return 1;
 }
@@ -48,7 +48,7 @@ static bool is_continuation(char c)
     return ((unsigned char)c & 0xc0) == 0x80;
 }
 
-/* The iterator: the code behind the one at the control position. Upvalues: stock's codepoint, lax. */
+/* The iterator: returns the code after the one at the control position. Upvalues: the stock codepoint, lax. */
 static int next_code(lua_State *L)
 {
     size_t n;
@@ -66,7 +66,7 @@ static int next_code(lua_State *L)
     lua_pushinteger(L, (lua_Integer)at + 1);
     lua_pushinteger(L, (lua_Integer)last);
     lua_pushvalue(L, lua_upvalueindex(2));
-    luaparts_stock(L); /* a continuation too many is an error, so this is one code */
+    luaparts_stock(L); /* one code: a surplus continuation byte is an error */
     lua_replace(L, 3);
     lua_settop(L, 3);
     return 2;
