@@ -1,8 +1,8 @@
 /*
- * blit.c - see blit.h. Processes eight pixels at a time, or twice eight: loads part of a row of the picture into a
- * 64-bit word, makes the mask from the bytes that are zero, recolours the whole word, and writes the result back. No
- * step moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside
- * the sprite are unchanged.
+ * blit.c - see blit.h. Processes eight or sixteen pixels at a time: loads part of a row of the picture into a 64-bit
+ * word, makes the mask from the bytes that are zero, recolours the whole word, and writes the result back. No step
+ * moves bits from one byte to another, so the byte order of the host does not matter. Bytes written back outside the
+ * sprite are unchanged.
  *
  * A word may extend past the sprite's edge by up to 7 pixels: the band and slack of fb.h exist for that.
  */
@@ -17,7 +17,7 @@ static inline uint64_t reverse(uint64_t v)
     return v << 32 | v >> 32;
 }
 
-enum { TURNED = 1024 }; /* bytes */
+enum { TURNED = 1024 }; /* bytes of the buffer for reversed rows */
 
 /* A drawing job: words of source rows, and their destination. In a flipped job, words are written from right to
  * left. */
@@ -26,7 +26,7 @@ struct job {
     const uint8_t *s;
     ptrdiff_t d_row, s_row; /* bytes from one row to the next */
     int words, rows;
-    uint64_t first, last; /* masks of the drawn bytes in a row's first and last word: 255, otherwise 0 */
+    uint64_t first, last; /* masks for a row's first and last word: 255 for drawn bytes, otherwise 0 */
     uint64_t add;
 };
 
@@ -39,8 +39,9 @@ static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t a
         paint_word(d, words_load(s), add);
 }
 
-/* Paints whole words of every row; `words` is a constant in the calls that matter. Here and below the job is copied
- * into locals first: the pixels might alias it, so the compiler would have to reload it each time. */
+/* Paints whole words of every row; `words` is a constant in the calls that matter. Here and in similar functions the
+ * job is first copied into locals: the pixels might alias the job, so the compiler would have to reload it after each
+ * store. */
 static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;
@@ -78,8 +79,8 @@ static inline void paint_flipped_words(const struct job *j)
     }
 }
 
-/* Reverses long rows first, several before the first is painted: processors are slow to load sixteen bytes that have
- * just been stored as two words. */
+/* Paints long flipped rows. Reverses several rows before painting the first of them, because processors are slow to
+ * load sixteen bytes that have just been stored as two words. */
 static void paint_turned(const struct job *j)
 {
     uint8_t turned[TURNED];
@@ -107,7 +108,7 @@ static void paint_flipped(const struct job *j)
         paint_flipped_words(j);
 }
 
-/* Paints the pixels of word k of every row that `mask` selects. */
+/* In every row, paints the pixels of word k that `mask` selects. */
 static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
 {
     const uint8_t *s = j->s + 8 * k;
@@ -137,7 +138,7 @@ static void paint_cut(struct job *j, bool flip)
         paint(j);
 }
 
-/* Source of masks with 255 in bytes [from, 8) of a word, in memory order, and in [0, to). */
+/* Source of masks that have 255 in bytes [from, 8) of a word, in memory order, or in bytes [0, to). */
 static const uint8_t edge[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255 };
 
 static uint64_t bytes_from(int from)
@@ -154,9 +155,9 @@ static uint64_t bytes_to(int to)
 struct visible {
     int from, to; /* columns of the image */
     int rows;
-    const uint8_t *s; /* the first of these rows, at its column 0 */
+    const uint8_t *s; /* column 0 of the first visible row */
     ptrdiff_t s_row;
-    int64_t at; /* where the whole row would start, from fb->pix */
+    int64_t at; /* offset from fb->pix at which the unclipped row would start */
 };
 
 /* Computes the visible part of an image. Returns false if nothing is inside the clip. */
@@ -212,7 +213,7 @@ static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
     *d = table[(size_t)*d << 8 | colour];
 }
 
-/* Draws the opaque pixels of eight. Unrolled by hand: gcc leaves a loop as it is. */
+/* Draws the opaque pixels among eight. Unrolled by hand, because gcc does not unroll the loop. */
 static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uint8_t *table)
 {
     if (words_opaque(words_load(s)) == ~(uint64_t)0) {
@@ -299,8 +300,8 @@ void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t 
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity in the image: the dots move with
-                                                                            it */
+    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity within the image, so that the dots
+                                                                            move with the image */
     for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_row)
         for (int k = 0; k < p.to - p.from; k++)
             if (s[k] && !(dots && (odd + row + k) & 1))
@@ -313,7 +314,7 @@ void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c)
         blit_solid(fb, image, x + k % 3 - 1, y + k / 3 - 1, c, 0);
 }
 
-/* Returns the job of drawing a whole image. */
+/* Returns the job that draws a whole image without clipping. */
 static inline struct job whole_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
                                    unsigned flags)
 {
@@ -388,7 +389,7 @@ static void batch_others(const struct blit_item *items, size_t n, struct job j, 
     }
 }
 
-/* Makes the widths and heights of most bullets constants; so is mix at the call sites. */
+/* Passes the widths and heights of most bullets as constants; mix is a constant at the call sites. */
 __attribute__((always_inline)) static inline void batch_usual(const struct blit_item *items, size_t n, ptrdiff_t d_row,
                                                               int h, bool wide, enum blit_mix mix)
 {

@@ -51,7 +51,7 @@ void fb_clip_all(struct fb *fb)
     fb_clip(fb, 0, 0, fb->w, fb->h);
 }
 
-/* One memset, including the band, takes less time than one per row. */
+/* A single memset that includes the band takes less time than one memset per row. */
 void fb_fill(struct fb *fb, uint8_t c)
 {
     memset(fb->pix, c, (size_t)(fb->h - 1) * (size_t)fb->pitch + (size_t)fb->w);
@@ -90,7 +90,7 @@ void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 /* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
 struct axis {
     int64_t from, sign, length; /* 0 <= length < 2^32 */
-    int64_t lo, hi;             /* inside: lo <= steps <= hi */
+    int64_t lo, hi;             /* the steps inside the clip: lo <= step <= hi */
 };
 
 static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip1)

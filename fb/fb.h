@@ -20,8 +20,9 @@ struct fb {
     uint8_t *pix; /* pixel (0, 0); (x, y) is pix[y * pitch + x] */
     int pitch, w, h;
     int x0, y0, x1, y1;     /* the clip, half open, inside the picture */
-    int sx0, sy0, sx1, sy1; /* safe area: a sprite wholly inside needs no clipping. The clip, extended by the band
-                               where its edge is the picture's; empty when the clip is */
+    int sx0, sy0, sx1, sy1; /* safe area: a sprite wholly inside it needs no clipping. Equals the clip,
+                               extended by the band at each edge that is also an edge of the picture; empty if
+                               the clip is empty */
 };
 
 /* Returns the bytes of memory that a surface of w x h takes, 1 <= w, h <= FB_MAX. */
@@ -31,22 +32,23 @@ size_t fb_size(int w, int h);
  * fb. */
 void fb_init(struct fb *fb, void *mem, int w, int h);
 
-/* Clips to the part of (x, y, w, h) that is in the picture, possibly none; w or h below 1 is empty. Any values. */
+/* Sets the clip to the part of the rectangle (x, y, w, h) that is inside the picture. The clip is empty if there is no
+ * such part or w or h is below 1. Any values are allowed. */
 void fb_clip(struct fb *fb, int x, int y, int w, int h);
 void fb_clip_all(struct fb *fb);
 
-/* Fills the whole picture, whatever the clip, and the band beside its rows, except to the left of the first and to the
- * right of the last row. */
+/* Fills the whole picture, ignoring the clip, and the band to the left and right of its rows, except left of the first
+ * row and right of the last. */
 void fb_fill(struct fb *fb, uint8_t c);
 
-/* Draw a filled rectangle, and its outline one pixel wide (inside it); clipped. w or h below 1 draws nothing. Any
- * values. */
+/* Draw a filled rectangle, and the one-pixel outline just inside the rectangle's edge; both are clipped. If w or h is
+ * below 1, nothing is drawn. Any values are allowed. */
 void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 
-/* Draws a line, both ends included, clipped: the pixels are those of the whole line. After i of n steps along the
- * longer axis, the line is floor((i * m + floor(n / 2)) / n) pixels along the shorter axis, whose length is m: the
- * nearest pixel, halves away from the start. Any ends; the time depends only on the pixels inside the clip. */
+/* Draws a line, both ends included. Clipping hides pixels but moves none. After i of n steps along the longer axis, the
+ * line is floor((i * m + floor(n / 2)) / n) pixels along the shorter axis, whose length is m: the nearest pixel, halves
+ * away from the start. Any end points; the time depends only on the pixels inside the clip. */
 void fb_line(struct fb *fb, int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint8_t c);
 
 #endif

@@ -1,9 +1,10 @@
 /*
- * paint.h - unclipped pictures, sixteen pixels at a time: code shared by blit.c, stamp.c and tiles.c. The mask is
- * computed from the pixels on the fly, which is faster than loading it: most of the time is spent on one store per row.
+ * paint.h - draws unclipped pictures, sixteen pixels at a time; shared by blit.c, stamp.c and tiles.c. The mask of
+ * opaque pixels is computed from the pixels, which is faster than loading a prepared one: most of the time is spent on
+ * one store per row.
  *
  * Sixteen pixels are a compiler vector (gcc, clang), because no loop over them stays vectorised at every optimisation
- * level: tests/lint/levels.sh. No step moves bits from one byte to another. The rule, and usually the height, is a
+ * level (see tests/lint/levels.sh). No step moves bits from one byte to another. The rule, and usually the height, is a
  * constant at the call sites; inlining is forced, as gcc would otherwise merge all calls into one loop.
  */
 #ifndef FB_PAINT_H
@@ -35,7 +36,7 @@ static inline sixteen paint_either(sixteen mask, sixteen a, sixteen b)
     return (a & mask) | (b & ~mask);
 }
 
-/* Returns the shades, 0 to 15, that a rule makes of the shades of two pixels. */
+/* Returns the shades, 0 to 15, that the rule computes from the shades of `under` and `over`. */
 __attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, sixteen over, enum blit_mix rule)
 {
     const sixteen a = under & 15, b = over & 15, sum = a + b;
@@ -45,7 +46,7 @@ __attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, 
     return rule == BLIT_RAMP_HALF ? (sum + 1) >> 1 : paint_either(a > b, a, b);
 }
 
-/* Returns sixteen pixels of d with those of s painted over them, opaque or by a rule. */
+/* Returns the sixteen pixels d with the pixels s painted over them, opaque or by a rule. */
 __attribute__((always_inline)) static inline sixteen paint_over(sixteen d, sixteen s, uint8_t add, enum blit_mix mix)
 {
     const sixteen over = paint_banked(s, add);
@@ -70,7 +71,7 @@ static inline void paint_cover(uint8_t *d, const uint8_t *s, uint8_t add)
     paint_pair(d, s, add, BLIT_OPAQUE);
 }
 
-/* Paints eight pixels, as half of sixteen. */
+/* Paints eight pixels of a row, as half of a vector of sixteen. */
 __attribute__((always_inline)) static inline void paint_eight(uint8_t *d, const uint8_t *s, uint8_t add,
                                                               enum blit_mix rule)
 {
@@ -82,7 +83,7 @@ __attribute__((always_inline)) static inline void paint_eight(uint8_t *d, const 
     memcpy(d, pair, 8);
 }
 
-/* Paints two rows of eight pixels as one of sixteen. */
+/* Paints two rows of eight pixels as one vector of sixteen. */
 __attribute__((always_inline)) static inline void paint_two(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
                                                             enum blit_mix mix)
 {

@@ -1,16 +1,16 @@
 /*
  * resize.c - see resize.h.
  *
- * As in turned copies, each pixel looks at the part of the smooth image (turn.h) that it covers, and the majority of
- * the area decides: first whether the pixel is opaque (half suffices), then its colour, the lowest of equals. Areas are
- * whole numbers: along each axis a pixel of the smooth image is as many units long as the result has pixels, and vice
- * versa.
+ * Each pixel of the result covers an area of the smooth image (turn.h) and, as in turned copies, the majority of that
+ * area decides: first whether the pixel is opaque (half suffices), then its colour (the lowest if areas are equal).
+ * Areas are whole numbers: along each axis, a pixel of the smooth image is as many units long as the result has pixels,
+ * and a pixel of the result is as many units long as the smooth image has pixels.
  */
 #include "resize.h"
 #include <assert.h>
 #include "fb.h"
 
-enum { FINE = 4 /* pixels of the smooth image per pixel, each way */ };
+enum { FINE = 4 /* pixels of the smooth image per pixel of the image, along each axis */ };
 
 /* Returns the length that the k-th of n equal parts and the i-th of m equal parts of a length n * m have in common. */
 static uint64_t overlap(int k, int n, int i, int m)

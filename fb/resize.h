@@ -6,8 +6,8 @@
 
 #include "turn.h"
 
-/* Paints the image of t into out at w x h pixels, rows without padding. Each pixel is one of the image's colours; none
- * is mixed. w and h are 1 to FB_MAX. */
+/* Paints t's image, resized to w x h pixels, into out; the rows of out have no padding. Each pixel is one of the
+ * image's colours; colours are never mixed. w and h are 1 to FB_MAX. */
 void resize_paint(const struct turn *t, uint8_t *out, int w, int h);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * row.c - see row.h. Sixteen pixels at once, in a form that compilers turn into the simplest vector instructions: a
- * select by mask, no branch, a constant count.
+ * row.c - see row.h. Processes sixteen pixels at a time, in a form that compilers turn into the simplest vector
+ * instructions: a select by mask, no branch, a constant count.
  */
 #include "row.h"
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /*
  * row.h - draws rows of pixels onto rows of the surface, for backgrounds.
  *
- * All functions draw n pixels of s, and add `add` to every pixel except 0, modulo 256.
+ * All functions draw n pixels of s onto d, and add `add`, modulo 256, to every pixel except 0.
  */
 #ifndef FB_ROW_H
 #define FB_ROW_H

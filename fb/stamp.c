@@ -1,9 +1,9 @@
 /*
  * stamp.c - see stamp.h.
  *
- * Over the surface, a picture is painted from its own pixels (paint.h). In a layer, a byte keeps its value or, if it is
- * 0, takes the picture's colour: a picture drawn later is the one below. A word may extend past the picture's edge by
- * up to 7 pixels, which are 0: the band and slack of fb.h exist for that. Common sizes have loops of their own.
+ * On the surface, pictures are painted over the existing pixels (paint.h). In a layer, a picture fills only the bytes
+ * that are still 0, so a picture drawn later ends up underneath. A word may extend past the picture's edge by up to 7
+ * pixels, which are 0: the band and slack of fb.h exist for that. Common sizes have specialised loops.
  */
 #include "stamp.h"
 #include <assert.h>
@@ -67,7 +67,7 @@ static uint8_t *origin(const struct fb *fb)
     return fb->pix - (ptrdiff_t)FB_GUARD * fb->pitch - FB_GUARD;
 }
 
-/* The pictures that destinations show instead of one image. */
+/* The pictures that destinations show instead of the one image; both NULL: the image. */
 struct own {
     const uint32_t *at;              /* offset of each destination's picture, or NULL */
     const struct stamp_turns *turns; /* or NULL */
@@ -165,7 +165,7 @@ __attribute__((always_inline)) static inline size_t over_all(const struct fb *fb
     return over_others(fb, image, own, mix, list);
 }
 
-/* Draws two rows of eight pixels, given their masks and colours. */
+/* Draws two rows of eight pixels: keeps the bytes of d where `keep` is set, and adds the bits of `colour`. */
 static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen colour)
 {
     uint64_t two[2] = { words_load(d), words_load(d + pitch) };
@@ -178,7 +178,7 @@ static inline void put_two(uint8_t *d, ptrdiff_t pitch, sixteen keep, sixteen co
     words_store(d + pitch, two[1]);
 }
 
-/* Masks and colours of 8x8 pixels in one bank: per pair of rows, or per row. */
+/* Masks and colours of an 8x8 image in one bank, two rows per vector. */
 struct eight {
     sixteen keep[4], colour[4];
 };
@@ -224,9 +224,9 @@ static inline void put_rows(uint8_t *d, ptrdiff_t pitch, const struct eight *e)
         words_store(d, (words_load(d) & words_load(keep + k)) | words_load(colour + k));
 }
 
-/* Draws an opaque 8x8 image at the destinations in the first one's bank, up to the first that is not; returns how many.
- * Its masks and colours stay in registers. A picture that overlaps the one before it, as in a ring that was just fired,
- * has to wait for the stores of that one, so it is drawn row by row. */
+/* Draws an opaque 8x8 image at the destinations before the first whose bank is not that of dests[0]. Returns the number
+ * drawn. The image's masks and colours stay in registers. A picture that overlaps the previous one, as in a ring that
+ * was just fired, has to wait for the previous picture's stores, so it is drawn row by row. */
 static size_t over_bank(const struct fb *fb, const struct image *image, const struct stamp_list *list)
 {
     const uint32_t *dests = list->dests;
@@ -297,9 +297,9 @@ static size_t over_bank_turned(const struct fb *fb, const struct image *image, c
     return i;
 }
 
-/* Draws 8x8 images in any banks: images of a kind mostly share one. When the bank changes, the next MIXED images are
- * painted without prepared masks, because the bank may soon change again. turns: NULL, or the images are turned
- * copies. */
+/* Draws 8x8 images in any banks, assuming that most images of a kind share one bank. When the bank changes, the next
+ * MIXED images are painted without prepared masks, because the bank may soon change again. turns: the turned copies to
+ * draw, or NULL. */
 static size_t over_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
                          const struct stamp_list *list)
 {
@@ -352,7 +352,8 @@ size_t stamp_turned(struct fb *fb, const struct image *image, const struct stamp
 
 /* ---- layers ---- */
 
-/* Overdraw, in multiples of the layer's area, before the map is worth an update: the first one, and each later one. */
+/* Overdraw, in multiples of the layer's area, after which the map is worth updating: for the first update, and for each
+ * later one. */
 enum { FIRST_OVERDRAW = 4, MORE_OVERDRAW = 3 };
 
 static size_t words_of(const struct fb *fb)
@@ -378,7 +379,7 @@ void stamp_layer_init(struct stamp_layer *l, void *mem, int w, int h)
     memset(l->full, 0, words_of(&l->fb));
 }
 
-/* Returns 255 in the bytes of a row's word `at` that are not in the picture. */
+/* Returns a mask with 255 in those bytes of word `at` of a row that are outside the picture. */
 static uint64_t band_bytes(const struct fb *fb, int at)
 {
     uint8_t b[8];
@@ -472,8 +473,8 @@ size_t stamp_cells_size(int w, int h)
     return (size_t)across * down + 1;
 }
 
-/* Returns whether all is covered in [x0, x1) x [y0, y1), counted from the band's first byte. Pixels outside of the band
- * are not shown and count as covered. */
+/* Returns whether all pixels in [x0, x1) x [y0, y1), relative to the band's first byte, are covered. Pixels outside the
+ * band are not shown and count as covered. */
 static bool all_covered(const struct stamp_layer *l, int x0, int y0, int x1, int y1)
 {
     int words = l->fb.pitch / 8, rows = l->fb.h + 2 * FB_GUARD;

@@ -1,11 +1,11 @@
 /*
  * strip.c - see strip.h.
  *
- * Each piece of the line is the part of the plane between four edges: two parallel to it, half the width away, and a
- * cut at either end. Where two pieces meet they share the cut, which bisects the angle between them, and the centre of
- * every pixel is on one side of it: so the pieces leave no gap and do not overlap. A row of a piece is the part of the
- * clip between its edges; an edge is advanced from row to row by one addition. Within a piece, picture coordinates
- * advance by two steps per pixel, one along the line and one across it.
+ * Each piece of the line is the part of the plane between four edges: two parallel to the line, half the width away,
+ * and a cut at either end. Two pieces that meet share a cut, which bisects the angle between them. The centre of every
+ * pixel is on one side of the cut, so the pieces leave no gap and do not overlap. A row of a piece is the part of the
+ * clip between the piece's edges; an edge is advanced from row to row by one addition. Within a piece, picture
+ * coordinates advance by two steps per pixel, one along the line and one across it.
  */
 #include "strip.h"
 #include <string.h>
@@ -18,10 +18,10 @@ struct unit {
     int32_t x, y;
 };
 
-/* A straight edge, as used row by row. */
+/* A straight edge, evaluated row by row. */
 struct edge {
-    int64_t x, step; /* its x at this row's centre, and the change per row; Q16 px */
-    bool level;      /* it is parallel to the rows: a whole row is on one side */
+    int64_t x, step; /* x at the current row's centre, and its change per row; Q16 px */
+    bool level;      /* parallel to the rows, so that a whole row is on one side */
     bool right;      /* keeps the pixels to its right; if level, those below it */
     int32_t y;       /* of a level edge, Q16 px */
 };
@@ -32,12 +32,12 @@ struct brush {
     const struct strip *s;
     const struct image *image;
     int32_t half;             /* half of the width, Q16 px */
-    int64_t scale;            /* px across the line to rows of the picture, Q16 */
+    int64_t scale;            /* rows of the picture per px across the line, Q16 */
     uint8_t profile[PROFILE]; /* for a picture one pixel wide: its colours with the bank added; 0: transparent */
     bool plain;               /* the picture is one pixel wide, opaque and not dashed */
 };
 
-/* The slope of an edge that keeps the side in the direction n. */
+/* The slope of an edge perpendicular to n; the side that n points to is kept. */
 struct slope {
     struct unit n;
     int64_t step;
@@ -60,7 +60,7 @@ static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
                           .y = y };
 }
 
-/* The area that a piece, or an end, keeps: rows first to last, and in each row a span between edges. */
+/* The area that a piece or an end covers: rows first to last, and in each row a span between edges. */
 struct span {
     int first, last;
     int64_t lo, hi; /* the clip */
@@ -70,7 +70,7 @@ struct span {
 
 static void cut(struct span *s, struct edge e)
 {
-    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first row whose centre is not above it */
+    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first row whose centre is not above e */
 
     if (!e.level)
         s->edge[s->n++] = e;
@@ -87,7 +87,7 @@ static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
     *hi = s->hi;
     for (int k = 0; k < s->n; k++) {
         struct edge *e = &s->edge[k];
-        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose centre is not left of it */
+        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose centre is not left of e */
         e->x += e->step;
         if (e->right)
             *lo = at > *lo ? at : *lo;
@@ -110,7 +110,7 @@ static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
         *d = b->s->blend ? b->s->blend[(size_t)*d << 8 | c] : c;
 }
 
-/* Returns the picture's row for a row in Q32. */
+/* Returns the picture's row at position `row`, in Q32, clamped to the picture. */
 static inline int row_of(const struct brush *b, int64_t row)
 {
     const int most = b->image->h - 1;
@@ -152,8 +152,8 @@ static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along
     }
 }
 
-/* Draws a span of a piece whose picture is one pixel wide and opaque. Clamps rows pixel by pixel only if rounding took
- * one beyond the picture's rows. */
+/* Draws a span of a piece whose picture is one pixel wide and opaque. Clamps the row of each pixel only if rounding
+ * moved the first or the last one outside the picture. */
 static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
 {
     const int64_t most = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
@@ -179,7 +179,7 @@ struct piece {
 
 /* The picture coordinates of the first pixel of the clip in a row, Q32, and their change per pixel and per row. */
 struct place {
-    int64_t row, row_x, row_y; /* across */
+    int64_t row, row_x, row_y; /* across the line */
     int64_t along, along_x, along_y;
 };
 
@@ -219,8 +219,8 @@ static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach
     *last = end < fb->y1 - 1 ? (int)end : fb->y1 - 1;
 }
 
-/* Draws a straight piece to `to`, between its two cuts, each through a corner and keeping its direction's side. A cut
- * leans by a quarter of a right angle at most, so a piece extends less than 5/12 of half the width beyond its ends. */
+/* Draws the straight piece from p->from to `to`, between the cuts `begin` and `end` through these two corners. A cut
+ * leans by at most a quarter of a right angle, so a piece extends less than 5/12 of half the width beyond its ends. */
 static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
                        const struct slope *end)
 {
@@ -251,7 +251,7 @@ static void draw_piece(const struct brush *b, const struct piece *p, struct stri
 
 enum half { BEHIND, AHEAD, WHOLE };
 
-/* Draws the half of a circle that is behind corner c of a piece along dir, or ahead of it, or the whole circle. */
+/* Draws the circle around corner c, or only the half that is behind c, or ahead of c, in direction dir. */
 static void draw_end(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
 {
     int first, last;
@@ -285,8 +285,8 @@ static void draw_end(const struct brush *b, struct strip_corner c, struct unit d
     }
 }
 
-/* Computes the direction from a to b, and their distance. Returns false if that is nearly 0. Squares are of Q12 values,
- * so that they fit for all corners. */
+/* Computes the direction from a to b, and their distance. Returns false if the distance is below 1/4 px. Coordinates
+ * are reduced to Q12 before squaring, so that the squares fit in 64 bits for all corners. */
 static bool direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *far)
 {
     const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
@@ -333,8 +333,8 @@ static void take_line(struct line *l, const struct strip_corner *corner, int n)
             l->corner[l->n++] = corner[k];
 }
 
-/* Returns whether two directions meet at half a right angle or less, and stores the direction of the cut. Then the cut
- * bisects the angle, and the outer corner is at most 13/12 of half the width from the line. */
+/* Stores the direction of the cut, which bisects the angle between a and b. Returns whether that angle is at most half
+ * a right angle; then the outer corner is at most 13/12 of half the width from the line. */
 static bool halved(struct unit a, struct unit b, struct unit *cut_at)
 {
     *cut_at = (struct unit){ a.x + b.x, a.y + b.y };

@@ -1,9 +1,10 @@
 /*
- * strip.h - a picture laid along a line of many corners, of any width and direction, with round ends.
+ * strip.h - draws a picture along a line with many corners, of any width and direction, with round ends.
  *
- * Positions are whole numbers and roots are the nearest ones (fx_root), so every host draws the same pixels. The root's
- * first guess is a double: the caller must have set the board's arithmetic (host.h). No pixel is drawn twice where two
- * pieces of the line meet (unless they meet at more than half a right angle), so blended strips show no seams.
+ * Positions are integers and square roots are correctly rounded (fx_root), so every host draws the same pixels. The
+ * first guess of a root is a double: the caller must have set the board's arithmetic (host.h). No pixel is drawn twice
+ * where two pieces of the line meet (unless they meet at more than half a right angle), so blended strips show no
+ * seams.
  */
 #ifndef FB_STRIP_H
 #define FB_STRIP_H
@@ -13,11 +14,11 @@
 #include "blit.h"
 
 struct strip {
-    const struct image *image; /* its rows lie along the line, the first on the left of the direction of travel; it
-                                  repeats along the line */
+    const struct image *image; /* its rows lie along the line, the first to the left of the direction of travel;
+                                  repeated along the line */
     uint8_t bank;              /* as in blit_sprite */
     const uint8_t *blend;      /* a table as in blit_blended, or NULL: opaque */
-    int32_t width;  /* Q16 px, 0 to 4096 px, below 1/8 nothing is drawn: the picture's height is stretched to it */
+    int32_t width;  /* Q16 px, 0 to 4096 px: the picture's height is stretched to it; below 1/8 px nothing is drawn */
     uint16_t along; /* px by which the picture is moved along the line */
     bool dashed;    /* 4 px on, 4 px off, in the colours of the picture's first column */
 };
@@ -29,8 +30,8 @@ struct strip_corner {
 
 enum { STRIP_CORNERS = 512 };
 
-/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped: all within half the width of the line, and the outer
- * corners of its bends. */
+/* Draws the strip along `n` corners, 1 to STRIP_CORNERS, clipped. Covers everything within half the width of the line,
+ * and the outer corners of the bends. */
 void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner *corner, int n);
 
 #endif

@@ -57,7 +57,7 @@ void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t c
         text_box(fb, x, y, TEXT_SIDE - 1, TEXT_SIDE, bank);
 }
 
-/* Returns v + 1, or v if that would overflow: there, nothing is visible, shadow or not. */
+/* Returns v + 1, or v if v + 1 would overflow; nothing is visible at such coordinates. */
 static int beside(int v)
 {
     return v < INT32_MAX ? v + 1 : v;
@@ -69,7 +69,7 @@ void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
     fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
-/* Draws a row of a rim, from d on: ten pixels, the mask's eight drawn three times, one pixel apart. */
+/* Draws one row of a rim, ten pixels starting at d: the mask's eight pixels, drawn three times, one pixel apart. */
 static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
 {
     const uint64_t once = words_moved(mask), eight = mask | once | words_moved(once);
@@ -83,7 +83,7 @@ static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
         d[9] = rim;
 }
 
-/* Draws an unclipped rim, from d on. Each of its rows is the union of three of the glyph's rows. */
+/* Draws an unclipped rim, starting at d. Each row of the rim is the union of three of the glyph's rows. */
 static void whole_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint8_t rim)
 {
     uint64_t above = 0, on = 0;

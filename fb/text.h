@@ -1,5 +1,5 @@
 /*
- * text.h - bitmap fonts: 8 x 8 px characters in shades, recoloured by bank like sprites.
+ * text.h - bitmap fonts: characters of 8 x 8 px whose pixels are shades, recoloured by bank like sprites.
  */
 #ifndef FB_TEXT_H
 #define FB_TEXT_H
@@ -18,7 +18,7 @@ struct font {
  * without a glyph, or with an empty one, draws a box. Any x, y. */
 void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank);
 
-/* Draws the box that stands for a character without a glyph, in shades 15 and 1 of the bank, w x h px with its
+/* Draws the box that stands for a character without a glyph, in shades 15 and 1 of the bank, w x h px including its
  * shadow. */
 void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
 
@@ -34,8 +34,8 @@ static inline bool text_blank(uint32_t code)
     return code == 32 || code == 160 || code == 0x3000;
 }
 
-/* Draws the character's pixels, and the eight pixels around each, in colour `rim`. Call it before drawing any
- * characters. */
+/* Draws the character's pixels, and the eight pixels around each, in colour `rim`. Draw all rims before the first
+ * character, as rims cover neighbouring characters. */
 void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim);
 
 /* Draws the bytes up to the NUL, TEXT_SIDE px apart; '\n' returns to x, one line down. Any x, y. For tests. */

@@ -1,5 +1,5 @@
 /*
- * tiles.c - see tiles.h. Sixteen pixels at a time, as in paint.h; side is a constant in every call.
+ * tiles.c - see tiles.h. Draws sixteen pixels at a time, as in paint.h; side is a constant in every call.
  */
 #include "tiles.h"
 #include "paint.h"

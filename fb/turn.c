@@ -1,10 +1,11 @@
 /*
  * turn.c - see turn.h.
  *
- * Each pixel of the result looks up the image's colour at SAMPLES x SAMPLES points of its square, in the image smoothed
- * by applying Scale2x (Andrea Mazzoleni, 2001) twice, and the majority decides: first whether the pixel is opaque, then
+ * For each pixel of the result, SAMPLES x SAMPLES points in the pixel's square are looked up in the image smoothed by
+ * applying Scale2x (Andrea Mazzoleni, 2001) twice, and the majority decides: first whether the pixel is opaque, then
  * its colour. Pixels at the rim of the result then vote again among points at the rim of the image, so that a bullet's
- * outline stays closed. Chosen by eye among seven methods, on 12 px rice, arrow and knife bullets in 32 directions.
+ * outline stays closed. This method was chosen by eye among seven, on 12 px rice, arrow and knife bullets in 32
+ * directions.
  *
  * The smooth image is made once for all turns. Everything outside the image is transparent, also after Scale2x: no
  * pixel there has two neighbours inside the image that touch it at one corner.
@@ -17,7 +18,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Returns the distance from the point to the farthest corner of pixel (x, y), squared, in half pixels. */
+/* Returns the square of the distance, in half pixels, from (ox, oy) to the farthest corner of pixel (x, y). */
 static int64_t reach_of(int64_t x, int64_t y, int64_t ox, int64_t oy)
 {
     int64_t dx = 2 * x + 1 - ox, dy = 2 * y + 1 - oy; /* to the pixel's centre; its far corner is one more each way */
@@ -41,7 +42,7 @@ void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *
     *out_h = (int)(side + ((side ^ oy) & 1));
 }
 
-enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image per pixel, each way */ };
+enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image per pixel, along each axis */ };
 
 /* ---- preparing ---- */
 
@@ -50,7 +51,7 @@ static int pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, int y
     return x < 0 || y < 0 || x >= w || y >= h ? 0 : pix[y * pitch + x];
 }
 
-/* Scale2x: a corner of pixel e takes the colour of the two neighbours that it touches, if they agree and differ from
+/* Scale2x: a corner of pixel e takes the colour of the two neighbours next to the corner, if they agree and differ from
  * the neighbours opposite them. */
 static uint8_t corner(int e, int beside, int above, int opposite, int below)
 {
@@ -81,7 +82,7 @@ static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
             pixel(pix, w, h, pitch, x, y - 1) == 0 || pixel(pix, w, h, pitch, x, y + 1) == 0);
 }
 
-/* Clears the inner pixels of the image, which have no vote at the rim. */
+/* Clears the image's interior pixels in `fine`, so that only rim pixels vote on the colour of a rim pixel. */
 static void keep_rim(const struct turn *t, uint8_t *fine)
 {
     int row = FINE * t->w;
@@ -141,8 +142,8 @@ static int at(const struct turn *t, int x, int y)
     return pixel(t->in, t->w, t->h, t->pitch, x, y);
 }
 
-/* Computes the first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16 px; add (2 * cos30, -2 * sin30)
- * for the next in a row, (2 * sin30, 2 * cos30) for the next in a column. */
+/* Computes the position in the image of the first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16 px;
+ * add (2 * cos30, -2 * sin30) for the next in a row, (2 * sin30, 2 * cos30) for the next in a column. */
 static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t *py)
 {
     int64_t u = 16 * x + 1 - 8 * a->out_w, v = 16 * y + 1 - 8 * a->out_h;
@@ -151,8 +152,8 @@ static void locate(const struct transform *a, int x, int y, int64_t *px, int64_t
     *py = a->cos30 * v - a->sin30 * u + a->t->oy * ((int64_t)1 << 33);
 }
 
-/* Returns whether the image has a single colour in the whole area that the points of pixel (x, y) can see; stores the
- * colour at the pixel's centre. */
+/* Returns whether the image has a single colour in the whole area that the points of pixel (x, y) can fall on; stores
+ * the colour at the pixel's centre. */
 static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
 {
     const struct turn *t = a->t;
@@ -169,7 +170,7 @@ static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
     return true;
 }
 
-/* Counts the votes of pixel (x, y)'s points in the smooth image, an entry per colour. */
+/* Counts the votes of pixel (x, y)'s points in the smooth image, one entry per colour. */
 static void count(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
 {
     uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
@@ -183,8 +184,8 @@ static void count(const struct transform *a, const uint8_t *fine, int x, int y, 
         }
 }
 
-/* Returns the opaque colour with the most votes, the lowest of equals; 0 without votes or, if may_clear, when most are
- * for transparent. */
+/* Returns the opaque colour with the most votes, or the lowest such colour if several have as many. Returns 0 if no
+ * opaque colour has a vote or, if may_clear, more than half of the votes are for transparent. */
 static uint8_t vote(const struct transform *a, const uint8_t *fine, int x, int y, bool may_clear)
 {
     uint8_t votes[256], most = 0, best = 0;
@@ -212,8 +213,8 @@ static uint8_t turned_pixel(const struct transform *a, int x, int y)
     return is_flat(a, x, y, &colour) ? colour : vote(a, a->t->smooth, x, y, true);
 }
 
-/* Returns a pixel after a quarter turn, which maps all pixel centres to centres, or all to edges; of an edge, the lower
- * pixel is taken. */
+/* Returns a pixel after a quarter turn, which maps all pixel centres to centres, or all to edges; on an edge, the pixel
+ * to the right of or below the edge is taken. */
 static uint8_t quarter_pixel(const struct transform *a, int x, int y)
 {
     int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;

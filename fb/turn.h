@@ -8,21 +8,21 @@
 #include <stdint.h>
 #include "../src/base/fx.h"
 
-/* A picture prepared for turning about the point (ox, oy), in half pixels from its top left corner: (w, h) is its
- * middle. Pixel 0 is transparent. */
+/* A picture prepared for turning about the point (ox, oy), given in half pixels from the picture's top left corner; the
+ * middle of the picture is (w, h). Pixel 0 is transparent. */
 struct turn {
     const uint8_t *in;
     int w, h, pitch;
     int ox, oy;
-    const uint8_t *smooth, *rim; /* in scratch: four times as large each way, rows without padding; rim lacks the
-                                    inner pixels */
+    const uint8_t *smooth, *rim; /* in scratch: the picture at four times the width and height, rows without padding; in
+                                    `rim`, inner pixels are 0 */
     uint8_t colour[255];         /* the opaque colours, ascending */
     int colours;
 };
 
-/* Computes the size of a picture that holds all opaque pixels of an image turned by any angle about its point, when
- * that point is put in the picture's middle. Parities are chosen so that the image's pixels fall on pixels when the
- * turn is 0. */
+/* Computes the size of a picture that holds all opaque pixels of an image turned by any angle about (ox, oy), if that
+ * point is put in the middle of the picture. The parities of the size are chosen so that the image's pixels fall on
+ * whole pixels when the turn is 0. */
 void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h);
 
 /* Returns the bytes of scratch that turn_open needs for an image. */
@@ -32,9 +32,9 @@ size_t turn_scratch(int w, int h);
  * is bytes per row. */
 void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch);
 
-/* Paints all out_w x out_h pixels of out: the image turned clockwise about its point, which is in the middle of out.
- * Quarter turns copy pixels; other turns choose one of the image's colours for each pixel, and mix none. out_w and
- * out_h are at most FB_MAX; bytes of a row beyond out_w are left alone. */
+/* Paints all out_w x out_h pixels of out: the image turned clockwise about (ox, oy), with that point in the middle of
+ * out. Quarter turns copy pixels; other turns choose one of the image's colours for each pixel and never mix colours.
+ * out_w and out_h are at most FB_MAX; bytes of a row beyond out_w are not written. */
 void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch);
 
 #endif

@@ -6,8 +6,8 @@
 
 #include <string.h>
 
-/* Returns the length of the multi-byte sequence that starts with b, and stores the bits that b contributes; 0: none
- * starts with b. */
+/* Returns the length of the multi-byte sequence that starts with b, and stores the bits that b contributes to the code.
+ * Returns 0 if no sequence starts with b. */
 static int sequence(uint8_t b, uint32_t *code)
 {
     if (b >= 0xc2 && b <= 0xdf)

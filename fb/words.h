@@ -1,6 +1,6 @@
 /*
- * words.h - eight pixels at a time: operations on a 64-bit word of pixels that move nothing from one byte to the next,
- * so that the byte order of the host does not matter (except in words_moved).
+ * words.h - operations on eight pixels at a time in a 64-bit word. No operation except words_moved moves bits between
+ * bytes, so only words_moved depends on the host's byte order.
  */
 #ifndef FB_WORDS_H
 #define FB_WORDS_H
@@ -31,7 +31,7 @@ static inline uint64_t words_opaque(uint64_t s)
     return top | (top - (top >> 7));
 }
 
-/* Moves each byte one place up in memory; the first becomes 0 and the last is lost. */
+/* Moves each byte one place up in memory; the first byte becomes 0 and the last is lost. */
 static inline uint64_t words_moved(uint64_t v)
 {
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__

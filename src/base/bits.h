@@ -32,7 +32,8 @@ static inline uint32_t bits_highest(uint32_t v)
 #endif
 }
 
-/* Returns the number of set bits. Adds them up within bytes: the processors compiled for have no instruction for it. */
+/* Returns the number of set bits. Uses shifts and adds, because the baseline processors of the build have no
+ * instruction that counts bits. */
 static inline int bits_count(uint64_t v)
 {
     v -= v >> 1 & 0x5555555555555555;

@@ -44,7 +44,7 @@ static inline char cursor_peek(const struct cursor *c, size_t k)
     return k < (size_t)(c->end - c->p) ? c->p[k] : '\0';
 }
 
-/* Advances by one character, p < end; \r\n and \n\r count as one line end. */
+/* Advances by one character; requires p < end. \r\n and \n\r each count as one line end. */
 static inline void cursor_step(struct cursor *c)
 {
     char was = *c->p++;
@@ -56,7 +56,8 @@ static inline void cursor_step(struct cursor *c)
         c->p++;
 }
 
-/* Returns the number of = signs in the long bracket that opens here, or -1 if none does. */
+/* Returns the level (the number of = signs) of the long bracket that opens at the cursor, or -1 if none opens there.
+ * The character at the cursor must be '['. */
 static inline int cursor_long_level(const struct cursor *c)
 {
     size_t n = 1;
@@ -66,7 +67,7 @@ static inline int cursor_long_level(const struct cursor *c)
     return cursor_peek(c, n) == '[' ? (int)n - 1 : -1;
 }
 
-/* Returns whether a long bracket of that level closes here. */
+/* Returns whether a long bracket of level `level` closes at the cursor. */
 static inline bool cursor_closes(const struct cursor *c, int level)
 {
     for (int i = 1; i <= level; i++)

@@ -1,6 +1,6 @@
 /*
- * edit.c - see edit.h. Computes the optimal string alignment distance with the whole table of the distances of all
- * prefixes, as the words are short.
+ * edit.c - see edit.h. Computes the optimal string alignment distance. Stores the distances between all prefixes, as
+ * the words are short.
  */
 #include "edit.h"
 #include <string.h>

@@ -4,12 +4,12 @@
 #ifndef BASE_EDIT_H
 #define BASE_EDIT_H
 
-enum { EDIT_FAR = 99 }; /* the distance of words too different for one to be a typo of the other */
+enum { EDIT_FAR = 99 }; /* the distance between words too different for one to be a typo of the other */
 
-/* Returns the number of letters to add, drop, change or swap with a neighbour to turn one word into the other; 0 for
- * equal words. Distances up to 1 count, up to 2 in words of more than 3 letters, up to 3 in words of more than 7.
- * Returns EDIT_FAR beyond that, for a word over 32 letters, and for two different single letters, since any two of
- * those are equally near. */
+/* Returns the number of edits that turn one word into the other; 0 for equal words. An edit adds, drops or changes a
+ * letter, or swaps two neighbouring letters. The largest distance returned is 1, or 2 if `a` has more than 3 letters,
+ * or 3 if `a` has more than 7. Returns EDIT_FAR beyond that, for a word of more than 32 letters, and for two different
+ * words of at most one letter, since any two such words are equally near. */
 int edit_distance(const char *a, const char *b);
 
 #endif

@@ -2,15 +2,15 @@
  * fx.h - Q15.16 fixed point: 65536 is one.
  *
  * The rounding rule: a result is the exact value rounded once to the nearest representable value, ties to even, and
- * clamped to FX_MIN..FX_MAX. So the functions are odd where the mathematical functions are (a mirrored pattern stays
- * mirrored), and their bits depend on no compiler and no processor: a double may make the first guess, but integers
- * decide.
+ * clamped to FX_MIN..FX_MAX. So functions that are odd in mathematics are odd here (a mirrored pattern stays mirrored),
+ * and every compiler and processor gives the same bits: a first guess may be computed in doubles, but integers decide.
  *
  * FX_MIN is an ordinary value. Its negation is one unit beyond FX_MAX, so FX_MIN / -FX_ONE, FX_MIN * -FX_ONE, 0 -
  * FX_MIN and the length of (FX_MIN, 0) are FX_MAX.
  *
- * Each guess in doubles has an equivalent in integers alone. Defining FX_INTEGER uses these throughout, for targets
- * that emulate doubles in software; results are the same. Values passed to or from Lua are doubles in any case.
+ * Each guess in doubles has an integer-only equivalent. Defining FX_INTEGER selects the integer versions throughout,
+ * for targets that emulate doubles in software; the results are the same. Values passed to or from Lua are doubles in
+ * any case.
  *
  * Assumes IEEE 754 doubles in the default rounding mode, arithmetic right shifts, and conversions to signed types that
  * wrap (gcc and clang guarantee both).
@@ -32,7 +32,8 @@
 #endif
 _Static_assert(sizeof 0.1 == sizeof(double),
                "build without -fsingle-precision-constant: results must be the same everywhere");
-/* 1 (s390x): evaluates float as double, which changes no double, and float is not used; 16: affects _Float16 only. */
+/* FLT_EVAL_METHOD 1 (s390x) evaluates float as double; doubles are unaffected and float is not used. 16 affects only
+ * _Float16. */
 #if FLT_RADIX != 2 || DBL_MANT_DIG != 53 || !(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1 || FLT_EVAL_METHOD == 16)
 #error "doubles must be IEEE 754 binary64, evaluated without excess precision (on i386: -msse2 -mfpmath=sse)"
 #endif
@@ -46,8 +47,9 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a full turn, see trig.h */
 
 /*
  * Rare cases are handled in a branch: a predicted branch costs nothing, while a select between two values (which
- * compilers prefer) makes the result wait for both. FX_RARE(v) inside such a branch, v being the variable that the
- * branch changes, keeps the compiler from turning it into a select. FX_USUAL(x) is x, predicted to be true.
+ * compilers prefer) makes the result wait for both values. FX_RARE(v) inside such a branch, where v is the variable
+ * that the branch changes, keeps the compiler from turning the branch into a select. FX_USUAL(x) is x, predicted to be
+ * true.
  */
 #if defined(__GNUC__)
 #define FX_RARE(v)  __asm__("" : "+r"(v))
@@ -95,13 +97,13 @@ static inline int64_t fx_nearest(double v)
     return bits - 0x4338000000000000;
 }
 
-/* Returns sqrt(n) to about 52 bits, n <= 2^63: the starting point of exact tests. */
+/* Returns sqrt(n) to about 52 bits, n <= 2^63. Callers correct the result by exact tests. */
 static inline double fx_root_guess(uint64_t n)
 {
     return sqrt((double)(int64_t)(n - (n >> 63)));
 }
 
-/* Returns the greatest whole number not above sqrt(n), computed a bit per step: fx_root_guess in integers. */
+/* Returns floor(sqrt(n)), computed one bit per step. Replaces fx_root_guess in builds with FX_INTEGER. */
 static inline uint64_t fx_root_bits(uint64_t n)
 {
     uint64_t r = 0;
@@ -192,8 +194,9 @@ static inline fx fx_mul(fx a, fx b)
 }
 
 /*
- * Returns a/b; a/0 is FX_MAX or FX_MIN by the sign of a, 0/0 is 0. A quotient that is a tie is exact in a double; any
- * other is at least 1 / 2|b| away from a tie, which is 2^-48 of the quotient and more than the double's 2^-53.
+ * Returns a/b; a/0 is FX_MAX or FX_MIN depending on the sign of a, 0/0 is 0. A quotient that is a tie is exact as a
+ * double. Any other quotient is at least 1 / 2|b| away from a tie, which is at least 2^-48 of the quotient; rounding to
+ * a double changes the quotient by at most 2^-53 of it.
  */
 static inline fx fx_div(fx a, fx b)
 {
@@ -242,13 +245,13 @@ static inline uint64_t fx_square(fx x, fx y)
     return (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
 }
 
-/* Returns the length of (x, y); clamped, as it can reach 46341. */
+/* Returns the length of (x, y); clamped, as it can reach 46341, above the range of fx. */
 static inline fx fx_hypot(fx x, fx y)
 {
     return fx_sat((int64_t)fx_root(fx_square(x, y)));
 }
 
-/* fx_lerp for t outside 0..1. */
+/* Computes fx_lerp for t outside 0..1. */
 FX_COLD static fx fx_lerp_beyond(fx a, fx b, fx t)
 {
     int64_t p = ((int64_t)b - a) * t; /* |p| < 2^63 */

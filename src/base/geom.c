@@ -1,9 +1,9 @@
 /*
  * geom.c - exact contact tests.
  *
- * Boxes around the shapes are compared first, as most pairs are far apart. The remaining values are small enough for
- * squares in 64 bits or, for a moving point that passes a circle, two products in 128. There are no divisions and no
- * roots. No signed integer overflows, under any compiler's rules, for the inputs that geom.h allows.
+ * Boxes around the shapes are compared first, as most pairs are far apart. For the remaining pairs squares fit in 64
+ * bits, except that a point moving past a circle needs two products of 128 bits. There are no divisions or roots. No
+ * signed integer overflows for the inputs that geom.h allows.
  */
 #include "geom.h"
 #include "int.h"
@@ -13,8 +13,8 @@ static uint64_t difference(int64_t a, int64_t b)
     return a > b ? (uint64_t)a - (uint64_t)b : (uint64_t)b - (uint64_t)a;
 }
 
-/* Returns whether (x, y) is within r of the box around the origin. For 0 <= r < 2^31: the sum of two squares is below
- * 2^63. */
+/* Returns whether (x, y) is within r of the box with half extents hw and hh around the origin. Requires 0 <= r < 2^31,
+ * so that the sum of two squares is below 2^63. */
 static bool near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
 {
     int64_t ex = int64_abs(x) - hw, ey = int64_abs(y) - hh;
@@ -32,7 +32,7 @@ static bool inside(int64_t x, int64_t y, int64_t r)
     return near_box(x, y, r, 0, 0);
 }
 
-/* Returns whether the segment from d to d + w, on one axis, comes within r of 0. Its middle is d + w/2. */
+/* Returns whether the segment from d to d + w, on one axis, comes within r of 0. The segment's middle is d + w/2. */
 static bool passes(int64_t d, int64_t w, int64_t r)
 {
     return int64_abs(2 * d + w) <= int64_abs(w) + 2 * r;
@@ -55,8 +55,8 @@ bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh)
  * The nearest point of the path is its start when d.w >= 0, its end when -d.w >= w.w, and otherwise the foot of the
  * perpendicular from the centre, |d x w| / |w| away.
  *
- * After the box test, |d| <= |w| + r < 2^31.6 on each axis, so each product is below 2^62.6; a sum of two products that
- * is known to be positive is right modulo 2^64.
+ * After the box test, |d| <= |w| + r < 2^31.6 on each axis, so each product is below 2^62.6. A sum of two products that
+ * is known to be positive is therefore correct as a uint64_t.
  */
 bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r)
 {
@@ -76,7 +76,7 @@ bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
 /*
  * Two convex shapes are apart if and only if they are separated by a line parallel to a side of one of them: here to a
  * side of the box, or to the path. Perpendicular to the path, the box extends from its centre as far as its outermost
- * corner. The products are below 2^62.6, as above.
+ * corner. The products are below 2^62.6, as in geom_swept_circles.
  */
 bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh)
 {
@@ -86,8 +86,9 @@ bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw
 }
 
 /*
- * If path and box do not meet, they are nearest at an end of the path, or at one of the two corners that are outermost
- * perpendicular to the path: with w to the lower right, the upper right and the lower left corner.
+ * If the path and the box do not meet, the nearest point is an end of the path or one of the two corners of the box
+ * that are outermost perpendicular to the path. If w points to the lower right, these are the upper right and the lower
+ * left corner.
  */
 bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh)
 {
@@ -103,11 +104,12 @@ bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64
 }
 
 /*
- * Returns whether the origin is in the parallelogram that a moving bar sweeps. As above, if it is not, a line parallel
- * to a side separates them. Twice the vector to the parallelogram's middle is 2d + w. The box test decides where the
- * sides are parallel or have length 0.
+ * Returns whether the origin is inside the parallelogram that a moving bar sweeps. If the origin is outside, a line
+ * parallel to one of the sides separates the two (see geom_swept_boxes). 2d + w is twice the vector to the
+ * parallelogram's centre. If the sides are parallel or one has length 0, the lines do not suffice, and the box test
+ * decides.
  *
- * After it, |d| < 2^31.4 and |2d + w| < 2^31.6 on each axis, so the products are below 2^62.4.
+ * After the box test, |d| < 2^31.4 and |2d + w| < 2^31.6 on each axis, so the products are below 2^62.4.
  */
 static bool bar_passes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy)
 {
@@ -118,16 +120,16 @@ static bool bar_passes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t h
            difference(mx * hy, my * hx) <= area;
 }
 
-/* Returns whether a circle that moves along one side of the parallelogram touches the box, or the circle if hw, hh =
- * 0. */
+/* Returns whether a circle of radius r that moves along one side of the parallelogram touches the box with half extents
+ * hw and hh around the origin, or the origin itself if hw = hh = 0. */
 static bool side_touches(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh)
 {
     return hw | hh ? geom_swept_circle_box(dx, dy, wx, wy, r, hw, hh) : geom_swept_circles(dx, dy, wx, wy, r);
 }
 
 /*
- * If the parallelogram and the box do not meet, one of its four sides is nearest to the box. If they meet but none of
- * the sides meets the box, the box is inside the parallelogram, and so is the box's middle.
+ * If the parallelogram and the box do not meet, one of the parallelogram's four sides is nearest to the box. If they
+ * meet but none of the sides meets the box, the box is inside the parallelogram, and so is the box's middle.
  */
 bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t r, int64_t hw,
                         int64_t hh)
@@ -140,8 +142,9 @@ bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
 }
 
 /*
- * The sum of two bars and a path is a hexagon, tiled by three parallelograms, each spanned by two of the three. So the
- * hexagon is the union of the six such parallelograms inside it, one at either end of the third.
+ * The Minkowski sum of two bars and a path is a hexagon. It is tiled by three parallelograms, each spanned by two of
+ * these three segments. So the hexagon is the union of six parallelograms: for each two of the segments, one at either
+ * end of the third segment.
  */
 bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t gx, int64_t gy,
                          int64_t r)
@@ -159,9 +162,10 @@ static bool both_beyond(int64_t a, int64_t b, int64_t c, int64_t d, int64_t r)
     return (a > r && b > r && c > r && d > r) || (a < -r && b < -r && c < -r && d < -r);
 }
 
-/* Returns what the segment from p to q adds to the winding number about the origin: 1 where it crosses the ray to the
- * right downwards, -1 where it crosses it upwards, otherwise 0. A comparison of two products determines on which side
- * of the segment the origin is; the callers' products are below 2^63. */
+/* Returns what the segment from p to q adds to the winding number about the origin: 1 if the segment crosses,
+ * downwards, the ray that extends from the origin to the right; -1 if it crosses the ray upwards; otherwise 0. A
+ * comparison of two products determines on which side of the segment the origin is; the callers' products are below
+ * 2^63. */
 static int crosses(int64_t px, int64_t py, int64_t qx, int64_t qy)
 {
     if ((py <= 0) == (qy <= 0))
@@ -172,8 +176,8 @@ static int crosses(int64_t px, int64_t py, int64_t qx, int64_t qy)
 }
 
 /*
- * Tests the four sides, and whether the origin is inside. After the box test a corner is no further than 2^31.4 from
- * the origin on each axis, so the products are below 2^62.8.
+ * Tests the four sides of the quadrilateral, and whether the origin is inside. After the box test a corner is no
+ * further than 2^31.4 from the origin on each axis, so the products are below 2^62.8.
  */
 bool geom_swept_bar(const struct geom_bar *b, int64_t r)
 {

@@ -12,7 +12,8 @@
 
 enum { HASH_START = 0x43555254 }; /* any constant; "CURT" */
 
-/* Folds v into h. Order matters: fold(fold(h,a),b) differs from fold(fold(h,b),a). The finaliser is murmur3's mix. */
+/* Folds v into h. Order matters: fold(fold(h,a),b) differs from fold(fold(h,b),a). The final mixing steps are
+ * murmur3's. */
 static inline uint64_t hash_fold(uint64_t h, uint64_t v)
 {
     h = (h ^ v) * 0x9e3779b97f4a7c15u;
@@ -24,8 +25,8 @@ static inline uint64_t hash_fold(uint64_t h, uint64_t v)
 /* Folds n bytes, and then n itself, into h. */
 uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n);
 
-/* CRC-32 as in PNG and zlib (ISO 3309, polynomial 0xEDB88320). hash_crc32_add continues the CRC of the preceding bytes;
- * start with crc 0. */
+/* Return the CRC-32 used by PNG and zlib (ISO 3309, polynomial 0xEDB88320). hash_crc32_add continues the CRC of the
+ * preceding bytes; start with crc 0. */
 uint32_t hash_crc32_add(uint32_t crc, const void *bytes, size_t n);
 uint32_t hash_crc32(const void *bytes, size_t n);
 

@@ -5,9 +5,10 @@
  * and found by two-level segregated fit (Masmano, Ripoll, Crespo, Real: TLSF, 2004), so every call is O(1) except for
  * copying. If no free block fits, a new one is cut from untouched memory above `top`.
  *
- * Positions are unit numbers (byte offset / 16), not pointers: half the size, and the same wherever the heap's memory
- * is. A block is identified by the unit of its payload; its header is the 8 bytes below. So payloads are aligned, a
- * block of n units has 16n-8 bytes, and slabs, whose payloads start at multiples of 4096, lie back to back.
+ * Positions are unit numbers (byte offset / 16), not pointers: they are half the size and do not depend on the heap's
+ * address. A block is identified by the unit of its payload; its header is the 8 bytes before the payload. So payloads
+ * are aligned, a block of n units has 16n-8 bytes, and slabs, whose payloads start at multiples of 4096, lie back to
+ * back.
  */
 #include "heap.h"
 
@@ -53,11 +54,11 @@ struct link {
     uint32_t next, prev;
 };
 
-/* At the start of a slab. Offsets are in bytes from there. */
+/* At the start of a slab. Offsets are in bytes from the start of the slab. */
 struct slab {
     uint32_t next, prev;
-    uint16_t free;  /* first of a list linked through the blocks' first two bytes; 0: empty */
-    uint16_t fresh; /* blocks from here on were never used */
+    uint16_t free;  /* first free block, 0: none; blocks are linked through their first two bytes */
+    uint16_t fresh; /* offset of the first block that was never used */
     uint16_t used;  /* live blocks */
     uint16_t class;
 };
@@ -149,7 +150,7 @@ static void link_free(struct heap *h, uint32_t b)
     h->rows |= 1u << p.row;
 }
 
-/* Sets b's size, and updates its copy in the block above, or in h->last. */
+/* Sets b's size, and updates the copy of it in the block above or, if b is topmost, in h->last. */
 static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
 {
     head(h, b)->size = units << 1 | free;
@@ -159,7 +160,7 @@ static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
         head(h, b + units)->prev = units;
 }
 
-/* Frees a block that is in no bin, merged with its free neighbours. */
+/* Frees a block that is in no bin, and merges it with its free neighbours. */
 static void free_block(struct heap *h, uint32_t b)
 {
     uint32_t units = units_of(h, b), below = head(h, b)->prev;
@@ -192,8 +193,8 @@ static void trim(struct heap *h, uint32_t b, uint32_t units)
     free_block(h, b + units);
 }
 
-/* Returns a free block of at least `units`, or 0. Every block in a bin above the size's own fits; of its own bin, only
- * the first block is tried. */
+/* Returns a free block of at least `units`, or 0. Every block in a bin above the bin for `units` fits; if all of these
+ * are empty, only the first block of the bin for `units` is tried. */
 static uint32_t find(const struct heap *h, uint32_t units)
 {
     struct place own = bin_of(units), p = own;
@@ -370,8 +371,9 @@ static bool is_empty_slab(const struct heap *h, uint32_t page)
     return page && !((const struct slab *)at(h, page))->used;
 }
 
-/* Frees a slab block. A class whose only slab with free blocks becomes empty keeps that slab, so that allocating and
- * freeing one block repeatedly does not cost a slab each time. So an empty slab is alone in its list. */
+/* Frees a block in a slab. If a slab becomes empty and is the only one of its class with free blocks, it is kept, so
+ * that allocating and freeing one block repeatedly does not make a new slab each time. So an empty slab is alone in its
+ * list. */
 static void free_small(struct heap *h, char *p)
 {
     uint32_t page = (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS);
@@ -390,7 +392,7 @@ static void free_small(struct heap *h, char *p)
         drop_slab(h, page);
 }
 
-/* Frees the empty slabs that classes keep, for when memory runs out. Returns whether there were any. */
+/* Frees the empty slabs that were kept (free_small); called when memory runs out. Returns whether there were any. */
 static bool drop_empty_slabs(struct heap *h)
 {
     bool any = false;
@@ -471,7 +473,7 @@ static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
     return true;
 }
 
-/* Returns the capacity of the slab block p in bytes; 0: p is not in a slab. */
+/* Returns the capacity in bytes of the block p, or 0 if p is not in a slab. */
 static size_t small_room(const struct heap *h, const void *p, size_t old)
 {
     if (old > SMALL || !in_slab(h, p))
@@ -480,8 +482,8 @@ static size_t small_room(const struct heap *h, const void *p, size_t old)
     return class_bytes[s->class];
 }
 
-/* Resizes p in place and returns whether that was possible. A slab block that would be at most half full should move to
- * a smaller class. */
+/* Resizes p in place and returns whether that was possible. A block in a slab that would be at most half full is not
+ * resized in place, because it should move to a smaller class (if there is one). room: from small_room. */
 static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
 {
     if (room)
@@ -554,7 +556,7 @@ size_t heap_extent(const struct heap *h)
 
 /* ---- snapshots ---- */
 
-/* A section of the heap, followed by its bytes in the snapshot; bytes 0: the end. */
+/* The header of a section in a snapshot, followed by the section's bytes. bytes 0: the end of the snapshot. */
 struct run {
     size_t from, bytes;
 };
@@ -580,7 +582,7 @@ static size_t save_run(const struct heap *h, char *buf, size_t at, size_t from, 
     return data + run.bytes;
 }
 
-/* Saves a free block's header and link, but not the rest of it. */
+/* Saves only the header and link of a free block of HOLE bytes or more. */
 size_t heap_save(const struct heap *h, void *buf)
 {
     const struct run end = { 0, 0 };

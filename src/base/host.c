@@ -1,7 +1,7 @@
 /*
  * host.c - see host.h.
  *
- * The process's locale is left alone because other threads use it. In glibc and musl the C locale is a constant:
+ * The process's locale is not changed because other threads use it. In glibc and musl the C locale is a constant:
  * newlocale returns it without allocating, and freelocale ignores it.
  */
 #include "host.h"
@@ -31,7 +31,8 @@ static void restore_locale(const struct host *h)
 }
 #endif
 
-/* fesetenv does not set all bits: with glibc on arm64 it leaves out the bit that makes every NaN the default NaN. */
+/* fesetenv does not set all bits: with glibc on arm64 it does not change the bit that makes every NaN the
+ * default NaN. */
 static void set_control(struct host *h)
 {
 #ifdef HOST_FPCR
@@ -67,7 +68,8 @@ static void restore_arithmetic(const struct host *h)
 
 #ifdef HOST_SSE
 /* There are two floating-point units. Saving and loading the older one, the 387, takes most of the time, yet hardly any
- * program changes its settings: do so only if its settings are not the defaults or it has raised a flag. */
+ * program changes its settings. So the 387 is saved and loaded only if its settings are not the defaults or it has
+ * raised a flag. */
 enum { SSE_DEFAULT = 0x1f80, DEFAULT_387 = 0x37f, FLAGS_387 = 0x3f };
 
 static unsigned flags_387(void)

@@ -1,8 +1,8 @@
 /*
  * ieee.c - see ieee.h.
  *
- * Each expression has the form that a flag lets the compiler compute differently. Its operands are volatile, so that
- * the compiler cannot know them, and the result is compared bit for bit, because a flag may also change constants.
+ * Each expression is one that some flag allows the compiler to compute differently. Operands are volatile, so that the
+ * compiler cannot know their values. Results are compared bit for bit, because a flag may also change constants.
  */
 #include "ieee.h"
 #include "fx.h"
@@ -15,7 +15,8 @@ static bool is(double v, uint64_t bits)
     return has == bits;
 }
 
-/* Returns whether divisions are divisions: the product with a precomputed 1 / 3 or 1 / 49 is not the quotient. */
+/* Returns whether divisions are computed as divisions: multiplying by a precomputed 1 / 3 or 1 / 49 gives other
+ * results. */
 static bool divides(void)
 {
     volatile double five = 5, forty_nine = 49;
@@ -25,8 +26,8 @@ static bool divides(void)
            is(c, 0x3fc2492492492492) && is(n / 3.0, 0x3ffaaaaaaaaaaaab);
 }
 
-/* Returns whether sums are evaluated from left to right, and what a sum rounds off is lost. 9007199254740992 is
- * 2^53. */
+/* Returns whether sums are evaluated from left to right, and the part of a sum that is rounded off is lost.
+ * 9007199254740992 is 2^53. */
 static bool adds(void)
 {
     volatile double small = 0.25, wide = 9007199254740992.0;
@@ -37,7 +38,7 @@ static bool adds(void)
 }
 
 /* Returns whether a product is rounded before it is added: (1 + 2^-27)^2 is 1 + 2^-26 + 2^-54. Each product is used
- * only once, because the compiler may not fuse a product that is used twice. */
+ * only once, because the compiler might not fuse a product that is used twice. */
 static bool multiplies(void)
 {
     volatile double odd = 1 + 1.0 / 134217728, square = 1 + 1.0 / 67108864;
@@ -67,7 +68,8 @@ static bool knows_zero_and_beyond(void)
            endless == (double)INFINITY && !isfinite(endless);
 }
 
-/* Returns whether numbers smaller than DBL_MIN stay other than 0, even when the compiler computes them. */
+/* Returns whether numbers smaller than DBL_MIN are kept rather than flushed to 0, both at run time and in constants
+ * that the compiler computes. */
 static bool keeps_small(void)
 {
     volatile double smallest = DBL_MIN;

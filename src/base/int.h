@@ -7,8 +7,8 @@
 #include <stdint.h>
 
 /*
- * Defines for a type: NAME_min(a, b), NAME_max(a, b); NAME_abs(v), v not the type's least value; NAME_clamp(v, lo, hi),
- * which clamps v to lo..hi, lo <= hi.
+ * Defines for a type: NAME_min(a, b), NAME_max(a, b); NAME_abs(v), where v must not be the type's minimum;
+ * NAME_clamp(v, lo, hi), which clamps v to lo..hi, lo <= hi.
  */
 #define INT_FUNCTIONS(name, type)                                                                                      \
     static inline type name##_min(type a, type b)                                                                      \

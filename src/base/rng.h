@@ -42,7 +42,7 @@ static inline uint64_t rng_next(struct rng *r)
     return out;
 }
 
-/* Returns a uniform number in [0, n), n >= 1. Draws again (rarely) rather than favour small numbers. */
+/* Returns a uniform number in [0, n), n >= 1. Draws again (rarely) so that small numbers are not favoured. */
 static inline uint64_t rng_below(struct rng *r, uint64_t n)
 {
     uint64_t limit = 0 - n, v;

@@ -7,9 +7,9 @@
 #include "hash.h"
 
 enum {
-    MOST_COLUMNS = 64, /* columns of a chip, at most */
+    MOST_COLUMNS = 64, /* maximum number of columns of a chip */
     ALIGN = 64,        /* a cache line, so that columns do not share one */
-    LONG = 1024        /* bytes from which a section of a snapshot is aligned */
+    LONG = 1024        /* sections of a snapshot with at least this many bytes are aligned */
 };
 
 static uint32_t blocks(uint32_t n)
@@ -22,13 +22,14 @@ static uint64_t aligned(uint64_t n)
     return (n + ALIGN - 1) / ALIGN * ALIGN;
 }
 
-/* Returns the number of values in a column for that many slots, a multiple of SLOTS_BLOCK (a list has no blocks). */
+/* Returns the number of values in a column with that many slots. If the column has values per block, `slots` must be a
+ * multiple of SLOTS_BLOCK. */
 static uint64_t values(const struct column *c, uint64_t slots)
 {
     return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
-/* Returns the slots that columns have space for: whole blocks in a pool, in a list no more than can be live. */
+/* Returns the number of slots that columns have space for: cap in a list, cap rounded up to whole blocks in a pool. */
 static uint32_t room_for(const struct chip *chip, uint32_t cap)
 {
     return chip->list ? cap : blocks(cap);
@@ -90,8 +91,8 @@ static bool grow_high(struct slots *s)
     return true;
 }
 
-/* Returns the slots of a block that are free and not held, a bit each, without the retired ones that come before the
- * first usable one. */
+/* Returns a mask of the slots in a block that are neither live nor held. The lowest one is never retired, but higher
+ * ones may be. */
 static uint64_t room_in(const struct slots *s, uint32_t block)
 {
     uint64_t room = ~s->used[block];
@@ -180,7 +181,7 @@ void slots_trim(struct slots *s)
         s->top -= SLOTS_BLOCK;
 }
 
-/* Returns the first slot from i on whose bit is set, or top. */
+/* Returns the first slot at or after i whose bit is set, or top if there is none. */
 static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
 {
     while (i < top) {
@@ -349,8 +350,9 @@ void slots_values(const struct chip *chip, const void *self, slots_visit *visit,
     }
 }
 
-/* Saves, restores or only counts. Long sections start at cache lines, as they do in RAM: copying between addresses that
- * differ by a few bytes within the page is up to 16 times slower on some processors. */
+/* Copies the columns to `save` or from `restore`, or only counts if both are NULL. Returns the snapshot's bytes. Long
+ * sections start at cache lines, as they do in RAM: copying between addresses that differ by a few bytes within the
+ * page is up to 16 times slower on some processors. */
 static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
 {
     const struct slots *s = self;

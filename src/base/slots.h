@@ -1,24 +1,24 @@
 /*
- * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one table, and the code
- * that works on it; a slot is a numbered row of the columns.
+ * slots.h - chips and their slots. A chip is a struct of columns and registers, described by one column table, together
+ * with the code that works on the struct. A slot is a numbered row of the columns.
  *
  * A chip's struct begins with a struct slots; its columns are pointers into RAM, its registers are members of the
  * struct. The column table is used to lay the chip out, to hash it, and to save and restore it; tests and docs walk the
  * same table.
  *
  * In a pool (`used` is not NULL) a live entity keeps its slot, a new one takes the lowest free slot, and a slot's
- * generation is incremented when its entity is dropped. A slot whose generation has reached the last one, after 2^30 -
- * 2 entities, is retired: no entity ever has that generation, so no handle can come to mean another entity, and the
- * pool is full one slot earlier. In a list (`used` is NULL) entries [0, live) are in use, in the order in which they
- * were added.
+ * generation is incremented when its entity is dropped. A slot whose generation reaches GENERATIONS, after 2^30 - 2
+ * entities, is retired: no entity ever has that generation, so no handle can ever name a second entity. Each retired
+ * slot reduces the pool's capacity by one. In a list (`used` is NULL) entries [0, live) are in use, in the order in
+ * which they were added.
  *
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used are valid below
- * high, and nothing at or beyond top is read, so a snapshot copies [0, top) of the columns and [0, high) of gen and
- * used.
+ * high, and columns are not read at or beyond top, so a snapshot copies [0, top) of the columns and [0, high) of gen
+ * and used.
  *
- * The entity in a held slot is no longer live, but its columns and generation stay, and no new entity gets the slot.
- * Slots are held for entities that leave the field in the frame in which they touch something, until the resulting
- * events are applied. Between frames nothing is held.
+ * The entity in a held slot is no longer live, but its columns and generation are preserved, and no new entity gets the
+ * slot. If an entity leaves the field in the same frame in which it touches something, its slot is held until the
+ * resulting events are applied. No slot is held between frames.
  */
 #ifndef BASE_SLOTS_H
 #define BASE_SLOTS_H
@@ -31,18 +31,18 @@
 
 enum column_kind {
     COL_GAME,    /* hashed */
-    COL_DERIVED, /* follows from game columns or lasts less than a frame; `why` states which */
+    COL_DERIVED, /* computed from game columns or used only within a frame; `why` states which */
 };
 
 struct column {
     const char *name;
-    uint16_t at;   /* offset in the chip's struct of the pointer, or of the register itself */
+    uint16_t at;   /* offset, in the chip's struct, of the column's pointer or of the register */
     uint8_t width; /* bytes of one value: 1, 2, 4 or 8 */
-    uint16_t n;    /* values per slot; of a register: number of values */
+    uint16_t n;    /* values per slot; for a register, the number of values */
     bool reg;      /* a register of the chip, not a column */
     bool block;    /* n values per block of SLOTS_BLOCK slots, not per slot */
     enum column_kind kind;
-    const char *why; /* of a derived column */
+    const char *why; /* reason that a column is derived */
     uint8_t group;   /* 0: always present; g: present only in chips laid out with SLOTS_GROUP(g) */
 };
 
@@ -56,7 +56,7 @@ struct column {
     { #name, offsetof(struct chip, name), width, n, reg, block, kind, why, 0 }
 #define COLUMN_FIELD(chip, name) (((struct chip *)0)->name)
 
-/* A column with one value per slot, or with n. */
+/* Columns with one value per slot, with n values per slot (COLUMNS), and with n values per block (BLOCKS). */
 #define COLUMN(chip, name)                                                                                             \
     COLUMNS(chip, name, 1)
 #define COLUMNS(chip, name, n)                                                                                         \
@@ -76,7 +76,7 @@ struct column {
 #define GROUP_COLUMNS(chip, name, n, group)                                                                            \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), n, false, false, COL_GAME, NULL, group }
 
-/* A derived column of a group, with one value per slot, and with one per block. */
+/* Derived columns of a group, with one value per slot, and with one value per block. */
 #define GROUP_DERIVED(chip, name, group, why)                                                                          \
     { #name, offsetof(struct chip, name), sizeof *COLUMN_FIELD(chip, name), 1, false, false, COL_DERIVED, why, group }
 #define GROUP_BLOCKS(chip, name, group, why)                                                                           \
@@ -105,14 +105,14 @@ struct column {
 struct slots {
     uint32_t cap;  /* most slots that can be live at once */
     uint32_t top;  /* every live slot is below this */
-    uint32_t high; /* slots ever used */
+    uint32_t high; /* slots ever used, in whole blocks */
     uint32_t live;
-    uint32_t refused;           /* how often the chip was full; scripts can read it */
+    uint32_t refused;           /* additions refused because the chip was full; scripts can read it */
     uint32_t low;               /* no word of `used` before this one has a slot that slots_take can return */
-    uint64_t *used;             /* a bit per slot; NULL: a list */
-    uint32_t *gen;              /* 1 .. GENERATIONS; GENERATIONS: retired */
+    uint64_t *used;             /* a bit per slot, 1: live; NULL: the chip is a list */
+    uint32_t *gen;              /* generation of each slot, 1 to GENERATIONS (retired) */
     uint64_t *held;             /* a bit per slot below held_top */
-    uint32_t held_top, holding; /* 0, 0 when nothing is held */
+    uint32_t held_top, holding; /* end of `held`, number of held slots; 0 if none is held */
     uint32_t groups;            /* SLOTS_GROUP bits of the groups of columns that are present */
 };
 
@@ -122,37 +122,37 @@ struct chip {
     const struct column *columns;
     int count;
     bool list;
-    bool unhashed; /* hashed for reports, but outside the combined hash: no script can read it */
+    bool unhashed; /* hashed in reports but not in the combined hash, as no script can read the chip */
 };
 
 enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
 
-/* Returns the bytes of RAM that a chip of this capacity, with these groups of columns, takes. */
+/* Returns the bytes of RAM that a chip of this capacity with these groups of columns occupies. */
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
 
-/* Points the chip's columns into RAM from *next on, advances *next past them, and empties the chip. `self` is the
+/* Points the chip's columns into RAM starting at *next, advances *next past them, and empties the chip. `self` is the
  * chip's struct. */
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
 
-/* Returns whether this column is in RAM, or this register is in use. */
+/* Returns whether the group of this column or register is present. */
 static inline bool slots_column_there(const struct column *c, uint32_t groups)
 {
     return c->group == 0 || groups & SLOTS_GROUP(c->group);
 }
 
-/* Takes and returns the lowest free slot of a pool that is not retired, or returns NO_SLOT and increments refused.
- * If top grew, the caller must park the new slots: set their columns so that loops over the chip pass them without
- * effect. */
+/* In a pool, takes and returns the lowest slot that is not live, held or retired. If there is none, increments
+ * `refused` and returns NO_SLOT. If top grew, the caller must park the new slots: set their columns so that loops over
+ * the whole chip have no effect on them. */
 int32_t slots_take(struct slots *s);
 
-/* Adds and returns the next entry of a list, or returns NO_SLOT and increments refused. */
+/* Appends an entry to a list and returns its index. If the list is full, increments `refused` and returns NO_SLOT. */
 int32_t slots_append(struct slots *s);
 
 /* Drops the entity in slot i; the slot is free again. */
 void slots_drop(struct slots *s, uint32_t i);
 
-/* Makes the entity in slot i no longer live, but keeps the slot until slots_release. `words` has space for a bit per
- * slot below top; the caller passes the same array for all slots held at the same time. */
+/* Makes the entity in slot i no longer live, but holds the slot until slots_release. `words` needs a bit per slot below
+ * top; the caller passes the same array for all slots held at the same time. */
 void slots_hold(struct slots *s, uint64_t *words, uint32_t i);
 
 /* Drops the entity in the held slot i; the slot is free again. */
@@ -161,7 +161,7 @@ void slots_release(struct slots *s, uint32_t i);
 /* Lowers top to the end of the last block with a live slot. Does nothing while slots are held. */
 void slots_trim(struct slots *s);
 
-/* Returns the first live slot at or after i, or top (a list: live) if there is none. */
+/* Returns the first live slot at or after i, or, if there is none, top (for a list: live). */
 uint32_t slots_next(const struct slots *s, uint32_t i);
 
 static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
@@ -169,13 +169,13 @@ static inline bool slots_has(const struct slots *s, uint32_t slot, uint32_t gen)
     return slot < s->top && (s->used[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
 
-/* Like slots_has, but of a held slot. */
+/* Like slots_has, but for a held slot. */
 static inline bool slots_has_held(const struct slots *s, uint32_t slot, uint32_t gen)
 {
     return slot < s->held_top && (s->held[slot >> 6] >> (slot & 63) & 1) && s->gen[slot] == gen;
 }
 
-/* Returns the slots of a block that are live or held, a bit each. */
+/* Returns a mask of the slots in a block that are live or held. */
 static inline uint64_t slots_live_or_held(const struct slots *s, uint32_t block)
 {
     return s->used[block] | (block * SLOTS_BLOCK < s->held_top ? s->held[block] : 0);
@@ -193,22 +193,22 @@ uint32_t slots_next_held(const struct slots *s, uint32_t i);
 /* Returns whether all hashed registers are 0. */
 bool slots_blank(const struct chip *chip, const void *self);
 
-/* Returns the state hash: of the live and refused counts and the registers, then for each live slot, in slot order, of
- * the slot, its generation and its game columns. */
+/* Returns the state hash. Folds the live and refused counts and the game registers, then for each live slot, in slot
+ * order, the slot number and generation (pools only) and the game columns. */
 uint64_t slots_hash(const struct chip *chip, const void *self);
 
 /* One hashed value. */
 struct slots_value {
-    const char *column; /* or of the register; "live" and "refused" come first */
-    int64_t slot;       /* NO_SLOT: a register */
-    uint32_t gen;       /* of the slot's entity; 0: a register, or an entry of a list */
-    uint16_t i, n;      /* the i-th of n values in this slot and column */
+    const char *column; /* name of the column or register; "live" and "refused" come first */
+    int64_t slot;       /* slot number; NO_SLOT: a register */
+    uint32_t gen;       /* generation of the slot's entity; 0: a register, or an entry of a list */
+    uint16_t i, n;      /* value i, counted from 0, of the n in this slot and column */
     uint8_t width;      /* bytes */
     uint64_t value;
 };
 typedef void slots_visit(void *context, const struct slots_value *v);
 
-/* Visits all values that slots_hash folds, in its order. */
+/* Visits all values that slots_hash folds, in the same order. */
 void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
 
 /* Prefetches the cache line at p. */
@@ -221,7 +221,7 @@ static inline void slots_prefetch(const void *p)
 #endif
 }
 
-/* Packs the bytes of a block, each 0 or 1, into a bit each: vectorised loops write bytes. */
+/* Packs the flags of a block, one byte each, 0 or 1, into a mask. Vectorised loops write flags as bytes. */
 static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
 {
     uint64_t m = 0;

@@ -1,30 +1,30 @@
 /*
- * trig.c - a first guess by polynomials and, when the guess is in doubt, an exact decision.
+ * trig.c - computes a first guess by polynomials and, if the guess is in doubt, decides exactly.
  *
- * Sines in Q15.16 come from table-driven quadratics (trig_tables.h). Those left in doubt, and sines in Q30, come from a
- * series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
+ * Sines in Q15.16 come from table-driven quadratics (trig_tables.h). The doubtful ones, and all sines in Q30, come from
+ * a series: fold the angle to an eighth of a turn, u in [0, 2^29], and evaluate in 64-bit fractions; the error is below
  * 2^-62 of one. The polynomials in t = (u / 2^29)^2 interpolate sin(x)/x and (1 - cos x)/x^2 at the Chebyshev nodes,
- * within 2^-69 and 2^-73. Rounded to 30 or 16 bits the result is right for all 2^32 angles: few are near enough to a
- * tie to be in doubt, and each of those was checked.
+ * within 2^-69 and 2^-73. Rounded to 30 or 16 bits, the result is correct for all 2^32 angles: only few are so near to
+ * a tie that the error matters, and each of them was checked.
  *
- * Directions of vectors are guessed in doubles to about 2^-12 of an ang. That decides, unless the guess is near halfway
+ * Directions of vectors are guessed in doubles to about 2^-12 of an ang. The guess decides unless it is near halfway
  * between two angs; then 128-bit arithmetic computes on which side of the halfway ray the vector lies. The rays' slopes
- * are irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h); those left
- * in doubt are computed to 2^-29 from tables and short series (way_of), and decided likewise. Strides start from
- * way_of, too.
+ * are irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h); doubtful
+ * ones are computed to 2^-29 from tables and short series (way_of), and if that leaves doubt, 128-bit arithmetic
+ * decides. Strides start from way_of.
  */
 #include "trig.h"
 #include "trig_guess.h"
 #include "trig_tables.h"
 
-/* Returns one step of Horner's rule. Terms are in units of 2^-(64 + n), to use all 64 bits; n falls by `shift` per
- * step. */
+/* Returns term - t * sum, one step of Horner's rule. Terms are in units of 2^-(64 + n), to use all 64 bits; n falls by
+ * `shift` per step. */
 static inline uint64_t less(uint64_t term, uint64_t t, uint64_t sum, int shift)
 {
     return term - (fx_mul_high(t, sum) >> shift);
 }
 
-/* Returns t in Q64, where one is 2^64 - 1. */
+/* Returns t = (u / 2^29)^2 in Q64; one is 2^64 - 1. */
 static inline uint64_t squared(uint32_t u)
 {
     return ((uint64_t)u * u << 6) - (u >> 29);
@@ -69,13 +69,13 @@ static uint64_t sine(ang a)
     return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(0x40000000 - u);
 }
 
-/* Returns -v if so, otherwise v, without a branch: signs of angles are hard to predict. */
+/* Returns -v if `so`, otherwise v, without a branch, because signs of angles are hard to predict. */
 static inline int64_t negate_if(bool so, int64_t v)
 {
     return (v ^ -(int64_t)so) + so;
 }
 
-/* Returns the magnitude q, in Q64, rounded to that many bits, with the sign of sin a. */
+/* Returns the magnitude q, in Q64, rounded to `bits` bits, with the sign of sin a. */
 static int32_t rounded(uint64_t q, int bits, ang a)
 {
     return (int32_t)negate_if(a >> 31, (int64_t)((q >> (64 - bits)) + (q >> (63 - bits) & 1)));
@@ -99,7 +99,8 @@ int32_t trig_cos30(ang a)
     return trig_sin30(a + 0x40000000);
 }
 
-/* Returns the sine in Q56 by a quadratic, off by less than 2^29.4, plus half an fx, so that truncating it rounds. */
+/* Returns the sine in Q56 by a quadratic, off by less than 2^29.4, plus half a unit of fx, so that truncating the
+ * result to an fx rounds the sine. */
 static inline int64_t sine_guess(ang a)
 {
     const uint32_t i = a >> 23;
@@ -121,7 +122,8 @@ FX_COLD static fx sine_by_series(ang a)
     return rounded(sine(a), 16, a);
 }
 
-/* The quadratics are off by less than 2^29.4 / 2^40; the series decides the cases this leaves in doubt, one in 700. */
+/* The quadratics are off by less than 2^29.4 / 2^40 of a unit; one case in 700 is in doubt, and the series
+ * decides it. */
 fx trig_sin(ang a)
 {
     const uint64_t doubt = 800000000;
@@ -174,7 +176,8 @@ static struct wide wide_div(struct wide a, uint32_t n)
     return (struct wide){ a.hi / n, (high / n << 32) + low / n };
 }
 
-/* Stores cosine and sine of u > 0 half angs, u <= 2^30 (an eighth of a turn). Uses Taylor series, to 2^-120. */
+/* Stores cosine and sine of an angle of u half angs, 0 < u <= 2^30 (an eighth of a turn), to 2^-120. Uses Taylor
+ * series. */
 static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 {
     static const struct wide EIGHTH_TURN = { 0xc90fdaa22168c234, 0xc4c6628b80dc1cd1 }; /* pi / 4 */
@@ -190,10 +193,10 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
 }
 
 /*
- * Stores cosine and sine of u <= 2^30 half angs, an eighth of a turn, in Q64. They are those of the last of 513
- * directions (trig_tables.h) not beyond u, rotated by the rest, r < 2^-9.3. The sine of r is r (1 - r^2 (1 - r^2 / 20)
- * / 6), and 1 minus its cosine is r^2 / 2 (1 - r^2 / 12); the omitted terms are below 2^-65. Each result is off by less
- * than 2^3, and `scaled` needs less than 2^4; the series would take twice the time.
+ * Stores, in Q64, cosine and sine of an angle of u half angs, u <= 2^30 (an eighth of a turn). Takes the last of 513
+ * directions (trig_tables.h) that is not beyond u, and rotates it by the rest, r < 2^-9.3. The sine of r is r (1 - r^2
+ * (1 - r^2 / 20) / 6), and 1 minus its cosine is r^2 / 2 (1 - r^2 / 12); the omitted terms are below 2^-65. Each result
+ * is off by less than 2^3; `scaled` requires less than 2^4. Using only a series would take twice the time.
  */
 static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
 {
@@ -211,7 +214,7 @@ static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
 
 /*
  * Returns whether n/d is above the tangent of k + 1/2 angs, k < 2^29. No vector with 32-bit coordinates is nearer to
- * such a ray than 2^-90 of its length (make prove), so the 120 bits decide.
+ * such a ray than 2^-90 of its length (make prove), so 120 bits suffice.
  */
 FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
 {
@@ -223,8 +226,8 @@ FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
     return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
 }
 
-/* Like above_near_ray, but with the ray from the tables. Each of its components is off by less than 2^3, which decides
- * unless the vector is next to the ray. */
+/* Like above_near_ray, but first tries the ray from the tables. Each component of that ray is off by less than 2^3, so
+ * it decides unless the vector is very close to the ray. */
 FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
     uint64_t c, s;
@@ -248,8 +251,8 @@ static const uint64_t ATAN[33] = {
 };
 
 /*
- * Returns atan(n / d) in 2^-64 turns, within 20 of them; n <= d <= 2^31, d > 0. atan(n/d) = atan(i/32) + atan(q), q =
- * (32n - id) / (32d + in), |q| <= 1/64: five terms of the series suffice.
+ * Returns atan(n / d) in units of 2^-64 turns, off by less than 20 units; n <= d <= 2^31, d > 0. atan(n/d) = atan(i/32)
+ * + atan(q), q = (32n - id) / (32d + in), |q| <= 1/64: five terms of the series suffice.
  */
 static uint64_t atan_guess(uint32_t n, uint32_t d)
 {
@@ -286,9 +289,9 @@ static ang atan_eighth(uint32_t n, uint32_t d)
 #else
 /*
  * Returns atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. The quotient is added to 1.5 * 2^46, whose last bit is
- * 1/64: the sum gives the cell of the table and, once 1.5 * 2^46 is subtracted again, h without error. The polynomials
- * are off by less than 4173 / 2^24 of an ang, the quotient and their evaluation by less than 8 more, because no term is
- * above 2^53.
+ * worth 1/64. The low bits of the sum select the cell of the table; subtracting 1.5 * 2^46 from the sum gives the
+ * cell's centre, and so h without error. The polynomials are off by less than 4173 / 2^24 of an ang; the quotient and
+ * the evaluation add less than 8 / 2^24, because no term is above 2^53.
  */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
@@ -312,7 +315,7 @@ static ang atan_eighth(uint32_t n, uint32_t d)
 }
 #endif
 
-/* Returns a if not so, otherwise the mirror image of a about the direction axis/2. */
+/* If `so`, returns the mirror image of a about the direction axis/2, otherwise a. */
 static inline ang mirror_if(bool so, ang axis, ang a)
 {
     return (ang)negate_if(so, a) + (axis & (0 - (ang)so));
@@ -331,9 +334,9 @@ ang trig_atan2(fx y, fx x)
 }
 
 /*
- * Returns whether the fraction of m times the sine, or cosine, of v <= 2^29 is above one half. Called when the estimate
- * cannot decide. No such product with m <= 2^31 is nearer to a half than 2^-66 (make prove); the series is off by 2^-89
- * of a unit at most.
+ * Returns whether the fractional part of m * sin v, or of m * cos v if `cosine`, is above one half; v <= 2^29. Called
+ * if the values from the tables cannot decide. For m <= 2^31 no such fraction is within 2^-66 of a half (make prove),
+ * and the series is off by at most 2^-89.
  */
 FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
 {
@@ -345,7 +348,7 @@ FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
     return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
 }
 
-/* A direction: cosine and sine as magnitudes in Q64, their signs, and the angle v <= 2^29 that they belong to. */
+/* A direction: cosine and sine as magnitudes in Q64, their signs, and v, the angle to the nearer axis, at most 2^29. */
 struct heading {
     uint64_t c, s;
     uint32_t v;
@@ -355,7 +358,7 @@ struct heading {
 static inline struct heading heading_of(ang dir)
 {
     uint32_t u = dir & 0x3fffffff;
-    bool past = u >= 0x20000000; /* past the middle of the quarter: measured from its end, sine and cosine swap */
+    bool past = u >= 0x20000000; /* past the middle of the quarter: v counts from its end, and sine and cosine swap */
     uint32_t v = past ? 0x40000000 - u : u;
     bool swap = past != (dir >> 30 & 1);
     uint64_t c, s;
@@ -367,7 +370,8 @@ static inline struct heading heading_of(ang dir)
     return (struct heading){ c ^ change, s ^ change, v, swap, (dir + 0x40000000) >> 31, dir >> 31 };
 }
 
-/* Returns length * q, rounded, where q is about the sine or cosine of v; negated if `back`. */
+/* Returns length times the cosine of v if `cosine`, otherwise times the sine of v, rounded; negated if `back`. q is an
+ * approximation of that cosine or sine. */
 static inline int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
 {
     const uint64_t half = (uint64_t)1 << 63;
@@ -402,8 +406,8 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
     polar_by_series(speed, dir, vx, vy);
 }
 #else
-/* Returns the whole number nearest to (v + 1/2) * 2^10, in the low bits; |v| <= 2^31. 1.5 * 2^42 has no bits below
- * 2^-10. */
+/* Returns, in the low bits, the whole number nearest to (v + 1/2) * 2^10; |v| <= 2^31. A double near 1.5 * 2^42 has no
+ * bits below 2^-10. */
 static inline uint64_t in_steps(double v)
 {
     double sum = v + 6597069766656.5;
@@ -414,10 +418,11 @@ static inline uint64_t in_steps(double v)
 }
 
 /*
- * The guess is off by less than 2.56 / 2^44, so the product, including its rounding, by less than a third of a step of
- * 2^-10, and the step nearest to it by less than one. So unless that step is a whole number of units, no whole number
- * lies between it and the exact value, and truncating it to units is right; one time in 512 it is a whole number, and
- * polar_by_series decides. Only a speed of FX_MIN can give more than an fx holds.
+ * The guess is off by less than 2.56 / 2^44. So the product, including its rounding, is off by less than a third of a
+ * step of 2^-10, and the product rounded to steps is off by less than one step. Unless the rounded product is a whole
+ * number of units, no whole number lies between it and the exact value, and truncating it to units is correct. In one
+ * of 512 cases it is a whole number, and polar_by_series decides. Only a speed of FX_MIN can give a result outside the
+ * range of fx.
  */
 void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
@@ -446,7 +451,8 @@ void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
 }
 
 #ifdef FX_INTEGER
-/* Returns x / sqrt(square), rounded: the greatest t with t^2 <= 2^34 x^2 / square is twice its magnitude, truncated. */
+/* Returns x / sqrt(square), rounded. Finds the greatest t with t^2 <= 2^34 x^2 / square, which is twice the magnitude
+ * of the result, truncated. */
 static fx unit_part(fx x, uint64_t square)
 {
     uint64_t xx = (uint64_t)((int64_t)x * x), high = xx >> 30, low = xx << 34, t = 0;
@@ -469,9 +475,10 @@ void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 }
 #else
 /*
- * Returns whether |x| / sqrt(square), which is within 2^-20 units of r + 1/2, is above it. That is the case if x^2 *
- * 2^34 > (2r + 1)^2 * square; being so near, the two sides differ by less than square * (2r + 1) * 2^-18 < 2^62, so 64
- * bits of the difference suffice. There are no ties: a tie would need two odd squares that add up to 2^34 squares.
+ * Returns whether |x| / sqrt(square), which is within 2^-20 units of r + 1/2, is above r + 1/2. That is the case if
+ * 2^34 x^2 > (2r + 1)^2 * square. As the two values are so close, the two sides differ by less than square * (2r + 1) *
+ * 2^-18 < 2^62, so 64 bits of the difference suffice. There are no ties: a tie would need two odd squares that add up
+ * to 2^34 squares.
  */
 static bool above_middle(int32_t r, fx x, uint64_t square)
 {
@@ -480,7 +487,8 @@ static bool above_middle(int32_t r, fx x, uint64_t square)
     return (int64_t)((xx << 34) - odd * odd * square) > 0;
 }
 
-/* Returns x / sqrt(square), given 2^16 / sqrt(square) to 50 bits, which is 2^-30 of a unit in the product. */
+/* Returns x / sqrt(square), rounded. scale is 2^16 / sqrt(square) to 50 bits, which gives the product to 2^-30 of a
+ * unit. */
 static fx unit_part(fx x, uint64_t square, double scale)
 {
     double guess = x * scale;
@@ -534,7 +542,7 @@ double trig_to_degrees(ang a)
     return a * 45.0 / 536870912.0;
 }
 
-/* ---- many at once ---- */
+/* ---- arrays ---- */
 
 #ifdef FX_INTEGER
 void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
@@ -556,10 +564,10 @@ void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_
 }
 #else
 /*
- * The guesses are those above, split into loops that gcc and clang vectorise at -O2 without flags: restrict parameters,
- * a constant trip count, no branch; table lookups are in separate loops. A guess in doubt is left to the functions that
- * compute one at a time. The rest after whole LANES is computed together with some of the preceding elements again, or
- * one by one.
+ * Computes the same guesses as the scalar functions, but in loops that gcc and clang vectorise at -O2 without further
+ * flags: restrict parameters, a constant trip count, no branch; table lookups are in separate loops. The scalar
+ * functions compute the elements whose guess is in doubt. Elements that remain after whole groups of LANES are computed
+ * in a last group that repeats some of the preceding elements, or one by one if they are few.
  */
 enum { LANES = 16 };
 
@@ -589,8 +597,8 @@ static inline int32_t size_of(fx v)
     return (int32_t)((((uint32_t)v ^ sign) - sign) & FX_MAX);
 }
 
-/* Stores t = the shorter component divided by the longer. Returns 0 if both components of some vector are 0, or one of
- * them is FX_MIN. */
+/* Stores in t[i] the shorter component of vector i divided by the longer. Returns 0 if some vector is (0, 0) or has a
+ * component of FX_MIN. */
 static int32_t slopes(const fx *restrict y, const fx *restrict x, double *restrict t)
 {
     int32_t odd = 0;
@@ -603,7 +611,7 @@ static int32_t slopes(const fx *restrict y, const fx *restrict x, double *restri
     return ~odd;
 }
 
-/* Turns atan(low / high) into the direction of (x, y). */
+/* Replaces a[i], the arctangent of slopes' t[i], with the direction of (x[i], y[i]). */
 static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
 {
     for (int i = 0; i < LANES; i++) {
@@ -616,8 +624,9 @@ static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
 }
 
 /*
- * Rounds guesses, in 2^-24 of an ang, to whole angs. A guess is doubtful if it is within 5000 of another ang, as in
- * atan_eighth, plus 8, since guesses are examined in steps of 4. Returns 0 if none is doubtful.
+ * Rounds guesses, in units of 2^-24 of an ang, to whole angs. A guess is doubtful if it is within 5008 units of the
+ * point where the result changes: 5000 as in atan_eighth, plus 8 because guesses are examined in steps of 4 units.
+ * Returns 0 if none is doubtful.
  */
 static int32_t cut(const double *restrict guess, ang *restrict a, int32_t *restrict doubtful)
 {
@@ -663,7 +672,7 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
 
     for (; i + LANES <= n; i += LANES)
         turns(y + i, x + i, a + i);
-    if (i && n - i >= LANES / 2) { /* recomputes some of them */
+    if (i && n - i >= LANES / 2) { /* recomputes some elements */
         turns(y + n - LANES, x + n - LANES, a + n - LANES);
         return;
     }
@@ -673,7 +682,7 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
 
 /* ---- polar coordinates ---- */
 
-/* Stores the sine of the angle from the nearest ray, and 1 minus its cosine. */
+/* Stores the sine of the angle between dir and the nearest ray (trig_guess.h), and 1 minus the cosine of that angle. */
 static void steps_of(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -683,7 +692,7 @@ static void steps_of(const ang *restrict dir, double *restrict sine, double *res
     }
 }
 
-/* Computes the products in steps of 2^-10, like trig_polar, and marks the doubtful ones. Returns 0 if none is
+/* Multiplies speed by x and y in steps of 2^-10, like trig_polar, and marks the doubtful products. Returns 0 if none is
  * doubtful. */
 static int32_t products(const fx *restrict speed, const double *restrict x, const double *restrict y, fx *restrict vx,
                         fx *restrict vy, int32_t *restrict doubtful)
@@ -744,8 +753,8 @@ static inline uint32_t eighth_of(ang dir)
     return (u ^ past) - past + (past & 0x40000000);
 }
 
-/* Stores the sine of the angle of eighth_of(dir) beyond the last of the 513 directions, less than 2^-9.3, and 1 minus
- * its cosine. */
+/* Stores the sine of r and 1 minus the cosine of r. r < 2^-9.3 is the angle by which eighth_of(dir) exceeds the last of
+ * the 513 directions (way_of) that is not beyond it. */
 static void parts_beyond(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -755,7 +764,7 @@ static void parts_beyond(const ang *restrict dir, double *restrict sine, double 
     }
 }
 
-/* Turns cosine and sine of the angle to the nearer axis into those of the direction. */
+/* Replaces the cosine and sine of eighth_of(dir) with the cosine and sine of dir. */
 static void unfold(const ang *restrict dir, double *restrict cosine, double *restrict sine)
 {
     for (int i = 0; i < LANES; i++) {
@@ -766,8 +775,8 @@ static void unfold(const ang *restrict dir, double *restrict cosine, double *res
     }
 }
 
-/* Stores cosine and sine within 2^-52.4: the table's directions are truncated to 53 bits, the last sum is rounded to 53
- * bits, and all other errors are below 2^-60. */
+/* Stores the cosine and sine of dir within 2^-52.4: the table's directions are truncated to 53 bits, the last sum is
+ * rounded to 53 bits, and all other errors are below 2^-60. */
 static void circles(const ang *dir, double *cosine, double *sine)
 {
     double along[LANES], back[LANES];
@@ -789,8 +798,9 @@ static inline double length_of(int64_t v)
 }
 
 /*
- * Stores d = to * part - from * part, each product rounded. A product is off by less than 2^-52.4 of its length, and by
- * 2^-53 of it due to its own rounding; one within 2^-51 of its length of halfway is doubtful. Returns 0 if none is.
+ * Stores d = round(to * part) - round(from * part). The error of a product, relative to its length (|from| or |to|), is
+ * below 2^-52.4 from `part`, plus 2^-53 from rounding the product to a double. Sets doubtful[i] if a product of lane i
+ * is nearer to a rounding tie than 2^-51 of its length. Returns 0 if no lane is doubtful.
  */
 static uint64_t spans(const int64_t *restrict from, const int64_t *restrict to, const double *restrict part,
                       int64_t *restrict d, uint64_t *restrict doubtful)

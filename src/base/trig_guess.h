@@ -1,6 +1,6 @@
 /*
- * trig_guess.h - the first guess of trig_polar: cosine and sine of a direction in doubles. In its own file so that the
- * proof can test it in all directions.
+ * trig_guess.h - the first guess of trig_polar: cosine and sine of a direction in doubles. It is in a separate file so
+ * that the proof (`make prove`) can test it in all directions.
  */
 #ifndef BASE_TRIG_GUESS_H
 #define BASE_TRIG_GUESS_H
@@ -10,10 +10,11 @@
 #include "trig_tables.h"
 
 /*
- * Stores a guess of cosine and sine of dir. dir is h / 2^40 turns from the nearest of 256 rays, |h| <= 2^31, so they
- * are c cos h - s sin h and s cos h + c sin h. With the polynomials, that is within 2.551 / 2^44. Roundings add less
- * than 2^-52 to each: 2^-54 each for the table's entry and for the last sum, and 2^-57 each for those of the
- * correction, which is below 2^-6.3. So 2.56 / 2^44 in total (make prove: every direction).
+ * Stores a guess of cosine and sine of dir. dir is h / 2^40 turns from the nearest of 256 rays, |h| <= 2^31. With c and
+ * s the cosine and sine of the ray, the results are c cos h - s sin h and s cos h + c sin h. Using polynomials for sin
+ * h and 1 - cos h, the error is below 2.551 / 2^44. Roundings add less than 2^-52 to each result: 2^-54 for the table's
+ * entry, 2^-54 for the last sum, and 2^-57 for each rounding within the correction, which is below 2^-6.3. The total is
+ * below 2.56 / 2^44 (`make prove` checks every direction).
  */
 static inline void trig_circle_guess(ang dir, double *cosine, double *sine)
 {

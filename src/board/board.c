@@ -30,9 +30,9 @@ static uint64_t aligned(uint64_t n)
 }
 
 /* Returns the most events a frame may raise. A bullet may graze or hit both players, be blocked and, if bullets can
- * meet, meet another one. A shot hits one entity, or up to PIERCED. An enemy may touch players, die and leave. An item
- * is taken once and may give lives. A laser may graze or hit both players, or hit enemies. A BulletML document may
- * raise an event for each bullet it fires. */
+ * meet, meet another one. A shot hits one entity or, if shots can pierce, up to PIERCED. An enemy may touch players,
+ * die and leave the field. An item is taken once and may give lives. A laser may graze or hit both players, or hit
+ * enemies. A BulletML document may raise an event for each bullet it fires. */
 static uint64_t event_room(const struct manifest *m)
 {
     return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +
@@ -59,7 +59,7 @@ uint64_t board_room(const struct cart *cart)
     return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
 }
 
-/* Opens the cart and does the work of board_size. */
+/* Opens the cart and sets *size as board_size does. Returns false with one sentence in err if it fails. */
 static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, char *err, size_t err_size)
 {
     memset(cart, 0, sizeof *cart); /* it is copied into RAM */
@@ -211,7 +211,7 @@ static bool open_lang(struct board *b, char *err, size_t err_size)
     return false;
 }
 
-/* Returns whether the start's values fit the manifest; if not, err gets one sentence. */
+/* Returns whether the start's values are valid for the manifest; if not, writes one sentence to err. */
 static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
     if (start->difficulty >= m->n_difficulties) {
@@ -229,7 +229,7 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
     return practice_fits(&start->practice, err, err_size);
 }
 
-/* Terminates the strings, because the caller's may lack a NUL. */
+/* Terminates the start's strings, because the caller's strings may lack a NUL. */
 static void end_texts(struct board_start *start)
 {
     struct practice *p = &start->practice;
@@ -288,7 +288,7 @@ struct board *board_power(void *ram, size_t size, const struct rom *rom, const s
     return b;
 }
 
-/* Does board.reset: the state is as after power-on, except that the frame counter, the script digest and nvram are
+/* Performs board.reset: the state is as after power-on, except that the frame counter, the script digest and nvram are
  * retained. */
 static void reset(struct board *b)
 {
@@ -325,8 +325,8 @@ static void move_items(struct board *b)
     items_move(&b->items, &b->item_kinds, pull);
 }
 
-/* Finds the position of the entity an enemy orbits. If that is an enemy too, moves it first, up to 32 levels deep.
- * Returns false if the entity is not alive. */
+/* Finds the position of the entity an enemy orbits. If that entity is an enemy too, moves it first; this nests up to 32
+ * levels deep. Returns false if the entity is not alive. */
 static bool orbited(struct enemies_world *w, int64_t thing, fx *x, fx *y)
 {
     const int most = 32;
@@ -369,7 +369,8 @@ void board_move(struct board *b)
     b->counts.moved = b->bullets.moved;
 }
 
-/* Charges this frame's motion steps as work. With too many, the moves stopped early and the frame is a fault. */
+/* Charges this frame's motion steps as work. If there were too many, the moves have stopped early and the frame ends in
+ * a fault. */
 static void count_steps(struct board *b)
 {
     const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
@@ -381,8 +382,8 @@ static void count_steps(struct board *b)
                        (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
 }
 
-/* Moves everything, tests collisions, then fires the programs' bullets. Called through vm_call, because a full event
- * list is a fault. */
+/* Moves everything, tests collisions, then fires the bullets that BulletML documents and motion programs queued. Called
+ * through vm_call, because a full event list is a fault. */
 static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
@@ -409,7 +410,7 @@ static void drop_lines(struct board *b)
     slots_trim(&b->lines.s);
 }
 
-/* Removes the sprites whose followed entity is no longer alive, and counts the others. */
+/* Removes the sprites whose followed entity is no longer alive, and counts the sprites that still follow one. */
 static void drop_followers(struct board *b)
 {
     struct sprites *s = &b->sprites;
@@ -451,7 +452,7 @@ static void drain_registers(struct board *b)
 /* Ends a frame that board.stop did not hold. */
 static void end_frame(struct board *b)
 {
-    if (b->core.frozen < 0) /* from the next one on */
+    if (b->core.frozen < 0) /* board.stop was called in this frame and holds from the next one on */
         input_done(&b->input);
     if (b->core.frozen > 0)
         return;
@@ -462,8 +463,9 @@ static void end_frame(struct board *b)
 
 /*
  * Latches the input and returns whether board.stop holds this tick. board.stop(n) sets core.frozen to -(n + 1). Each
- * tick starts by incrementing it while it is negative, and is held if it is still negative: no task resumes, nothing
- * moves, and the clock does not advance. Buttons pressed meanwhile count as pressed in the first tick afterwards.
+ * tick starts by incrementing core.frozen if it is negative, and is held if it is still negative: no task resumes,
+ * nothing moves, and the clock does not advance. Buttons pressed in held ticks count as pressed in the first tick
+ * afterwards.
  */
 static bool count_stop(struct board *b, const uint16_t pads[PADS])
 {

@@ -6,8 +6,8 @@
  * const RAM. RAM points into itself and into the ROM, so a snapshot is valid only in the same process, for the same RAM
  * block.
  *
- * The host thread's settings (locale, rounding, flushing, traps) do not affect a run: board_power, board_tick and
- * board_eval replace them while they run and restore them before they return (host.h).
+ * The host thread's settings (locale, rounding mode, flushing of denormals, floating-point traps) do not affect a run:
+ * board_power, board_tick and board_eval replace them while they run and restore them before they return (host.h).
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -31,20 +31,23 @@ struct cart;
  * opened or its manifest asks for too much. */
 bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size);
 
-/* Returns the bytes of RAM a board for an open cart needs, without an upper limit. The manifest may have been changed
- * since the cart was opened. */
+/* Returns the bytes of RAM that a board for an open cart needs, even if they exceed the limit of board_size. The caller
+ * may have changed the cart's manifest since opening it. */
 uint64_t board_room(const struct cart *cart);
 
 /* Powers on a board in ram (16-byte aligned, size >= board_size) and runs the entry script. Returns NULL with one
- * sentence in err if the ROM or the start cannot run, or if this build's arithmetic differs from other builds'
- * (ieee.h). A script fault while loading still returns the board: the fault is board_last(b)->fault. */
+ * sentence in err if the ROM cannot run, if `start` is invalid for it, or if this build's arithmetic differs from other
+ * builds' (ieee.h). If a script faults while loading, still returns the board, with the fault in
+ * board_last(b)->fault. */
 struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
                           size_t err_size);
 
-/* Advances one frame. pads: PAD_ bits of the two players. After a fault it does nothing and reports the fault again. */
+/* Advances one frame. pads: PAD_ bits of the two players. After a fault, does nothing and reports the same fault
+ * again. */
 const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
 
-/* Returns whether the entry script called boot.run. If not, there is no ship and nothing can be started. */
+/* Returns whether a script has called boot.run (or has read the practice start itself, sys.practice). If not, there is
+ * no ship and no game can be started. */
 bool board_boots(const struct board *b);
 
 /* Returns the output of the last tick, or of board_power. */
@@ -53,18 +56,19 @@ const struct board_out *board_last(const struct board *b);
 /* Sets *w and *h to the screen size in pixels. */
 void board_screen(const struct board *b, int *w, int *h);
 
-/* Return the bytes of scratch memory board_draw needs, for a board and for any board of an open cart. */
+/* Return the bytes of scratch memory that board_draw needs: for a board, and for any board of an open cart. */
 size_t board_scratch(const struct board *b);
 size_t board_scratch_of(const struct cart *cart);
 
 /* Draws the picture into fb and its 256 colours (0xRRGGBB) into rgb, adjusted by the view (NULL: unadjusted). Returns
- * the number of sprites drawn. Reads b and view, writes only fb, rgb and scratch. fb is fb_init'ed w x h. */
+ * the number of sprites drawn. Reads b and view, writes only fb, rgb and scratch. fb must have been initialised by
+ * fb_init with the size of the screen. */
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* board_sound writes the sound of the frame just ticked to out: BOARD_SOUND stereo frames at 48 kHz, left first, the
  * same bytes on every host. It only reads b, so skipping it does not affect the run. tables: board_sound_tables()
- * bytes, aligned to 8, filled once by board_sound_open (takes some milliseconds) and shared by any number of boards. A
- * game that declares neither sounds nor music is silent and needs no tables. */
+ * bytes, aligned to 8, filled once by board_sound_open (which takes a few milliseconds); any number of boards can share
+ * them. A game that declares neither sounds nor music is silent and needs no tables. */
 enum { BOARD_SOUND = 800 };
 bool board_has_sound(const struct board *b);
 size_t board_sound_tables(void);
@@ -77,7 +81,7 @@ void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOAR
 
 /* What one sound slot plays after a tick. board_cue returns false past the last slot. */
 struct board_cue {
-    const char *name; /* of the sound; NULL: nothing plays */
+    const char *name; /* name of the sound; NULL: the slot is silent */
     uint32_t began;   /* frame in which the sound began */
     bool first;       /* the slot plays the sound's first track */
     bool ends;        /* the track ends in the next frame */
@@ -88,14 +92,14 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out);
 const char *board_music(const struct board *b);
 
 /* A box is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_box_size() bytes, aligned
- * to 64. board_box_play plays the sound with that name, or else the music; it returns false if there is neither.
- * board_box_tick advances one frame; it returns false when everything has ended and is silent. */
+ * to 64. board_box_play plays the sound called `name` or, if there is none, the music called `name`; it returns false
+ * if neither exists. board_box_tick advances one frame; it returns false when everything has ended and is silent. */
 size_t board_box_size(void);
 struct board *board_box_open(void *ram, const struct rom *rom, char *err, size_t err_size);
 bool board_box_play(struct board *b, const char *name);
 bool board_box_tick(struct board *b);
 
-/* Describes entry n of a box's list of sounds, followed by its music. Returns false past the last entry. */
+/* A sound or a piece of music in a box's list. */
 struct board_tune {
     const char *name, *title;
     bool music, recording, endless;
@@ -103,26 +107,28 @@ struct board_tune {
     size_t bytes;
     const uint8_t *data; /* tune.h */
 };
+
+/* Stores entry n of the box's list: all sounds, then all music. Returns false past the last entry. */
 bool board_box_tune(const struct board *b, int n, struct board_tune *out);
 
 /* Returns the number of frames ticked since power-on. */
 uint32_t board_frame(const struct board *b);
 
-/* Return the combined state hash, and one hash for each of the board_parts() named parts. The combined hash leaves out
- * parts no script can read: sparks, cues and voices. */
+/* Return the combined state hash, the number of parts, and the name and the hash of part i. board_hashes stores the
+ * hashes of all parts. The combined hash leaves out the parts that no script can read: sparks, cues and voices. */
 uint64_t board_hash(const struct board *b);
 int board_parts(const struct board *b);
 const char *board_part(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
-/* Does the same as board_hashes, about ten times as fast when called for one board frame after frame: it does not
- * rehash lists that have not changed. cache: board_hash_cache_size(b) bytes, zeroed before the first call. Between
- * calls the caller must not change cache or hashes. */
+/* Stores the same hashes as board_hashes, but about ten times as fast when called for the same board every frame,
+ * because lists that have not changed are not rehashed. cache: board_hash_cache_size(b) bytes, zeroed before the first
+ * call. Between calls the caller must not change cache or hashes. */
 size_t board_hash_cache_size(const struct board *b);
 void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX_PARTS]);
 
-/* Combines the parts' hashes into the combined hash. */
+/* Returns the combined hash, computed from the parts' hashes. */
 uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
 
 /* Visits every value hashed for part i, in hash order: the live and refused counts, registers, then each live slot's
@@ -130,8 +136,8 @@ uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
 void board_trace(const struct board *b, int i, slots_visit *visit, void *context);
 
 /* Snapshots, only between frames. board_save copies the used part of RAM into buf (board_snapshot_size bytes);
- * board_restore copies it back into the same RAM block, whose contents may be anything by then. Fastest when RAM and
- * buf are aligned to 64. */
+ * board_restore copies it back into the same RAM block, whatever that block contains by then. Both are fastest when RAM
+ * and buf are aligned to 64. */
 size_t board_snapshot_size(const struct board *b);
 void board_save(const struct board *b, void *buf);
 void board_restore(struct board *b, const void *buf);
@@ -146,8 +152,8 @@ void board_output_restore(struct board *b, const void *buf);
 /* Returns the nvram image, *size bytes, portable between hosts. *changed counts the writes since power-on. */
 const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
 
-/* Return how many entities of a part ("bullets") are live, and how many it refused because it was full; -1: no such
- * part. */
+/* Return how many entities of a part, such as "bullets", are live, and how many more were refused because the part was
+ * full; -1: no such part. */
 int64_t board_live(const struct board *b, const char *part);
 int64_t board_refused(const struct board *b, const char *part);
 
@@ -160,7 +166,7 @@ int board_difficulty_now(const struct board *b);
 /* Returns the peak number of bytes of Lua RAM in use since power-on. The capacity is board.lua_kib in rom.lua. */
 size_t board_lua_peak(const struct board *b);
 
-/* Returns the Lua release that runs the scripts: "5.4.6". */
+/* Returns the version of Lua that runs the scripts, such as "5.4.6". */
 const char *board_lua_release(void);
 
 /* Returns Lua's copyright notice: "Copyright (C) ...". */

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "../machine/sound.h"
 
-/* ---- the frame's samples ---- */
+/* ---- samples, sound slots and music ---- */
 
 bool board_has_sound(const struct board *b)
 {
@@ -76,7 +76,7 @@ const char *board_music(const struct board *b)
     return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
 }
 
-/* ---- a box ---- */
+/* ---- boxes ---- */
 
 static size_t aligned(size_t n)
 {

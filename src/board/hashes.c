@@ -14,9 +14,9 @@ static const uint8_t *chip_at(const struct board *b, int i)
     return (const uint8_t *)b + machine_parts[i].at;
 }
 
-/* Returns whether part i holds nothing in slots and may be absent: it is one of the parts added after the first
- * PARTS_ALWAYS, has no live slot, and either has no capacity (the chip has only registers, or the game reserves none)
- * or is the list of registers that ships and the run declare. */
+/* Returns whether part i has nothing to hash in slots and may be absent: it is one of the parts added after the first
+ * PARTS_ALWAYS, it has no live slot, and it either has no capacity (the chip has only registers, or the game reserves
+ * no slots) or is the list of registers that ships and the run declare. */
 static bool is_roomless(const struct board *b, int i)
 {
     const struct slots *s = (const struct slots *)chip_at(b, i);
@@ -24,8 +24,8 @@ static bool is_roomless(const struct board *b, int i)
     return i >= PARTS_ALWAYS && !s->live && (!s->cap || s == &b->registers.s);
 }
 
-/* Returns whether such a part's registers are also all 0. The hash of an absent part is 0 and is left out of the
- * combined hash, so adding a chip to the board changes the hashes of only those games that use it. */
+/* Returns whether part i is absent: is_roomless, with all registers 0. The hash of an absent part is 0 and is left out
+ * of the combined hash, so adding a chip to the board only changes the hashes of games that use it. */
 static bool is_absent(const struct board *b, int i)
 {
     const struct chip *chip = machine_parts[i].chip;
@@ -64,7 +64,8 @@ uint64_t board_hash(const struct board *b)
     return board_hash_of(hashes);
 }
 
-/* A visitor that gives value columns the names the game declared. */
+/* The context of visit_renamed, which passes each value on to `visit`, replacing the names of value columns by those
+ * that the game declared. */
 struct renamed {
     const struct board *b;
     enum name_kind names;
@@ -100,7 +101,7 @@ void board_trace(const struct board *b, int i, slots_visit *visit, void *context
         slots_values(chip, chip_at(b, i), visit, context);
 }
 
-/* Returns the bytes of list i's copy: its struct, and its columns at full capacity; 0: the part is not a list, or
+/* Returns the bytes of part i's copy: its struct, and its columns at full capacity. 0: the part is not a list, or
  * is_roomless. */
 static size_t copy_size(const struct board *b, int i)
 {
@@ -123,7 +124,7 @@ size_t board_hash_cache_size(const struct board *b)
     return sum + most;
 }
 
-/* Returns whether list i's bytes equal its copy; if not, updates the copy. room: scratch of copy_size bytes. */
+/* Returns whether the bytes of list i equal its copy; if not, updates the copy. room: scratch of copy_size bytes. */
 static bool same(const struct board *b, int i, uint8_t *copy, uint8_t *room)
 {
     size_t n = machine_parts[i].size;

@@ -1,5 +1,5 @@
 /*
- * inspect.c - see inspect.h.
+ * inspect.c - bodies, kinds, gauges, tasks, and the entity under a point; see inspect.h.
  */
 #include "inspect.h"
 #include "../../fb/blit.h"
@@ -61,7 +61,7 @@ static void set_circles(const struct board *b, struct inspect_body *body, const 
     }
 }
 
-/* Sets the body's shape from the pieces used by the collision tests. */
+/* Sets the body's shape from the n shapes that the collision tests use. Only SHAPE_CIRCLES uses more than the first. */
 static void set_shape(const struct board *b, struct inspect_body *body, uint8_t shape, const struct body *piece,
                       uint32_t n)
 {
@@ -136,7 +136,8 @@ static bool laser_can_be_grazed(const struct board *b, uint32_t i)
     return false;
 }
 
-/* Returns the body of the segment that starts at corner k, as it was in the last frame. */
+/* Returns the body of laser i's segment that starts at corner k, with the reach used by the last frame's hit
+ * detection. */
 static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_t k)
 {
     const fx reach = hit_laser_reach(b, i, lasers_age_seen(b, i));
@@ -237,7 +238,7 @@ static void measure(const struct shape_columns *k, uint32_t i, struct inspect_sh
     }
 }
 
-/* Calls each for every kind of ship; a ship's hitbox is a circle. */
+/* Calls `each` for every kind of ship; a ship's hitbox is a circle. */
 static void ship_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
                        void *context)
 {
@@ -279,7 +280,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
         uint32_t n;
         const uint16_t *sprite;
         const uint8_t *bank;
-        const uint16_t *flags; /* KIND_ */
+        const uint16_t *flags; /* KIND_ flags; NULL: no flags */
     } all[] = {
         { "bullet", N_BULLET, { k->shape, k->a, k->b, k->x, k->y }, k->s.live, k->sprite, k->bank, k->flags },
         { "shot", N_SHOT, { ks->shape, ks->a, ks->b, ks->x, ks->y }, ks->s.live, ks->sprite, ks->bank, ks->flags },
@@ -290,7 +291,7 @@ void inspect_kinds(const struct board *b, void (*each)(void *context, const stru
     for (int what = 0; what < 3; what++)
         for (uint32_t i = 0; i < all[what].n; i++) {
             const char *name = board_name(b, all[what].names, (int)i);
-            if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* no name: one more circle of a kind */
+            if (!name || all[what].shapes.shape[i] == SHAPE_NONE) /* rows without a name are a kind's other circles */
                 continue;
             measure(&all[what].shapes, i, &kind);
             kind.of = all[what].of;
@@ -356,7 +357,7 @@ void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t c
 
 /* ---- tasks ---- */
 
-/* Finds the line at which the task's thread waits; "" before it has first run. */
+/* Stores the line at which the thread of task i waits; "" if the task has not run yet. */
 static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
 {
     at[0] = 0;
@@ -364,7 +365,7 @@ static void find_line(const struct board *b, uint32_t i, char at[INSPECT_PLACE])
         return;
     vm_where(b->tasks.thread[i], at, INSPECT_PLACE);
     size_t n = strlen(at);
-    if (n >= 2) /* cut off ": " */
+    if (n >= 2) /* remove the final ": " */
         at[n - 2] = 0;
 }
 
@@ -428,7 +429,8 @@ bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *o
 
 /* ---- the entity under a point ---- */
 
-/* How far a body is from the point searched for, Q15.16 px. Compared field by field; the smallest wins. */
+/* How well a body matches the point searched for, Q15.16 px: distance from the hitbox (gap), size of the hitbox,
+ * distance from its centre (far). Fits are compared field by field, in this order; the smallest wins. */
 struct fit {
     fx gap, size, far;
 };

@@ -3,7 +3,7 @@
  *
  * Call these functions only between frames. None of them changes a byte of RAM, so they call no Lua function that
  * pushes a value. Strings are returned as pointers that are valid until the next tick or restore. Screen positions are
- * Q15.16 px, field position plus the field's top left corner.
+ * in Q15.16 px: the position on the field plus the field's top left corner.
  */
 #ifndef BOARD_INSPECT_H
 #define BOARD_INSPECT_H
@@ -23,7 +23,8 @@ struct inspect_body {
     int32_t x, y; /* centre, on the screen */
     int32_t a, b; /* circle: a is the radius; box: half the width and height */
     int32_t c;    /* capsule: all points within a of the bar from (x - b, y - c) to (x + b, y + c) */
-    int32_t n;    /* circles: their number; a, b: half the width and height of a box around (x, y) holding them */
+    int32_t n;    /* circles: number of circles; a, b: half the width and height of a box around (x, y) that contains
+                     them all */
     struct {
         int32_t x, y, r;
     } circle[SHAPE_PARTS];
@@ -32,17 +33,17 @@ struct inspect_body {
                       invulnerable */
 };
 
-/* Calls each for every body: enemies, shots, bullets, lasers, then players, each in slot order. A laser has one body
- * per segment of its line. */
+/* Calls `each` for every body: enemies, shots, bullets, lasers, then players, each group in slot order. A laser has one
+ * body per segment of its line. */
 void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
 
-/* Sets *out to the body of a player (0 or 1) at the place where the ship is drawn, including a screen shake. Returns
- * false if no ship is drawn: the player is not in the game, or is hidden. */
+/* Sets *out to the body of a player (0 or 1) at the position where the ship is drawn, which includes a screen shake.
+ * Returns false if no ship is drawn: the player is not in the game, or is hidden. */
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 
 /* The hitbox and the sprite of one kind of bullet, shot, enemy or player. */
 struct inspect_shape_of {
-    const char *of, *name;    /* "bullet", "orb" */
+    const char *of, *name;    /* type of entity, "bullet"; name of the kind, "orb" */
     enum inspect_shape shape; /* not INSPECT_NONE */
     int32_t r, bar_x, bar_y;  /* circle: r is the radius; capsule: all points within r of the bar from (-bar_x, -bar_y)
                                  to (bar_x, bar_y), relative to the entity's position */
@@ -66,8 +67,8 @@ struct inspect_ship_has {
 };
 struct inspect_ship_has inspect_plays(const struct board *b, int player);
 
-/* Calls each with the code point of every character on the screen, in cells and in visible lines of text. The order is
- * unspecified, and code points may repeat. FIX_OTHER (fix.h): a character its cell cannot store. */
+/* Calls `each` with the code point of every character on the screen, in cells and in visible lines of text. The order
+ * is unspecified, and code points may repeat. FIX_OTHER (fix.h) stands for a character that its cell cannot store. */
 void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t code), void *context);
 
 /* The field's rectangle on the screen, px. */
@@ -76,16 +77,16 @@ struct inspect_area {
 };
 struct inspect_area inspect_field(const struct board *b);
 
-/* How full a part is, in slots. */
+/* How full a part is, in slots. inspect_gauges describes all parts and returns their number. */
 struct inspect_gauge {
     const char *name;
     uint32_t live, top, high, cap; /* top: upper bound of the live slots; high: slots ever used */
     uint32_t refused;
-    bool fixed; /* fixed size or no slots, so not worth a gauge */
+    bool fixed; /* the part has a fixed size or no slots, so is not worth a gauge */
 };
 int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
 
-/* Sets *used and *size to the bytes of Lua memory in use and in all. */
+/* Sets *used to the bytes of Lua memory in use and *size to the bytes available in total. */
 void inspect_memory(const struct board *b, size_t *used, size_t *size);
 
 /* Returns how many numbers the game has drawn from its random stream since power-on or the last board.reset. */
@@ -108,53 +109,53 @@ enum inspect_owner {
 struct inspect_task {
     uint32_t serial;
     uint32_t age; /* frames of game time */
-    int64_t wait; /* frames until it resumes, at least 1: the next frame */
-    bool forever; /* it waits forever */
-    bool scope;   /* it only owns other tasks */
-    bool begun;   /* it has run at least once */
-    bool stopped; /* closed when it would next resume: it was stopped, or its owner is no longer alive */
-    bool frozen;  /* it does not run now, because the game is paused */
+    int64_t wait; /* frames until the task resumes; 1: it resumes in the next frame */
+    bool forever; /* the task waits forever */
+    bool scope;   /* the task only owns other tasks */
+    bool begun;   /* the task has run at least once */
+    bool stopped; /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */
+    bool frozen;  /* the task does not run now, because the game is paused */
     enum inspect_owner owner;
-    uint32_t owner_number;  /* task: its serial; player: 1 or 2; any other owner: its slot */
-    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line it waits at, the nearest outside @std; "": none */
+    uint32_t owner_number;  /* serial of an owner task; 1 or 2 for a player; slot of any other owner */
+    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line where the task waits (vm_where); "": none */
 };
 
-/* Describes up to n live tasks in order of serial, starting with the first-th (0: the oldest). Returns the number of
- * live tasks. */
+/* Describes up to n live tasks in order of serial, skipping the first `first` (the oldest) of them. Returns the number
+ * of live tasks. */
 uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_task *out, uint32_t n);
 
-/* Describes the live task with that serial. Returns false if it has ended. */
+/* Describes the live task whose serial is `serial`. Returns false if there is none. */
 bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *out);
 
 struct inspect_thing {
     struct inspect_body body;
-    const char *name;     /* name of its kind */
+    const char *name;     /* name of the entity's kind */
     const char *tag;      /* NULL: none */
     uint32_t age;         /* frames of game time; player: 0 */
     int32_t x, y;         /* on the field, Q15.16 px */
     int32_t speed;        /* Q15.16 px/frame; speed and dir: bullets, shots and lasers only */
     double dir;           /* degrees */
-    bool moves;           /* a motion program drives it */
+    bool moves;           /* a motion program drives the entity */
     const char *motion;   /* name of the motion program; NULL: unnamed */
     uint32_t program;     /* index of the motion program */
-    uint32_t step, steps; /* current step, from 1, and their number; step = steps + 1: past the last */
-    uint32_t left;        /* frames left in this step; 0: it has not begun or takes no time */
+    uint32_t step, steps; /* current step, from 1, and number of steps; step = steps + 1: past the last step */
+    uint32_t left;        /* frames left in the current step; 0: the step has not begun or takes no time */
     uint32_t by;          /* serial of the task that fired or spawned it; 0: none */
-    int player;           /* shot or laser: its player, 1 or 2; 0: none */
-    int32_t hp, safe;     /* hp: enemies only; safe: enemies and players, invulnerable frames left, -1: forever */
+    int player;           /* shot or laser: the player who owns it, 1 or 2; 0: none */
+    int32_t hp, safe;     /* hp: enemies only; safe: enemies and players, frames of invulnerability left, -1: forever */
     int32_t lives;        /* players only */
 };
 
 /* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `within` px away. Ties go
- * to the smallest, then to the one with the nearest centre, then to the first in inspect_bodies' order. Returns false
- * if there is none. */
+ * to the smallest hitbox, then to the hitbox with the nearest centre, then to the first in the order of inspect_bodies.
+ * Returns false if no entity is near enough. */
 bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out);
 
-/* Voice i of VOICES, music voices first. On a board without sound no voice is busy. */
+/* State of voice i, 0 to VOICES - 1; music voices come first. On a board without sound no voice is busy. */
 struct inspect_voice {
     bool music, busy;
-    bool ends;        /* the note was released, or only its tail still sounds */
-    const char *of;   /* name of the sound or music it plays */
+    bool ends;        /* the note was released, or only the tail of the voice still sounds */
+    const char *of;   /* name of the sound or music that the voice plays */
     const char *wave; /* kind of instrument: "fm" */
     int32_t pitch;    /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
     int pan;          /* -64 left to 64 right */
@@ -167,7 +168,7 @@ int inspect_voice_peak(const struct board *b, int i, const void *tables);
 /* The music's current position. name "": no music is playing. */
 struct inspect_music {
     const char *name, *title;
-    const char *mark, *next; /* last marker passed; music that starts when this has faded out; "": none */
+    const char *mark, *next; /* last marker passed; music that starts after this has faded out; "": none */
     uint64_t bar;            /* current bar, from 0 */
     int beat, beats;         /* beat in the bar, from 0; beats per bar */
     uint32_t tempo;          /* hundredths of a quarter note per minute */

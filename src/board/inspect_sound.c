@@ -13,8 +13,8 @@ static const char *const kinds[INST_KINDS] = {
     [INST_NOISE] = "noise", [INST_SAMPLE] = "sample", [INST_FM4] = "fm4", [INST_WAVE] = "wave",
 };
 
-/* Returns the name of the sound or music whose data contains an instrument. Sounds come first, then music, in the order
- * of their data, so it is the last one that starts at or before the instrument. */
+/* Returns the name of the sound or music whose data contains an instrument. The data of all sounds, then of all music,
+ * is stored in ascending order, so the result is the last sound or music that starts at or before the instrument. */
 static const char *tune_of_inst(const struct board *b, uint32_t inst)
 {
     const struct cart *c = &b->cart;

@@ -1,5 +1,5 @@
 /*
- * files.c - reads and writes files (files.h). The platform API does not report why a write failed; where it is
+ * files.c - reads and writes files (files.h). The platform API does not report why a write failed; where the API is
  * implemented with ISO C functions, errno has the reason.
  */
 #include "files.h"
@@ -21,7 +21,7 @@ const char *files_shown(const char *name, char path[FILES_PATH])
     return path;
 }
 
-/* "NAME: cannot be VERB (why)" */
+/* Sets err to "NAME: cannot be VERB (REASON)", without the reason when errno is 0. */
 static void explain(const char *name, const char *verb, char *err, size_t err_size)
 {
     char shown[FILES_PATH];

@@ -1,5 +1,5 @@
 /*
- * result.h - the outcome of a command of the program, or of one step of it.
+ * result.h - the outcome of one of the program's commands, or of a step of a command.
  *
  * Results are ordered: the greatest is the worst.
  */
@@ -16,9 +16,9 @@ enum result {
     RESULT_HOST     /* the host failed, or ran out of memory */
 };
 
-/* Sets err like err_set, for failures of the host: out of memory, or a file that cannot be written. It does not matter
- * what the message becomes part of later: result_cause knows that the host failed since its last call. result_is_why
- * records a host failure whose message was made some other way. */
+/* Sets err and returns false like err_set, and records for result_cause that the host failed: it is out of memory, or a
+ * file cannot be written. The record does not depend on the message, which may become part of another message.
+ * result_is_why only records the failure, for messages that are made some other way. */
 bool result_host(char *err, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void result_is_why(void);
 
@@ -28,7 +28,7 @@ enum result result_cause(void);
 
 /* A command that runs frame by frame, called by the owner of the main loop. */
 struct running {
-    bool (*frame)(void *of); /* returns false when it is over; NULL: nothing to run, the command is done */
+    bool (*frame)(void *of); /* runs a frame; returns false when the command is over; NULL: it is already over */
     enum result (*close)(void *of);
     void *of;
 };

@@ -134,7 +134,8 @@ bool demo_told(const struct demo *d, uint32_t frame)
     return row_of(d, frame) < d->seconds || demo_checksums(d, frame);
 }
 
-/* Returns the index of the board's part with that name, or -1. Starts at i, since the orders mostly agree. */
+/* Returns the index of the board's part with that name, or -1. Tries index i first, because both lists usually have the
+ * same order. */
 static int part_of(const struct board *b, const char *name, int i)
 {
     int parts = board_parts(b);
@@ -174,7 +175,7 @@ uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashe
     return differ;
 }
 
-/* Parses a score: digits as printf writes them, at most twelve. */
+/* Parses a score: at most twelve digits, without leading zeroes. */
 static bool read_points(const char *text, int64_t *points)
 {
     size_t n = strspn(text, "0123456789");
@@ -198,7 +199,7 @@ bool demo_points(const struct demo *d, int player, int64_t *points)
     return false;
 }
 
-/* Returns the first DIP switch that does not allow the demo's value, or -1. */
+/* Returns the index of the first DIP switch that cannot have the demo's value, or -1. */
 static int bad_dip(const struct demo *d, const struct manifest *m)
 {
     for (int i = 0; i < m->n_dips; i++) {

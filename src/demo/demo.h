@@ -5,10 +5,10 @@
  * hashes, a record per marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark (after a
  * crash, or on a full disk) is read as far as possible, and .complete is false.
  *
- * Hashes: every second has a row of the track, the full hash of each part of the board. Every frame has each part's
- * checksum, the low 16 bits of its hash, so a replay that differs is traced to a frame and a part. A long demo is
- * sparse: it has checksums every second only, and a full row each minute, so a difference is traced to a second and a
- * part.
+ * Hashes: every second has a row of the track, the full hash of each part of the board. Every frame has a checksum of
+ * each part, the low 16 bits of the part's hash, so a replay that differs is traced to a frame and a part. A long demo
+ * is sparse: it has checksums every second only, and a full row each minute, so a difference is traced to a second and
+ * a part.
  */
 #ifndef DEMO_H
 #define DEMO_H
@@ -46,7 +46,7 @@ const char *demo_flag_name(int i);
 
 /* A marker, for navigating in a run. */
 struct demo_marker {
-    uint32_t frame; /* the frame made by the tick in which it happened */
+    uint32_t frame; /* the frame produced by the tick in which the marker occurred */
     struct board_marker marker;
 };
 
@@ -55,22 +55,22 @@ struct demo {
     uint32_t core;                /* core version that recorded it */
     uint64_t game_hash, rom_hash; /* of the ROM it was recorded on */
     char id[32], lua[16];         /* game id; Lua release, "5.4.6" */
-    struct board_start start;     /* .nvram points to nvram below, or is NULL when that is empty */
+    struct board_start start;     /* .nvram points to `nvram` below, or is NULL when nvram is empty */
     uint8_t *nvram;
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
     uint32_t frames;          /* ticks recorded */
-    uint16_t (*pads)[PADS];   /* pads[f] made frame f + 1 */
-    bool sparse;              /* it has rows only, some of them full (demo_row_whole), the others checksums */
-    uint16_t *checksums;      /* frames x parts; those from f * parts on are of frame f + 1; none in a sparse demo */
-    uint64_t checksum_parts;  /* parts that have checksums, 1 << part: all; in format 2 only script */
-    uint32_t checksum_frames; /* frames that have hashes: all, except a last one that faulted */
+    uint16_t (*pads)[PADS];   /* pads[f]: input of the tick that produced frame f + 1 */
+    bool sparse;              /* it has only rows, some with full hashes (demo_row_whole), the others with checksums */
+    uint16_t *checksums;      /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
+    uint64_t checksum_parts;  /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
+    uint32_t checksum_frames; /* number of frames that completed: `frames`, or one less if the last tick faulted */
     uint32_t seconds;         /* number of hash rows; row i is of frame demo_row_frame(d, i) */
     uint64_t *track;          /* seconds x parts; in a row that is not full only the low 16 bits are valid */
     uint32_t n_markers;
-    struct demo_marker *markers; /* by frame, ascending */
-    bool complete;               /* has its end mark */
+    struct demo_marker *markers; /* sorted by frame, ascending */
+    bool complete;               /* the end mark was read or written */
     enum board_fault_kind fault; /* fault in the last recorded tick, or at power-on if there are no frames */
     uint32_t room_frames, room_checksums, room_seconds, room_markers;
 };
@@ -98,15 +98,15 @@ bool demo_row_whole(const struct demo *d, uint32_t i);
 /* Returns the full hashes after a frame, in the order of .part, or NULL when the track has no full row of it. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
 
-/* Returns the checksums after a frame, in the order of .part (only those of .checksum_parts are known), or NULL for a
- * frame that has none: the first, one that faulted, and every frame of a sparse demo. */
+/* Returns the checksums after a frame, in the order of .part (only the parts in .checksum_parts have valid ones), or
+ * NULL for a frame that has none: the first, one that faulted, and every frame of a sparse demo. */
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
-/* Gets the checksum of a part after a frame: the low 16 bits of its hash. Returns false when the demo does not have
- * it. */
+/* Gets the checksum of a part after a frame: the low 16 bits of the part's hash. Returns false when the demo does not
+ * have that checksum. */
 bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print);
 
-/* Returns whether the demo has any hashes of a frame. A sparse demo has none of most frames. */
+/* Returns whether the demo has a hash row or checksums for this frame. A sparse demo has neither for most frames. */
 bool demo_told(const struct demo *d, uint32_t frame);
 
 /* Reorders hashes from the order of a board's parts to the order of .part; builds may differ in their parts. Returns
@@ -116,7 +116,7 @@ uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t 
 
 /* Returns the parts, one bit each, whose state after `frame` cannot have these hashes (in the order of .part). Compares
  * checksums, and the full hashes where there is a row. A difference that a checksum misses (one in 65536) shows in a
- * later frame. Returns 0 for a frame that has neither: the one that faulted, and those after the end. */
+ * later frame. Returns 0 for a frame that has neither a checksum nor a row: one that faulted, or one after the end. */
 uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
 /* Gets the points a player (0 or 1) had after the last frame, as stored at the end of the recording. Returns false when
@@ -140,18 +140,18 @@ const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf,
 struct demo_file {
     char path[DEMO_PATH]; /* "": none, recorded in memory only */
     uint32_t written;     /* frames in the file */
-    uint32_t told;        /* markers in the file */
+    uint32_t told;        /* number of markers in the file */
     uint32_t crc;         /* CRC of the last record written */
     size_t size;          /* bytes in the file; 0: nothing written yet */
     bool lost;            /* a write failed; nothing more is written until demo_retry rewrites the whole file */
 };
-/* Which frames' checksums are written. */
+/* Which frames have checksums in the file. */
 enum demo_prints {
     DEMO_PRINTS_AUTO,    /* every frame while the demo is short (DEMO_DENSE), every second once it is long */
     DEMO_PRINTS_EVERY,   /* every frame */
     DEMO_PRINTS_SECONDS, /* every second: sparse from the start */
 };
-extern const char *const demo_prints_words[]; /* their names as options; NULL-terminated */
+extern const char *const demo_prints_words[]; /* names of the enum demo_prints values as options; NULL-terminated */
 
 struct demo_writer {
     enum demo_prints prints;
@@ -163,29 +163,30 @@ struct demo_writer {
     bool on;
 };
 
-/* Starts recording. b was just powered on with start (call demo_end next if it faulted doing so). path NULL: records in
- * memory only. Replaces an existing file. */
+/* Starts recording. b must just have been powered on with `start`; if it faulted at power-on, call demo_end next. path
+ * NULL: records in memory only. Replaces an existing file. */
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
                 const struct board_start *start, unsigned flags);
 
 /* Rewrites the whole file of a recording whose last write failed. Returns false when it still cannot be written; w->err
- * has the reason. Always false for files without a size, such as a pipe, which cannot be rewritten. */
+ * has the reason. Also returns false for a file without a size, such as a pipe, which cannot be rewritten. */
 bool demo_retry(struct demo_writer *w);
 
-/* Sets which checksums are written, if not DEMO_PRINTS_AUTO. Call it right after demo_begin. */
+/* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_PRINTS_AUTO. */
 bool demo_prints(struct demo_writer *w, enum demo_prints prints);
 
-/* Notes the pads of the tick that is about to run, so that demo_dump has them if the tick never returns. Optional. */
+/* Stores the pads of the tick that is about to run, for demo_dump in case the tick never returns. Optional. */
 void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS]);
 
-/* Records a frame. Call it after every board_tick, with the pads it got. The file grows once a second. */
+/* Records a frame. Call it after every board_tick, with the same pads. The file grows once a second. */
 bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
 
-/* Records to this file from now on, replacing it if it exists; everything recorded so far is written at once. */
+/* Records to the file `path` from now on, replacing an existing file. Writes everything recorded so far at once. */
 bool demo_keep(struct demo_writer *w, const char *path);
 
-/* Records to a second file as well, or to it alone if there is no first; NULL stops and leaves the file as it is.
- * Failing to write it, now or later, does not fail the recording: spare_err is set and the spare file is given up. */
+/* Records to a spare file, in addition to the recording's file if it has one. path NULL: stops recording to the spare
+ * file and leaves that file as it is. A failure to write the spare file, now or later, does not fail the recording: it
+ * sets spare_err, and the spare file is not written again. */
 void demo_spare(struct demo_writer *w, const char *path);
 
 /* Stops recording to the spare file and deletes it, unless another program has changed it since. */
@@ -194,8 +195,8 @@ void demo_spare_remove(struct demo_writer *w);
 /* Adds flags. */
 bool demo_flag(struct demo_writer *w, unsigned flags);
 
-/* Call when the board went back to `frame` and play continues from there: drops everything after it (rewriting the
- * file) and adds DEMO_BRANCHED. frame <= demo.frames. */
+/* Drops everything after `frame`, adds DEMO_BRANCHED and rewrites the file. Call it when the board has gone back to
+ * `frame` and play continues from there. `frame` is at most demo.frames. */
 bool demo_rewind(struct demo_writer *w, uint32_t frame);
 
 /* Ends the recording: writes the remaining frames and the end mark, with the board's fault if it has one. w->demo
@@ -206,7 +207,7 @@ bool demo_end(struct demo_writer *w, const struct board *b);
  * continues. Returns NULL when out of memory, or when recording has stopped. */
 uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size);
 
-/* Frees all memory, recording or not; the file stays as it is. */
+/* Frees the writer's memory, also while it is recording; the file stays as it is. */
 void demo_drop(struct demo_writer *w);
 
 /* Returns a demo as a file in the newest format, from malloc, or NULL when out of memory. The demo must have every

@@ -17,7 +17,7 @@ size_t demo_dump_size(const struct demo_writer *w)
 {
     size_t nvram = w->demo.start.nvram_size;
 
-    return RECORDS + nvram + nvram / 64; /* encoding makes 128 bytes at most 129 */
+    return RECORDS + nvram + nvram / 64; /* encoding turns 128 bytes into at most 129 */
 }
 
 static void flush(struct dump *u)

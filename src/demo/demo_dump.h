@@ -10,8 +10,8 @@ struct demo_dump {
     uint8_t *memory; /* demo_dump_size bytes, allocated in advance */
     size_t size;
     uint32_t frames;             /* the current frame; frames recorded after it are left out */
-    bool ticking;                /* a tick has started there and not returned: its pads are included */
-    enum board_fault_kind fault; /* of the last frame, or of power-on */
+    bool ticking;                /* a tick has started at that frame and not returned; its pads are included */
+    enum board_fault_kind fault; /* fault of the last frame, or of power-on */
     void (*out)(void *user, const uint8_t *bytes, size_t n);
     void *user;
 };

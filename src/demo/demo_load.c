@@ -19,7 +19,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     memset(d, 0, sizeof *d);
     if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
-    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* may be a text report that contains one */
+    if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* may be a text report that contains a demo */
         files_drop_mark(data, &size);
         demo_text_decode(data, &size);
     }

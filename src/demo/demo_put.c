@@ -167,7 +167,7 @@ static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first
     }
 }
 
-/* Writes the set of parts whose checksum differs from the row before, and those checksums. */
+/* Writes the set of parts whose checksum differs from the previous row's, then the checksums of these parts. */
 static void write_prints(struct demo_sink *s, const struct demo *d, const uint64_t *before, const uint64_t *row)
 {
     uint64_t other = 0;
@@ -193,7 +193,7 @@ static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t fir
         write_row(s, d, row);
 }
 
-/* Returns the checksum of a part after frame f; before the first tick that is the first row's. */
+/* Returns the checksum of a part after frame f; for frame 0, the checksum in the first row. */
 static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
 {
     const uint16_t *checksums = demo_checksums(d, f);

@@ -20,12 +20,10 @@ enum {
     MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
 
-/* ---- reading ---- */
-
 struct source {
     const uint8_t *p;
     size_t left;
-    bool bad; /* a read went past the end and returned zeroes */
+    bool bad; /* a read went past the end and returned zeroes, or a value is invalid */
 };
 
 struct parse {
@@ -145,7 +143,7 @@ static void take_practice(struct source *s, struct practice *p)
     }
 }
 
-/* Returns the part that has checksums in format 2, or -1. */
+/* Returns the index of the script part, which alone has checksums in format 2, or -1. */
 static int script_of(const struct demo *d)
 {
     for (int i = 0; i < d->parts; i++)
@@ -201,7 +199,7 @@ static bool read_header(struct parse *p, struct source *s)
     return true;
 }
 
-/* Reads the pads of n frames as runs. Returns false when their lengths do not add up to n, or when they hold an
+/* Reads the pads of n frames as runs. Returns false when the runs' lengths do not add up to n, or when a run has an
  * undefined button. */
 static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
@@ -253,7 +251,7 @@ static uint64_t take_mask(struct source *s, const struct demo *d)
     return mask;
 }
 
-/* Reads the checksums of frame f; the file has those that differ from the frame before. */
+/* Reads the checksums of frame f; the file has only the checksums that differ from the previous frame's. */
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
     uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
@@ -265,7 +263,7 @@ static void take_checksums(struct source *s, struct demo *d, uint32_t f)
     }
 }
 
-/* Reads the checksums of n frames whose pads have been read, and the row after them, if hashed. */
+/* Reads the checksums of n frames whose pads have been read; if hashed, also the row after the last of these frames. */
 static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashed)
 {
     uint32_t end = d->frames + n;

@@ -26,8 +26,8 @@ static bool out_of_memory(struct demo_writer *w)
     return false;
 }
 
-/* Returns whether the file is as this writer left it, judging by its size. Two programs that play the same game share
- * one spare file. */
+/* Returns whether the file is as this writer left it, judging by its size. Two processes that play the same game use
+ * the same spare file. */
 static bool is_ours(const struct demo_file *f)
 {
     return f->size == 0 || plat_size(f->path) == (long)f->size;
@@ -62,7 +62,7 @@ static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, 
     return good;
 }
 
-/* Puts the bytes to be written to a file into the sink, and updates the file's state. */
+/* Puts the bytes to write to file f into the sink, and updates f's counts and CRC. */
 typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
 
 /* Makes the bytes for one file and writes them. */
@@ -78,7 +78,8 @@ static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *byt
     return bad ? out_of_memory(w) : good;
 }
 
-/* Does the same for both files. Failing to write the spare file does not fail the recording. */
+/* Makes the bytes for the file and for the spare file, and writes them. Failing to write the spare file does not fail
+ * the recording. */
 static bool write_both(struct demo_writer *w, put_bytes *bytes, bool whole)
 {
     bool good = write_one(w, &w->file, bytes, whole, w->err);
@@ -326,7 +327,8 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
     return write_both(w, put_all, true);
 }
 
-/* Adds all players' final points as markers, since hashes cannot reproduce them on another core version. */
+/* Adds all players' final points as markers, so that they are known even where another core version replays the run
+ * differently. */
 static bool take_points(struct demo *d, const struct board *b)
 {
     for (int p = 0; p < PADS && d->seconds; p++) {
@@ -373,7 +375,7 @@ static void *copy_of(const void *from, size_t n, size_t more)
     return p;
 }
 
-/* Ends a copy of a recording at the current frame, which has these hashes. */
+/* Completes a copy of a recording at the current frame; hashes: the hashes of that frame. */
 static bool end_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
 {
     const struct board_fault *fault = board_last(b)->fault;

@@ -1,5 +1,5 @@
 /*
- * demo_text.h - a demo as lines of text inside another text file: a report that is sent by mail.
+ * demo_text.h - a demo as lines of text inside another text file, such as a report sent by mail.
  *
  * The lines between DEMO_TEXT_BEGIN and DEMO_TEXT_END are the demo's bytes in base64, 72 characters a line. Lines
  * before and after may contain anything.
@@ -31,8 +31,8 @@ void demo_text_add(struct demo_text *t, const void *bytes, size_t n);
 void demo_text_end(struct demo_text *t);
 
 /* Finds a demo in a text and decodes it in place: data becomes the demo's bytes and *size their number. Returns false,
- * and changes nothing, when no line starts a demo. Decoding stops at the end of the text or at the first character that
- * is not base64; the demo's CRCs detect damage. */
+ * and changes nothing, when no line starts with DEMO_TEXT_BEGIN. Decoding stops at the end of the text or at the first
+ * character that is not base64; the demo's CRCs detect damage. */
 bool demo_text_decode(uint8_t *data, size_t *size);
 
 #endif

@@ -12,7 +12,7 @@ struct marker_change {
 };
 
 struct marker_changes {
-    struct marker_change *list; /* by frame: that of .was, if there is one, otherwise of .is */
+    struct marker_change *list; /* sorted by the frame of .was, or of .is when .was is NULL */
     uint32_t n;
 };
 

@@ -1,5 +1,5 @@
 /*
- * bg.c - backgrounds (bg.h).
+ * bg.c - state of the backgrounds (bg.h).
  */
 #include "bg.h"
 #include <string.h>
@@ -96,8 +96,8 @@ static int64_t modulo(int64_t a, int64_t n)
     return r < 0 ? r + n : r;
 }
 
-/* Returns the wave's offset in line y. Uses integers only: this runs while drawing, and floating point is for ticks
- * only. */
+/* Returns the wave's offset in line y. Uses only integers, because it runs while drawing and only ticks may use
+ * floating point. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
     if (!b->wave[i] || b->every[i] <= 0)
@@ -116,7 +116,7 @@ fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
     return (fx)sum;
 }
 
-/* Returns the palette entry nearest to a colour, which is in units of 1/BG_SHADES. */
+/* Returns the index of the palette entry nearest to `want`, a colour in units of 1/BG_SHADES. */
 static uint8_t nearest(const uint8_t *rgb, const int32_t want[3])
 {
     int32_t best = INT32_MAX;

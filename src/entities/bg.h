@@ -2,8 +2,8 @@
  * bg.h - backgrounds: scrolling tile layers, and a plane seen at an angle. This is their state only; the board draws
  * them (video_bg.c), and no tick reads tiles.
  *
- * Positions are 64-bit Q16 and never wrap; the picture repeats. So there is no drift and no end: at the maximum speed
- * they overflow after nine years.
+ * Positions are 64-bit Q16 and never wrap, so they do not drift; at the maximum speed they overflow after nine years.
+ * The picture repeats.
  */
 #ifndef ENTITIES_BG_H
 #define ENTITIES_BG_H
@@ -24,7 +24,7 @@ enum {
     BG_BLEND_ONE = 1 << 4,
 
     BG_SHADES = 16,       /* steps of fog, and of a fade to black */
-    BG_NO_FOG = 0x1000000 /* value of `fog`: none; colours have 24 bits */
+    BG_NO_FOG = 0x1000000 /* value of `fog` for no fog; not a colour, since colours have 24 bits */
 };
 
 /* A list of BG_SLOTS entries: the layers, then the plane. */
@@ -36,20 +36,21 @@ struct bg {
     int64_t *x, *y;      /* Q16 px; layer: the map's corner in the field; plane: the position of the eye */
     fx *vx, *vy;         /* px/frame */
     fx *wave;            /* amplitude in px, to each side; 0: no wave */
-    fx *every;           /* period in px, downwards; above 0 if there is a wave */
+    fx *every;           /* vertical period in px; positive if there is a wave */
     fx *speed;           /* px/frame at which the wave moves down */
     int64_t *phase;      /* Q16 px the wave has moved */
-    uint16_t *lines;     /* number of entries in its list in struct bg_lines; 0: none */
+    uint16_t *lines;     /* layer: number of its offsets in struct bg_lines; 0: none */
     int16_t *horizon;    /* px from the field's top */
     fx *height;          /* px above the plane */
     ang *dir;            /* direction the eye looks */
     uint32_t *fog;       /* 0xRRGGBB, or BG_NO_FOG */
     fx *far;             /* distance in px at which fog hides everything */
-    uint16_t *shown;     /* a number a script sets for what is shown; this and the next two use only the first slot */
-    uint16_t *at, *over; /* fade: frames done, and frames in all; over 0: no fade. It is black in the middle */
+    uint16_t *shown;     /* number of the background shown, set and read by scripts; shown, at and over use only
+                          * slot 0 */
+    uint16_t *at, *over; /* fade: frames elapsed, and total frames (0: no fade). Halfway, the picture is black */
 };
 
-/* Line scroll offsets, `room` entries per layer: a list of BG_LAYERS * room. Empty until a script sets one. */
+/* Line scroll offsets: BG_LAYERS lists, each with s.cap / BG_LAYERS entries. Empty until a script sets a list. */
 struct bg_lines {
     struct slots s;
     fx *px;
@@ -64,10 +65,11 @@ enum { BG_FOG_TABLES = 0, BG_BLACK_TABLES = BG_SHADES * 256, BG_TABLES = 2 * BG_
 
 extern const struct chip bg_chip, bg_lines_chip, bg_shades_chip;
 
-/* Turns everything off; a running fade continues. */
+/* Turns off all layers and the plane. A running fade continues. */
 void bg_clear(struct bg *b, struct bg_lines *l);
 
-/* Starts a fade over n frames, to black and back, from the current darkness. Returns the frames until its middle. */
+/* Starts a fade over n frames, to black and back, from the current darkness. Returns the number of frames until the
+ * picture is black. */
 uint32_t bg_fade(struct bg *b, uint32_t n);
 
 /* Returns the darkness of the fade: 0 (as drawn) to BG_SHADES (black). */
@@ -76,11 +78,11 @@ uint32_t bg_dark(const struct bg *b);
 /* Advances scrolling, waves and the fade by one frame. */
 void bg_step(struct bg *b);
 
-/* Gives layer i a list of n px offsets, at most the capacity per layer; 0: none. */
+/* Sets layer i's line scroll offsets to n values in px. n is at most the capacity per layer; 0 removes the offsets. */
 void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *px, uint32_t n);
 
-/* Returns the horizontal offset of the field's line y in layer i: its entry in the list, which repeats, plus the wave's
- * offset. */
+/* Returns the horizontal offset of layer i in line y of the field: the line scroll offset (the list repeats) plus the
+ * wave's offset. */
 fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y);
 
 /* Fills BG_SHADES tables of 256 entries for the palette rgb (256 x R G B). Table k maps each colour to the palette

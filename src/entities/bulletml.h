@@ -1,13 +1,12 @@
 /*
  * bulletml.h - state of the BulletML interpreter: running documents, and their unfinished actions.
  *
- * Four pools. A root is a running document. A runner executes actions: those of the root itself, one runner for each
- * top-level action (a top), or those of a bullet it fired. A frame is an open repeat, or the return address of an
- * actionRef. A parameter list holds $1 to $9 for a part of the document; lists never change, so they are shared.
- * src/script/bulletml_run.c runs them.
+ * Four pools. A root is a running document. A runner executes actions. A root has one runner for each of its top-level
+ * actions (its tops), and one for each bullet it fired that has actions. A frame is an open repeat, or the return
+ * address of an actionRef. A parameter list holds $1 to $9 for a part of the document; lists never change, so they are
+ * shared. src/script/bulletml_run.c runs the documents.
  *
- * A bullet without actions has no runner. A bullet's runner is dropped when its actions are over and no change is
- * running.
+ * A bullet's runner is dropped when its actions have ended and no gradual change is in progress.
  */
 #ifndef ENTITIES_BULLETML_H
 #define ENTITIES_BULLETML_H
@@ -27,31 +26,32 @@ enum {
     ROOT_LOOPS = 1 << 0,
     ROOT_STEERS = 1 << 1, /* moves the entity it follows */
     ROOT_MIRRORED = 1 << 2,
-    ROOT_TELLS = 1 << 3, /* it has an on_fire handler */
-    ROOT_BANK = 1 << 4,  /* its bullets use its bank instead of their kind's */
+    ROOT_TELLS = 1 << 3, /* has an on_fire handler */
+    ROOT_BANK = 1 << 4,  /* its bullets use the root's bank instead of their kind's */
     ROOT_ENDED = 1 << 5, /* one of its tops has ended */
     ROOT_VANISHES = 1 << 6,
-    ROOT_OVER = 1 << 7 /* despawned for scripts; it remains until its bullets' runners have ended */
+    ROOT_OVER = 1 << 7 /* despawned as far as scripts can see; the slot stays until the runners of its bullets have
+                        * ended */
 };
 
 struct ml_roots {
     struct slots s;
     int64_t *owner;           /* handle; 0: the board */
-    int64_t *follow;          /* handle of the entity whose position it has; 0: none */
+    int64_t *follow;          /* handle of the entity it follows; 0: none */
     fx *x, *y, *dx, *dy;      /* dx, dy: offset from the followed entity */
-    int16_t *x_more, *y_more; /* what the exact position adds to x, y, in Q32 */
+    int16_t *x_more, *y_more; /* the next 16 bits of the position, added to x, y: units of 2^-32 px */
     uint16_t *program;        /* index in the ROM */
-    uint32_t *body;           /* slot of the first of its own runners */
+    uint32_t *body;           /* slot of the first runner of its tops */
     uint16_t *kind, *tag;
     uint16_t *kinds; /* ML_KINDS per root: the kind of bullets with that label */
     uint8_t *bank, *flags;
-    uint32_t *runners; /* number of its own and its bullets' runners */
+    uint32_t *runners; /* number of runners of its tops and its bullets */
     uint32_t *by;      /* serial of the task that started it */
     uint32_t *stream;  /* its random stream */
-    uint32_t *given;   /* parameter list of its tops, + 1 */
+    uint32_t *given;   /* parameter list of its tops + 1; 0: none */
     int64_t *rank;     /* Q31.32 */
     int64_t *pace;     /* Q31.32 px/frame per unit of document speed */
-    ang *turned;       /* board angle of the document's up */
+    ang *turned;       /* board angle of the document's direction 0, up */
 };
 
 /* Gradual changes of a runner, in the order in which they are applied. */
@@ -59,7 +59,7 @@ enum { CHANGE_DIRECTION, CHANGE_SPEED, CHANGE_X, CHANGE_Y, CHANGES };
 
 /* Flags of a runner. */
 enum {
-    RUNNER_CHANGES = (1 << CHANGES) - 1, /* one bit per running change */
+    RUNNER_CHANGES = (1 << CHANGES) - 1, /* one bit per change in progress */
     RUNNER_OVER = 1 << 4,                /* its actions have ended */
     RUNNER_TURNED = 1 << 5,              /* `last_direction` is set */
     RUNNER_SPED = 1 << 6,                /* `last_speed` is set */
@@ -83,12 +83,12 @@ struct ml_runners {
     int64_t *last_direction, *last_speed; /* base values for `sequence` */
     int64_t *direction, *speed;           /* of a body, Q31.32: degrees as in the document, and document speed */
     int64_t *vx, *vy;                     /* of a body: velocity from accel, on top of direction and speed */
-    int64_t *from, *to, *step;            /* CHANGES per runner; step per frame: Q11.52, of a direction Q19.44; 0:
-                                           * too large for that */
+    int64_t *from, *to, *step;            /* CHANGES per runner; step per frame: Q11.52, for directions Q19.44; 0: out
+                                           * of range or no change, computed from `from` and `to` instead */
     uint32_t *begun, *over;               /* CHANGES per runner: start and end clock */
     int32_t *cosine, *sine;               /* of the board direction of `direction`, Q30 */
-    ang *put_dir;                         /* `direction` on the board; this and the next three are the values last
-                                           * written to the bullet: any other value there is a script's */
+    ang *put_dir;                         /* board angle of `direction`. put_*: the values last written to the bullet;
+                                           * if the bullet has another value, a script has set it */
     fx *put_speed, *put_vx, *put_vy;
     uint32_t serials; /* serial numbers given out so far */
     uint32_t n;       /* number of runners in `order` */
@@ -97,7 +97,7 @@ struct ml_runners {
 
 struct ml_frames {
     struct slots s;
-    uint32_t *up;    /* enclosing frame + 1 */
+    uint32_t *up;    /* enclosing frame + 1; 0: none */
     uint32_t *back;  /* of a call: return address */
     uint32_t *given; /* of a call: the caller's parameter list + 1 */
     int32_t *left;   /* of a repeat: rounds left; 0: it is a call */
@@ -110,12 +110,13 @@ struct ml_params {
     int64_t *value;  /* ML_VALUES per list */
 };
 
-/* Bullets fired in this frame, which spawn after the hits. Not in snapshots, since it is empty between frames. */
+/* A bullet fired in this frame, to be spawned after the hit tests. Not in snapshots, because the list is empty between
+ * frames. */
 struct ml_fired {
     fx x, y, vx, vy, speed;
     ang dir;
     uint16_t kind;
-    uint32_t root, label, runner; /* root: slot; label + 1, runner + 1; 0: none */
+    uint32_t root, label, runner; /* slot of its root; label + 1 and runner + 1, 0: none */
 };
 
 struct ml_fresh {

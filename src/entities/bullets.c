@@ -96,7 +96,7 @@ const struct chip laser_heads_chip = { "laser_heads", columns, COUNT(columns), f
 const struct chip bullet_kinds_chip = { "bullet_kinds", kind_columns, COUNT(kind_columns), true, false };
 const struct chip shot_kinds_chip = { "shot_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-/* Parks a dead slot at (0, 0), inside every keep box, so it never counts as having left. */
+/* Parks a dead slot at (0, 0), which is inside every keep box, so the slot never counts as having left the field. */
 static void park(struct bullets *b, uint32_t i)
 {
     b->x[i] = b->y[i] = 0;
@@ -108,7 +108,7 @@ static void park(struct bullets *b, uint32_t i)
     bullets_set_busy(b, i, false);
 }
 
-/* Initialises the block that starts at slot `first`, for its first use. */
+/* Initialises the block that starts at slot `first` before the block is first used. */
 static void open_block(struct bullets *b, uint32_t first)
 {
     b->busy[first / SLOTS_BLOCK] = b->idle[first / SLOTS_BLOCK] = 0;
@@ -116,7 +116,7 @@ static void open_block(struct bullets *b, uint32_t first)
         park(b, i);
 }
 
-/* Makes bullet i idle until the clock is `end`. */
+/* Makes bullet i idle until the clock reaches `end`. */
 static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
 {
     b->step_end[i] = end;
@@ -240,14 +240,14 @@ void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t 
         trig_stride(0, b->speed_q32[i], b->dir[i], vx, vy);
         return;
     }
-    if (b->flags[i] & BULLET_DELAYED) /* its velocity after the delay */
+    if (b->flags[i] & BULLET_DELAYED) /* the velocity that the bullet will have after the delay */
         trig_polar(b->speed[i], b->dir[i], &x, &y);
     *vx = (int64_t)x * (1 << PACE_BITS);
     *vy = (int64_t)y * (1 << PACE_BITS);
 }
 
-/* Sets dir from the leading 31 bits of (vx, vy), and the speed to the component of (vx, vy) along dir. The speed is
- * right to the last bit, because the component across dir is less than 2^-29 of the speed. */
+/* Sets dir from the leading 31 bits of (vx, vy), and the speed to the component of (vx, vy) along dir. The component
+ * across dir is less than 2^-29 of the speed, so the speed is right to the last bit. */
 static void set_fine_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy)
 {
     int64_t ax = int64_abs(vx), ay = int64_abs(vy), along[2], across;
@@ -333,7 +333,7 @@ void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames)
     bullets_set_busy(b, i, false);
 }
 
-/* Unfreezes bullet i. Its program runs in this move; a program that only waits becomes idle there. */
+/* Unfreezes bullet i. Its program runs in this move; if the program only waits, bullet i then becomes idle. */
 static void resume(struct bullets *b, uint32_t i)
 {
     b->stands[i] = 0;
@@ -346,8 +346,8 @@ static void resume(struct bullets *b, uint32_t i)
         bullets_set_busy(b, i, b->motion[i] || b->flags[i] & BULLET_FINE);
 }
 
-/* Counts down the frozen bullets of a block at the start of a move. Sets out[k] to 1 if bullet k's time is up,
- * otherwise to 0; returns whether any is. */
+/* Counts down the frames left of a block's frozen bullets at the start of a move. Sets out[k] to 1 if bullet k is
+ * frozen with none left, otherwise to 0. Returns 1 if any out[k] is 1, otherwise 0. */
 static int32_t stand_block(uint8_t *restrict stands, int32_t *restrict frozen, uint8_t *restrict out)
 {
     int32_t any = 0;
@@ -381,7 +381,8 @@ void bullets_stand(struct bullets *b)
                 resume(b, first + bits_lowest(m));
 }
 
-/* Moves `born`, and the end of a delay or a step in progress, on by a frame for the bullets of a block frozen in it. */
+/* For the bullets of a block that were frozen in this frame, postpones `born`, and the end of a delay or of a step in
+ * progress, by a frame. */
 static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict mute, const uint8_t *restrict flags,
                        uint32_t *restrict born, uint32_t *restrict end)
 {
@@ -392,7 +393,7 @@ static void stay_block(const uint8_t *restrict stands, const uint8_t *restrict m
     }
 }
 
-/* The same for the clock in `speed_q32`, at which the `bounce` of a bullet that is not fine began. */
+/* Like stay_block, for the start clock of a `bounce`, which bullets that are not fine store in `speed_q32`. */
 static void stay_bounced(struct bullets *b, uint32_t first)
 {
     for (uint32_t i = first; i < first + SLOTS_BLOCK; i++)

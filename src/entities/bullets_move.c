@@ -1,9 +1,9 @@
 /*
  * bullets_move.c - moves all bullets by a frame.
- * One pass over the blocks of 64 runs the programs, moves the bullets, and tests each bullet for two conditions: being
- * outside the keep box, and being near a player (the broad phase). The loops have restrict parameters and a constant
- * trip count, a form that gcc and clang vectorise at -O2 without further flags. Only blocks in which a bullet meets a
- * condition are scanned a second time.
+ * One pass over the blocks of 64 slots runs the programs, moves the bullets, and tests each bullet for two conditions:
+ * being outside the keep box, and being near a player (the broad phase). The loops have restrict parameters and a
+ * constant trip count, a form that gcc and clang vectorise at -O2 without further flags. Only blocks in which a bullet
+ * meets a condition are scanned a second time.
  *
  * A range test takes one subtraction and one signed comparison: lo <= v <= lo + size, with size < 2^32, is equivalent
  * to (uint32_t)(v - lo) <= size, and adding 2^31 to both sides turns the unsigned comparison into a signed one.
@@ -12,11 +12,11 @@
 #include <string.h>
 
 enum {
-    AHEAD = 4,           /* blocks */
-    NEAR_BLOCKS = 1 << 7 /* the columns of this many are mostly in the L1 cache: prefetching costs more */
+    AHEAD = 4,           /* number of blocks whose woken bullets are found in advance */
+    NEAR_BLOCKS = 1 << 7 /* the columns of this many blocks are mostly in the L1 cache: prefetching would cost more */
 };
 
-/* Transposes a word as a matrix of 8 x 8 bits, a byte per row. */
+/* Transposes a word, taken as a matrix of 8 x 8 bits with a byte per row. */
 static uint64_t transposed(uint64_t v)
 {
     uint64_t t = (v ^ v >> 7) & 0x00aa00aa00aa00aa;
@@ -28,8 +28,8 @@ static uint64_t transposed(uint64_t v)
     return v ^ t ^ t << 28;
 }
 
-/* Returns the bullets of a block whose `due` is `now`, as bits. Each byte of `is` has in its even bits four slots that
- * are 16 apart. The two words of these bytes are combined into one, whose transpose is the result. */
+/* Returns, as bits, the bullets of a block whose `due` is `now`. The even bits of each byte of `is` represent four
+ * slots that are 16 apart. The two words of `is` are interleaved into one, whose transpose is the result. */
 static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
 {
     uint8_t is[16];
@@ -40,7 +40,7 @@ static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
     return transposed(bytes_get64(is) | bytes_get64(is + 8) << 1);
 }
 
-/* Prefetches the columns of bullet i that a program reads or writes. This halves the time when the bullets don't fit in
+/* Prefetches the columns of bullet i that a program reads or writes. This halves the time if the bullets don't fit in
  * the caches. */
 static void prefetch(const struct bullets *b, uint32_t i)
 {
@@ -55,8 +55,8 @@ static void prefetch(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->flags[i]);
 }
 
-/* Returns the idle bullets of a block, as bits, whose wait may be over: the low byte of their `step_end` is that of the
- * clock. */
+/* Returns, as bits, the idle bullets of a block whose `due` is the clock's low byte, so that their wait may be over,
+ * and prefetches their columns if the pool is large. */
 static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     if (!b->idle[block])
@@ -86,14 +86,14 @@ static struct range keep_range(const struct box *k)
     return range_of(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
 }
 
-/* Returns the range of the broad phase: every bullet that is near ends its move in it. */
+/* Returns the range of the broad phase for query q: every bullet near the player ends its move in this range. */
 static struct range near_range(const struct bullets_query *q, fx fastest)
 {
     int64_t reach = q->reach + fastest;
 
     if (q->reach < 0) /* a single point, where no bullet is */
         return range_of(FX_MIN, FX_MIN, 0, 0);
-    if (reach > FX_MAX) /* 2 * reach would wrap */
+    if (reach > FX_MAX) /* 2 * reach would wrap: the range is everywhere */
         return range_of(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
     return range_of(q->x - reach, q->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
 }
@@ -102,7 +102,7 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
 
 enum { HALF = SLOTS_BLOCK / 2 };
 
-/* The bit of each slot of half a block: a vectorised loop ORs the bits of the slots it finds. */
+/* The bit of each slot in half a block, so that a vectorised loop can OR the bits of the slots found. */
 static const uint32_t HALF_BIT[HALF] = {
     0x1,       0x2,       0x4,       0x8,       0x10,       0x20,       0x40,       0x80,
     0x100,     0x200,     0x400,     0x800,     0x1000,     0x2000,     0x4000,     0x8000,
@@ -110,15 +110,15 @@ static const uint32_t HALF_BIT[HALF] = {
     0x1000000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000, 0x80000000,
 };
 
-/* Returns all bits set if a bullet that moves to (x, y) stays in keep (far is 0) and outside the range near, otherwise
- * 0. */
+/* Returns -1 (all bits set) if a bullet that moves to (x, y) stays inside keep (far is 0) and is outside the range *n,
+ * otherwise 0. */
 static inline int32_t is_usual(int32_t far, int32_t x, int32_t y, const struct range *n)
 {
     return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~far;
 }
 
-/* Moves a block, both halves in one loop. Returns the slots outside keep or inside near, as bits, and sets *lost if any
- * is outside keep. */
+/* Moves a block, both halves in one loop. Returns, as bits, the slots that are then outside *keep or inside *near. Sets
+ * *lost to whether any slot is outside *keep. */
 static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
                                   const struct range *keep, const struct range *near, bool *restrict lost)
 {
@@ -164,7 +164,7 @@ static void prefetch_near(const struct bullets *b, uint32_t first)
     slots_prefetch(&b->flags[first]);
 }
 
-/* Returns the bullets of a block, as bits, that may touch or graze the player of the query. */
+/* Returns, as bits, the bullets of a block that may touch or graze the player of the query. */
 static uint64_t find_near(const struct bullets *b, const struct bullets_query *q, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
@@ -204,7 +204,8 @@ bool bullets_find_solid(struct bullets *b)
     return any != 0;
 }
 
-/* Drops the bullets in `named` that are outside keep, but holds those that are near a player, or all with hold_all. */
+/* Removes the bullets in `named` (bits) that are outside *keep: holds bullets near a player, or all if hold_all is set,
+ * and drops the others. */
 static void leave(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep, bool hold_all)
 {
     const uint64_t *near = &b->near[first / SLOTS_BLOCK * PADS];
@@ -225,7 +226,7 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
     }
 }
 
-/* `fastest` only grows between recomputations, which happen every FASTEST_AGE frames. */
+/* `fastest` is recomputed every FASTEST_AGE frames; in between it only grows. */
 enum { FASTEST_AGE = 64 };
 
 static fx fastest_of(const struct bullets *b)
@@ -245,7 +246,7 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
     static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
     struct range kept = keep_range(keep), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
-    uint64_t woken[AHEAD]; /* of the present block and the AHEAD - 1 after it */
+    uint64_t woken[AHEAD]; /* woken bullets of the present block and the AHEAD - 1 blocks after it */
     fx fastest = -1;
 
     if (!query)

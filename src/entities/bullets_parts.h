@@ -1,6 +1,6 @@
 /*
- * bullets_parts.h - declarations shared by bullets.c, bullets_program.c and bullets_move.c. Functions that run for each
- * bullet of a frame are inline.
+ * bullets_parts.h - declarations shared by bullets.c, bullets_program.c and bullets_move.c. The functions that run once
+ * per bullet and frame are inline.
  */
 #ifndef ENTITIES_BULLETS_PARTS_H
 #define ENTITIES_BULLETS_PARTS_H
@@ -14,7 +14,7 @@ static inline uint64_t bullets_bit(uint32_t i)
     return 1ull << (i % SLOTS_BLOCK);
 }
 
-/* Marks bullet i busy (its program or fine move runs in the next frame) or not busy; in both cases not idle. */
+/* Marks bullet i as busy (its program or fine move runs in the next frame) or not busy. Either way it is not idle. */
 static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
 {
     uint32_t block = i / SLOTS_BLOCK;
@@ -23,14 +23,14 @@ static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
     b->idle[block] &= ~bullets_bit(i);
 }
 
-/* Adds `by`, 1 or -1, to the number of live bullets of a kind. */
+/* Adds `by`, 1 or -1, to the number of live bullets of a kind, if the pool counts its kinds. */
 static inline void bullets_count_kind(struct bullets *b, uint16_t kind, int by)
 {
     if (b->of_kind)
         b->of_kind[kind] += (uint32_t)by;
 }
 
-/* Changes live bullet i's row of the kinds. */
+/* Changes live bullet i's row in the table of kinds. */
 static inline void bullets_change_kind(struct bullets *b, uint32_t i, unsigned kind)
 {
     bullets_count_kind(b, b->kind[i], -1);
@@ -62,7 +62,7 @@ static inline void bullets_velocity_from_dir(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
-    if (b->flags[i] & (BULLET_FINE | BULLET_DELAYED)) /* bullets_program.c sets the velocity of these */
+    if (b->flags[i] & (BULLET_FINE | BULLET_DELAYED)) /* bullets_program.c sets their velocity */
         return;
     trig_polar(b->speed[i], b->dir[i], &vx, &vy);
     bullets_store_velocity(b, i, vx, vy);
@@ -81,14 +81,14 @@ static inline fx bullets_pace_fx(int64_t pace)
     return (fx)((pace + 0x7fff + (pace >> PACE_BITS & 1)) >> PACE_BITS);
 }
 
-/* Splits a Q32 coordinate: returns the nearest fx, and sets *more to the rest. */
+/* Returns the fx nearest to a Q32 coordinate, and sets *more to the rest, in Q32. */
 static inline fx bullets_split(int64_t v, int16_t *more)
 {
     *more = (int16_t)v;
     return (fx)((v - *more) >> PACE_BITS);
 }
 
-/* Returns the squared distance of target i from (x, y): below 2^63, because positions are within the world. */
+/* Returns the squared distance of target i from (x, y), which is below 2^63 because positions are within the world. */
 static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t i, fx x, fx y)
 {
     int64_t dx = (int64_t)t->x[i] - x, dy = (int64_t)t->y[i] - y;
@@ -96,10 +96,11 @@ static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t
     return (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
 }
 
-/* Runs the programs of a block's busy bullets, and of those in `woken`, whose wait may be over. */
+/* Runs the programs of a block's busy bullets and of the idle bullets in `woken` (bits) whose wait is over. */
 void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken);
 
-/* Counts down the frozen bullets at the start of a move, and resumes those whose time is up. */
+/* Called at the start of a move. Decrements each frozen bullet's remaining frames and unfreezes the bullets that reach
+ * 0. */
 void bullets_stand(struct bullets *b);
 
 static inline fx bullets_fastest_block(const fx *restrict vx, const fx *restrict vy)

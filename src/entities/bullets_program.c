@@ -8,7 +8,7 @@ enum program_state {
     PROGRAM_NEXT,  /* the next step follows in this frame */
     PROGRAM_OVER,  /* the program ended, or the bullet was removed */
     PROGRAM_RUNS,  /* the program runs in the next frame too */
-    PROGRAM_WAITS, /* the program does nothing until the clock is `step_end` */
+    PROGRAM_WAITS, /* the program does nothing until the clock reaches `step_end` */
 };
 
 /* Returns the cost of a search for the nearest target, in motion steps. */
@@ -29,7 +29,7 @@ static ang toward(ang dir, ang goal, ang most)
 
 enum { DOES_STEER = DOES_DIR | DOES_AIM | DOES_TURN | DOES_HOME, DOES_DRIVE = DOES_STEER | DOES_SPEED | DOES_ACCEL };
 
-/* Changes direction and speed of bullet i in the k-th of the n frames of step st. Returns whether the caller must
+/* Changes the direction and speed of bullet i in the k-th of the n frames of step st. Returns whether the caller must
  * recompute the velocity. */
 static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets *b, const struct motion_world *w,
                                                                  uint32_t i, unsigned step_flags, uint32_t st,
@@ -53,7 +53,7 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     if (!(does & (DOES_SPEED | DOES_ACCEL)) || step_flags & OVERRIDE_SPEED)
         return does & DOES_STEER;
     const bool fine = b->flags[i] & BULLET_FINE;
-    const int shift = fine ? 0 : PACE_BITS; /* rounds to the unit of the bullet's speed: Q32 if fine, otherwise fx */
+    const int shift = fine ? 0 : PACE_BITS; /* rounds down to the unit of the bullet's speed: fx unless fine */
     int64_t v = bullets_speed(b, i) >> shift;
     if (does & DOES_SPEED)
         v = motion_part_way(b->step_start[i] >> shift, s->speed[st] >> shift, k, n);
@@ -66,8 +66,8 @@ static inline __attribute__((always_inline)) bool turn_and_speed(struct bullets 
     return true;
 }
 
-/* Sets a fine bullet's velocity and fraction bits for a move by (dx, dy) in Q32, and `travel_q32` to `way`, modulo
- * 2^48. vx and vy become that move in whole units of fx. */
+/* Prepares a move of fine bullet i by (dx, dy) in Q32: sets the fraction bits to those after the move, vx and vy to the
+ * move in whole units of fx, and `travel_q32` to `way`, modulo 2^48. */
 static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64_t dy)
 {
     int64_t x, y;
@@ -78,7 +78,7 @@ static void fly_by(struct bullets *b, uint32_t i, int64_t way, int64_t dx, int64
     b->travel_q32[i] = (int64_t)((uint64_t)way << 16) >> 16;
 }
 
-/* Moves a fine bullet by its speed along dir. */
+/* Prepares a move of fine bullet i along dir by its speed. */
 static void fly(struct bullets *b, uint32_t i)
 {
     const int64_t to = b->travel_q32[i] + b->speed_q32[i];
@@ -88,7 +88,7 @@ static void fly(struct bullets *b, uint32_t i)
     fly_by(b, i, to, dx, dy);
 }
 
-/* Sets the kind and bank that step st gives bullet i. */
+/* Sets bullet i's kind and bank as step st specifies. */
 static void restyle(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -106,15 +106,16 @@ static void drive(struct bullets *b, const struct motion_world *w, uint32_t i, u
         bullets_velocity_from_dir(b, i);
 }
 
-/* A step whose named numbers are replaced by a bullet's values: steps is a list of which `step` is entry 0. */
+/* A step whose named numbers are replaced by a bullet's values. `steps` is a list whose entry 0 is `step`; `w` is the
+ * world with that list. */
 struct own_step {
     struct motion_step step;
     struct steps steps;
     struct motion_world w;
 };
 
-/* Builds step st for bullet i from the bullet's values when the step began. Unless the step has `begun`, these are its
- * present values, which are saved. */
+/* Builds *own: step st with its named numbers replaced by bullet i's values as they were when the step began. If the
+ * step has not `begun` yet, it begins now, and the present values are saved first. */
 static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, bool begun,
                      struct own_step *own)
 {
@@ -154,8 +155,8 @@ static void own_step(struct bullets *b, const struct motion_world *w, uint32_t i
 
 /* ---- steps that lead a bullet ---- */
 
-/* Saves the state of a leading step in `step_start` and `travel_q32`, which are free then: a leading step neither
- * drives the bullet nor occurs in a fine motion. */
+/* Saves the state of a leading step in `step_start` and `travel_q32`. Both are unused at that time, because a leading
+ * step has no DOES_DRIVE actions and does not occur in a fine motion. */
 static void keep_lead(struct bullets *b, uint32_t i, const struct motion_lead *l)
 {
     b->step_start[i] = (int64_t)((uint64_t)(uint32_t)l->x << 32 | (uint32_t)l->y);
@@ -171,15 +172,15 @@ static struct motion_lead kept_lead(const struct bullets *b, uint32_t i)
                                  .speed = b->speed[i] };
 }
 
-/* Finds the position of bullet i's `orbit_target`; `before`: its position in the previous frame. Returns false if the
- * target is gone or not set. */
+/* Sets (*x, *y) to the position of bullet i's `orbit_target` in this frame or, if `before`, in the previous frame.
+ * Returns false if the target has despawned or is not set. */
 static bool around(const struct bullets *b, const struct motion_world *w, uint32_t i, bool before, fx *x, fx *y)
 {
     return b->orbit_target && b->orbit_target[i] &&
            w->where(w, b->orbit_target[i], i / SLOTS_BLOCK * SLOTS_BLOCK, before, x, y);
 }
 
-/* Returns the frames that go_to takes from (x, y) at its speed, rounded up, at least 1. */
+/* Returns the number of frames that the go_to step st takes from (x, y) at the step's speed, rounded up, at least 1. */
 static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
 {
     const uint32_t d = (uint32_t)fx_hypot(fx_sub(s->x[st], x), fx_sub(s->y[st], y));
@@ -188,13 +189,13 @@ static uint32_t frames_to(const struct steps *s, uint32_t st, fx x, fx y)
     return d ? (d - 1) / speed + 1 : 1;
 }
 
-/* Returns the total frames for which step st, which has begun, leads bullet i. */
+/* Returns the total number of frames for which step st, which has begun, leads bullet i. */
 static uint32_t frames_led(const struct bullets *b, const struct steps *s, uint32_t i, uint32_t st)
 {
     return s->how[st] & HOW_SPEED ? (uint32_t)(b->travel_q32[i] >> 32) : s->over[st];
 }
 
-/* Starts a step that leads bullet i. Returns its length in frames, or 0 if the target to orbit is gone. */
+/* Starts a step that leads bullet i. Returns the step's length in frames, or 0 if the orbit target has despawned. */
 static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st)
 {
     const struct steps *s = w->steps;
@@ -221,8 +222,8 @@ static uint32_t begin_lead(struct bullets *b, const struct motion_world *w, uint
     return n;
 }
 
-/* Gives bullet i the velocity that ends this frame at (x, y), or places it there at once, with velocity 0, if that
- * exceeds MAX_SPEED on an axis. Sets dir and speed too, except in a wave. */
+/* Sets the velocity with which bullet i ends this frame at (x, y), and, except in a wave, dir and speed. If the
+ * velocity would exceed MAX_SPEED on an axis, places the bullet at (x, y) at once, with velocity 0. */
 static void lead_to(struct bullets *b, uint32_t i, bool wave, fx x, fx y)
 {
     const int64_t most = (int64_t)MAX_SPEED << 16, dx = (int64_t)x - b->x[i], dy = (int64_t)y - b->y[i];
@@ -241,7 +242,7 @@ static void lead_to(struct bullets *b, uint32_t i, bool wave, fx x, fx y)
     b->speed[i] = fx_min(fx_hypot((fx)dx, (fx)dy), (fx)most);
 }
 
-/* Runs the k-th of n frames of a step that leads bullet i. Returns false if the target to orbit is gone. */
+/* Runs the k-th of n frames of a step that leads bullet i. Returns false if the orbit target has despawned. */
 static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, uint32_t k, uint32_t n)
 {
     const struct steps *s = w->steps;
@@ -255,8 +256,8 @@ static bool lead(struct bullets *b, const struct motion_world *w, uint32_t i, ui
     return true;
 }
 
-/* Runs a frame of a step that leads bullet i, unless a script has overridden the step. Returns false if the step is
- * over early. */
+/* Runs a frame of a step that leads bullet i, unless a script has overridden the step. Returns false if the step
+ * ends early. */
 static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags, uint32_t st,
                     uint32_t n)
 {
@@ -268,7 +269,7 @@ static bool lead_on(struct bullets *b, const struct motion_world *w, uint32_t i,
     return false;
 }
 
-/* Ends a leading step. The bullet flies on as in its last frame, or after a wave along the direction of the wave. */
+/* Ends a leading step. The bullet keeps the velocity of the last frame; after a wave it flies along dir. */
 static void let_go(struct bullets *b, uint32_t i, uint32_t does)
 {
     b->travel_q32[i] = 0;
@@ -278,8 +279,8 @@ static void let_go(struct bullets *b, uint32_t i, uint32_t does)
 
 /* ---- bounces ---- */
 
-/* Reflects a move from `from` to *to, at speed *v, off the walls lo (if at_lo) and hi (if at_hi). Returns whether it
- * was reflected. A move that starts outside is not. */
+/* Reflects a move from `from` to *to, at speed *v, off the walls at lo (if at_lo) and hi (if at_hi). Returns whether
+ * the move was reflected. A move that starts outside the walls is not reflected. */
 static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool at_hi)
 {
     bool any = false;
@@ -297,8 +298,8 @@ static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool at_lo, bool 
     }
 }
 
-/* Reflects bullet i off the walls that it would cross in this frame's move. It ends the frame at the reflected
- * position; `travel_q32` stores the velocity after the bounce until the next frame. */
+/* Reflects bullet i off the walls that this frame's move would cross. The bullet ends the frame at the reflected
+ * position. `travel_q32` stores the velocity after the bounce until the next frame. */
 static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned walls)
 {
     int64_t x = (int64_t)b->x[i] + b->vx[i], y = (int64_t)b->y[i] + b->vy[i];
@@ -316,7 +317,7 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
     bullets_store_velocity(b, i, (fx)(x - b->x[i]), (fx)(y - b->y[i]));
 }
 
-/* In the frame after a bounce, sets the stored velocity, unless a script has set another. */
+/* In the frame after a bounce, restores the velocity stored by `bounce`, unless a script has set the velocity. */
 static void bounced(struct bullets *b, uint32_t i, unsigned step_flags)
 {
     if (!(step_flags & (OVERRIDE_DIR | OVERRIDE_SPEED)))
@@ -324,8 +325,8 @@ static void bounced(struct bullets *b, uint32_t i, unsigned step_flags)
     b->travel_q32[i] = 0;
 }
 
-/* Runs a frame of bullet i's flight to a wall. The step's `over` counts from the start of the `bounce`, at clock
- * `speed_q32` - 1. Returns the step to continue with in this frame, or pc if the flight continues. */
+/* Runs a frame of bullet i's flight to a wall. The step's `over` frames count from the start of the loop of bounces, at
+ * clock `speed_q32` - 1. Returns pc if the flight continues, otherwise the step to run next in this frame. */
 static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uint32_t i, unsigned step_flags,
                             uint32_t pc)
 {
@@ -344,7 +345,7 @@ static uint32_t fly_to_wall(struct bullets *b, const struct motion_world *w, uin
 
 /* ---- waiting ---- */
 
-/* Returns whether `now` is at `line`, or beyond it as seen from `from`. */
+/* Returns whether `now` is at `line`, or beyond `line` as seen from `from`. */
 static bool crossed(fx from, fx now, fx line)
 {
     return from <= line ? now >= line : now <= line;
@@ -385,9 +386,9 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
         bullets_set_busy(b, i, true);
 }
 
-/* ---- running ---- */
+/* ---- steps of one bullet ---- */
 
-/* Runs step st, which opens or closes a loop. Returns the next step, relative to the program's first. */
+/* Runs step st, which opens or closes a loop. Returns the next step, relative to the program's first step. */
 static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32_t st, uint32_t pc)
 {
     uint16_t *left = &rounds[s->depth[st]];
@@ -399,7 +400,7 @@ static inline uint32_t loop_step(const struct steps *s, uint16_t *rounds, uint32
     return *left == MOTION_FOREVER || --*left ? s->jump[st] : pc + 1;
 }
 
-/* The state of a running program; keep_run saves it in the columns `pc` and `step_flags`. */
+/* The state of a running program, which keep_run saves in the columns `pc` and `step_flags`. */
 struct run {
     uint32_t pc;
     unsigned step_flags;
@@ -443,7 +444,7 @@ static enum program_state run_turn(struct bullets *b, const struct motion_world 
     return flies ? PROGRAM_RUNS : PROGRAM_NEXT;
 }
 
-/* Starts step st. Returns the frames that it takes. */
+/* Starts step st. Returns the length of the step in frames. */
 static inline uint32_t begin_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st,
                                   unsigned does)
 {
@@ -460,8 +461,8 @@ static inline uint32_t begin_step(struct bullets *b, const struct motion_world *
     return n;
 }
 
-/* Runs a step of any other type. `does` is the step's actions. Inlined: where a caller masks `does` with a constant,
- * the code for other actions is compiled away. */
+/* Runs a step other than a loop, bounce or emit. `does` has the step's actions. Inlined, because a caller that masks
+ * `does` with a constant gets no code for the other actions. */
 __attribute__((always_inline)) static inline enum program_state
 do_step(struct bullets *b, const struct motion_world *w, uint32_t i, uint32_t st, unsigned does, struct run *r)
 {
@@ -501,7 +502,7 @@ static enum program_state run_step(struct bullets *b, const struct motion_world 
     return do_step(b, w, i, st, w->steps->does[st], r);
 }
 
-/* Runs a step with named values. Not inlined: its preparations would slow down all other steps. */
+/* Runs a step with named values. Not inlined, because own_step's work would slow down all other steps. */
 __attribute__((noinline)) static enum program_state run_named(struct bullets *b, const struct motion_world *w,
                                                               uint32_t i, uint32_t st, struct run *r)
 {
@@ -550,8 +551,8 @@ static enum program_state run_program(struct bullets *b, const struct motion_wor
     return fine ? PROGRAM_RUNS : PROGRAM_OVER;
 }
 
-/* Returns whether the wait of bullet i, idle until now, is over. At the end of a delay, the bullet takes its own kind
- * and starts to move. */
+/* Returns whether the wait of idle bullet i is over. If it was a delay, the bullet gets the row of its kind instead of
+ * the cloud's and starts to move. */
 static inline bool is_over(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     if (b->step_end[i] != w->clock)
@@ -567,7 +568,7 @@ static inline bool is_over(struct bullets *b, const struct motion_world *w, uint
     return true;
 }
 
-/* Runs bullet i's program, if any, and its fine move, if it is fine. */
+/* Runs bullet i's program, if it has one, and prepares its fine move, if it is fine. */
 static enum program_state go_on(struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     enum program_state state = b->flags[i] & BULLET_FINE ? PROGRAM_RUNS : PROGRAM_OVER;
@@ -579,23 +580,24 @@ static enum program_state go_on(struct bullets *b, const struct motion_world *w,
     return state;
 }
 
-/* ---- steps that have begun ---- */
+/* ---- steps that have begun, for several bullets together ---- */
 
-/* The bullets of one ring all do the same in the middle of a step; so do fine bullets without a step to run, which just
- * fly. Such bullets of a block, on the same "course", are processed together, column by column. The result is that of
- * go_on for each bullet, in any order: no bullet of a block reads what another one writes before the block moves.
+/* In the middle of a step, all bullets of one ring do the same work; so do fine bullets without a step to run, which
+ * only fly. Bullets of a block that do the same work are on the same "course" and are processed together, column by
+ * column. The result equals that of go_on for each bullet, in any order, because until the block moves no bullet of the
+ * block reads a value that another one writes.
  */
 struct course {
-    uint32_t motion, pc; /* the bullets on the course have these in their columns */
+    uint32_t motion, pc; /* motion, pc and step_flags of every bullet on the course */
     unsigned step_flags;
     bool fine;
-    bool is, timed;    /* the course exists; it is in a step, which ends at `step_end` */
-    bool never;        /* no bullet at this step has a course */
-    uint32_t st, does; /* the step, and its DOES_DRIVE actions that no script overrides */
+    bool is, timed;    /* whether the course exists; whether it is in a step, which ends at `step_end` */
+    bool never;        /* no bullet at this step can be on a course */
+    uint32_t st, does; /* the step, and its DOES_DRIVE actions that no script has overridden */
     bool steers;       /* the step has DOES_STEER actions, even if overridden */
 };
 
-/* A set of n bullets of a block: if row, the slots from `first` on, otherwise those in `slot`. */
+/* A set of n bullets of a block: if `row`, the n slots from `first` on, otherwise the slots in `slot`. */
 struct some {
     int n;
     bool row;
@@ -608,7 +610,7 @@ static inline uint32_t nth(const struct some *s, int k)
     return s->row ? s->first + (uint32_t)k : s->slot[k];
 }
 
-/* Sets *s to the bullets in `who`, which is not 0: bits of the block that starts at slot `first`. */
+/* Sets *s to the bullets in `who`: bits, not all 0, of the block that starts at slot `first`. */
 static void take_some(struct some *s, uint32_t first, uint64_t who)
 {
     const uint32_t low = bits_lowest(who);
@@ -674,7 +676,7 @@ static void course_block(const uint16_t *restrict motion, const uint16_t *restri
         out[k] &= (uint8_t)((step_flags[k] == is_mute) & ((flags[k] & BULLET_FINE) == is_fine));
 }
 
-/* Returns the bullets of a block, as bits, whose step ends in this frame; go_on must run these. */
+/* Returns, as bits, the bullets of a block whose step ends in this frame, which must be run by go_on. */
 static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
 {
     uint8_t out[SLOTS_BLOCK];
@@ -684,9 +686,9 @@ static uint64_t ends_block(const uint32_t *restrict end, uint32_t clock)
     return slots_gather(out);
 }
 
-enum { WORTH = 6 /* bullets on one course in a block from which processing them together pays off */ };
+enum { WORTH = 6 /* number of bullets of a block on one course from which processing them together is faster */ };
 
-/* Returns whether one of the next `few` bullets of `rest`, bits of the block at slot `first`, is on course c. */
+/* Returns whether any of the lowest `few` bullets in `rest`, the bits of the block at slot `first`, is on course c. */
 static bool has_company(const struct bullets *b, const struct course *c, uint32_t first, uint64_t rest, int few)
 {
     for (; rest && few > 0; few--, rest &= rest - 1)
@@ -695,8 +697,8 @@ static bool has_company(const struct bullets *b, const struct course *c, uint32_
     return false;
 }
 
-/* Returns the bullets of the block at slot `first`, as bits, that are on course c and whose step does not end in this
- * frame. Not inlined, so that the loop over single bullets stays in registers. */
+/* Returns, as bits, the bullets of the block at slot `first` that are on course c and whose step does not end in this
+ * frame. Not inlined, so that run_programs' loop over single bullets has enough registers. */
 __attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, const struct motion_world *w,
                                                     const struct course *c, uint32_t first)
 {
@@ -706,9 +708,9 @@ __attribute__((noinline)) static uint64_t all_alike(const struct bullets *b, con
     return slots_gather(out) & (c->timed ? ~ends_block(b->step_end + first, w->clock) : UINT64_MAX);
 }
 
-/* Returns the bullets in `of`, bits of a block of which bullet i is the first, that are on i's course, or 0 if i has
- * none. Scanning the whole block is expensive, so the next *few bullets are probed first. If none of them is on the
- * course, returns i alone, and *few becomes 1. */
+/* Returns, as bits, the bullets in `of` that are on bullet i's course, or 0 if i is on none. The bits in `of` are of
+ * i's block, and i is the lowest. Scanning the whole block is expensive, so the next *few bullets in `of` are probed
+ * first. If none of them is on the course, sets *few to 1 and returns i alone. */
 static uint64_t alike(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i, uint64_t of,
                       int *few)
 {
@@ -729,7 +731,7 @@ static uint64_t alike(const struct bullets *b, const struct motion_world *w, str
 
 enum { FEW = 4 };
 
-/* Returns the number of targets, at most FEW + 1, and the slots of the first FEW. */
+/* Returns the number of targets, or FEW + 1 if there are more than FEW, and stores the slots of the first FEW. */
 static int few_targets(const struct targets *t, uint32_t found[FEW])
 {
     const uint32_t end = t->s->used ? t->s->top : t->s->live;
@@ -748,7 +750,7 @@ static int few_targets(const struct targets *t, uint32_t found[FEW])
     return n;
 }
 
-/* Computes targets_aim for all bullets of s. dir[k] is replaced by the direction; without a target it stays. */
+/* Sets dir[k] to the result of targets_aim for the k-th bullet of s, with the old dir[k] as `none`. */
 static void aim_some(const struct bullets *b, const struct targets *t, const struct some *s, ang *dir)
 {
     uint32_t few[FEW];
@@ -799,7 +801,8 @@ static void turn_some(const struct bullets *b, const struct motion_world *w, con
         dir[k] = toward(dir[k], goal[k], w->steps->home[c->st]);
 }
 
-/* Changes the speed of all bullets of s. Consecutive bullets with equal step_start and step_end share a computation. */
+/* Changes the speed of all bullets of s. For consecutive bullets with equal step_start and step_end, the result of
+ * motion_part_way is computed once. */
 static void speed_some(struct bullets *b, const struct motion_world *w, const struct course *c, const struct some *s)
 {
     const int shift = c->fine ? 0 : PACE_BITS;
@@ -807,7 +810,7 @@ static void speed_some(struct bullets *b, const struct motion_world *w, const st
     const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
     const uint32_t over = w->steps->over[c->st];
     int64_t from = 0, reached = 0;
-    uint32_t end = w->clock; /* no bullet's: a step that ends now has no course */
+    uint32_t end = w->clock; /* matches no bullet: a bullet whose step ends now is on no course */
     for (int k = 0; k < s->n; k++) {
         const uint32_t i = nth(s, k);
         int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
@@ -841,7 +844,7 @@ static void fly_some(struct bullets *b, const struct some *s, const ang *dir)
         fly_by(b, nth(s, k), to[k], dx[k], dy[k]);
 }
 
-/* Runs bullets_steer for all bullets of s. None is frozen, because frozen bullets run no program. */
+/* Like bullets_steer, for all bullets of s. None of them is frozen, because frozen bullets run no program. */
 static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
 {
     fx speed[SLOTS_BLOCK], to_x[SLOTS_BLOCK], to_y[SLOTS_BLOCK], most = b->fastest;
@@ -862,7 +865,7 @@ static void steer_some(struct bullets *b, const struct some *s, const ang *dir)
     b->fastest = most;
 }
 
-/* Runs a frame of the bullets of s, which are on course c. Not inlined, as all_alike. */
+/* Runs a frame of the bullets of s, which are on course c. Not inlined, for the same reason as all_alike. */
 __attribute__((noinline)) static void keep_course(struct bullets *b, const struct motion_world *w,
                                                   const struct course *c, const struct some *s)
 {
@@ -887,7 +890,7 @@ __attribute__((noinline)) static void keep_course(struct bullets *b, const struc
         steer_some(b, s, dir);
 }
 
-/* Runs a frame of bullet i, alone on course c. If its velocity must be recomputed, adds it to `later`. */
+/* Runs a frame of bullet i, alone on course c. Adds the bullet to `later` if its velocity must be recomputed. */
 static void keep_alone(struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i,
                        struct some *later)
 {
@@ -907,7 +910,7 @@ static void steer_later(struct bullets *b, struct some *later)
     steer_some(b, later, dir);
 }
 
-/* Runs the woken bullets of a block without busy bullets, the most common case. */
+/* Runs the woken bullets of a block that has no busy bullets, the most common case. */
 static void run_woken(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken)
 {
     uint64_t busy = 0, idle = b->idle[block] & ~woken;
@@ -926,7 +929,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
 {
     const uint32_t first = block * SLOTS_BLOCK;
     uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
-    struct course c = { .motion = UINT32_MAX }; /* no bullet's */
+    struct course c = { .motion = UINT32_MAX }; /* matches no bullet */
     struct some some, later;
     int few = 1 + bits_count(busy) / WORTH;
 
@@ -935,7 +938,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
     for (uint64_t m = busy | woken; m;) {
         const uint32_t i = first + bits_lowest(m);
         const uint64_t who = woken & bullets_bit(i) ? 0 : alike(b, w, &c, i, m & ~woken, &few);
-        if (who) { /* these are busy, and stay busy */
+        if (who) { /* the bullets in `who` are busy and stay busy */
             if (who == bullets_bit(i) && !c.fine)
                 keep_alone(b, w, &c, i, &later);
             else {

@@ -72,7 +72,7 @@ static void park(struct enemies *e, uint32_t i)
     e->over[i] = 0;
 }
 
-/* Initialises the columns of bodies for a new enemy, which is not a part, with its kind's rate. */
+/* Initialises the GROUP_BODIES columns of new enemy i with its kind's rate. The enemy is not a part and has none. */
 static void begin_body(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     e->rate[i] = kinds->rate[e->kind[i]];
@@ -158,7 +158,8 @@ static bool is_part(const struct enemies *e, uint32_t i)
     return e->body && e->body[i];
 }
 
-/* Return a pointer to the coordinate that enemy i's moves change: its position's, or if it is a part its offset's. */
+/* Return a pointer to the coordinate that enemy i's moves change: of the position or, if the enemy is a part, of the
+ * offset from its body. */
 static fx *led_x(const struct enemies *e, uint32_t i)
 {
     return is_part(e, i) ? &e->dx[i] : &e->x[i];
@@ -169,7 +170,7 @@ static fx *led_y(const struct enemies *e, uint32_t i)
     return is_part(e, i) ? &e->dy[i] : &e->y[i];
 }
 
-/* Converts a position in the field to the coordinates that enemy i's moves change. */
+/* Converts (*x, *y) from a position in the field to the coordinates that enemy i's moves change (led_x, led_y). */
 static void led(const struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     if (!is_part(e, i))
@@ -258,7 +259,7 @@ static bool far(fx a, fx b)
     return (int64_t)a - b > most || (int64_t)b - a > most;
 }
 
-/* Counts down enemy i's frozen frames at the start of its move. Returns whether it is frozen in this move. */
+/* Counts down enemy i's frozen frames at the start of its move. Returns whether the enemy is frozen in this move. */
 static bool stands(struct enemies *e, uint32_t i)
 {
     if (!e->frozen)
@@ -278,7 +279,7 @@ void enemies_stay(struct enemies *e)
         e->born[i] += e->stands[i] != 0;
 }
 
-/* Advances enemy i's move by a frame, and sets (*x, *y). */
+/* Advances enemy i's move by a frame, and sets (*x, *y) to the result. */
 static void go_on(struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     struct motion_share s = motion_eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
@@ -428,7 +429,8 @@ static void begin_legs(struct enemies *e, const struct enemies_world *w)
     }
 }
 
-/* Advances enemy i's orbit by a frame. If its centre has despawned, the orbit continues around the last position. */
+/* Advances enemy i's orbit by a frame, and sets (*x, *y) to the result. If the entity at the centre has despawned, the
+ * orbit continues around that entity's last position. */
 static void orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x, fx *y)
 {
     const int64_t from = (int64_t)e->reach_x[i] * (1 << PACE_BITS), to = (int64_t)e->reach_y[i] * (1 << PACE_BITS);
@@ -443,8 +445,8 @@ static void orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x,
         enemies_halt(e, i);
 }
 
-/* Sets a part's position, and its position before the move, from its body's, so hit tests sweep both along the same
- * path. */
+/* Sets part i's position now and before this frame's move from the body's and from the part's offsets; (was_dx, was_dy)
+ * is the offset before the move. Hit tests thus sweep the body and the part along the same path. */
 static void follow(struct enemies *e, uint32_t i, fx was_dx, fx was_dy)
 {
     const uint32_t body = e->body[i] - 1u;
@@ -474,7 +476,7 @@ void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w)
         keep_was(e, i, was_x, was_y);
 }
 
-/* ---- all ---- */
+/* ---- the move of all enemies ---- */
 
 static bool inside(const struct enemies *e, uint32_t i, const struct box *keep)
 {
@@ -492,7 +494,7 @@ void enemies_move(struct enemies *e, const struct box *keep, struct enemies_worl
             enemies_settle(e, i, w);
         else
             step(e, i);
-        /* a boss may enter from outside keep, and a part may reach outside */
+        /* a boss may enter from outside *keep, and a part may reach outside *keep */
         if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || inside(e, i, keep))
             continue;
         e->flags[i] |= ENEMY_LEAVING;

@@ -9,112 +9,112 @@
 #include "../base/slots.h"
 
 enum {
-    ENEMY_TOUCH = 1 << 0, /* kinds: kills a player who touches it */
-    ENEMY_SWEPT = 1 << 1, /* kinds: uses swept collision against players: hits test the whole path of a frame */
-    ENEMY_BLEND = 3 << 2, /* kinds: in units of ENEMY_BLEND_ONE: 0: drawn opaque, otherwise blend mode + 1 */
+    ENEMY_TOUCH = 1 << 0, /* kinds: the enemy kills a player who touches it */
+    ENEMY_SWEPT = 1 << 1, /* kinds: uses swept collision against players: hit tests cover the whole path of a frame */
+    ENEMY_BLEND = 3 << 2, /* kinds: blend mode + 1, or 0: drawn opaque; in units of ENEMY_BLEND_ONE */
     ENEMY_BLEND_ONE = 1 << 2,
-    ENEMY_BLOCKS = 1 << 4, /* kinds: removes bullets that touch it */
-    ENEMY_HURT = 1 << 5,   /* kinds: picture 1 replaces picture 0 while it blinks */
+    ENEMY_BLOCKS = 1 << 4, /* kinds: the enemy removes bullets that touch it */
+    ENEMY_HURT = 1 << 5,   /* kinds: picture 1 replaces picture 0 while the enemy blinks */
     ENEMY_SOFT = 1 << 6,   /* kinds: only a rim around the sprite blinks white */
 
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
-    ENEMY_LEAVING = 1 << 2, /* enemies: left keep in this move; can still be hit; despawns as dying ones do */
+    ENEMY_LEAVING = 1 << 2, /* enemies: left the keep box in this move; can still be hit; despawns like ENEMY_DYING */
     ENEMY_FLIP = 1 << 3,    /* enemies: drawn mirrored left to right */
     ENEMY_HIDDEN = 1 << 4,  /* enemies: not drawn */
-    ENEMY_PICTURE = 7 << 5, /* enemies: index n of the kind's picture, in units of ENEMY_PICTURE_ONE: the sprite of the
-                             * row n before the kind's */
+    ENEMY_PICTURE = 7 << 5, /* enemies: number n of the picture shown, in units of ENEMY_PICTURE_ONE: the sprite in
+                             * the nth row before the kind's row */
     ENEMY_PICTURE_ONE = 1 << 5,
     ENEMY_PICTURES = 7,
-    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* either flag: not alive for scripts */
+    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* with either flag the enemy is not alive for scripts */
 
-    ENEMY_BANK = 15,       /* in the column `bank`: palette banks to add */
-    ENEMY_BLINK = 15 << 4, /* in the column `bank`, in units of ENEMY_BLINK_ONE: frames a kind blinks when hurt; frames
-                            * an enemy still blinks */
+    ENEMY_BANK = 15,       /* in the column `bank`: number of palette banks to add */
+    ENEMY_BLINK = 15 << 4, /* in the column `bank`, in units of ENEMY_BLINK_ONE; kinds: frames of blinking when hurt;
+                            * enemies: frames of blinking left */
     ENEMY_BLINK_ONE = 1 << 4,
 
     SAFE_FOREVER = -1,
 
-    LEAD_ORBIT = 1, /* in the column `lead`: what leads the enemy; 0: neither */
-    LEAD_WANDER = 2,
+    LEAD_ORBIT = 1,  /* in the column `lead`: the enemy orbits; 0: the enemy neither orbits nor wanders */
+    LEAD_WANDER = 2, /* in the column `lead`: the enemy wanders */
 
-    PARTS_DEEP = 8,              /* limit of nesting: parts of parts, the first body not counted */
-    ENEMY_WHOLE = 1 << 16,       /* a rate or share of 1 */
-    ENEMY_MOST_RATE = 100 << 16, /* limit of a rate of damage */
+    PARTS_DEEP = 8,              /* limit of the depth of nested parts (enemies_depth) */
+    ENEMY_WHOLE = 1 << 16,       /* the value 1 in rates and shares */
+    ENEMY_MOST_RATE = 100 << 16, /* limit of `rate` */
 
     MAX_ENEMIES = 4096
 };
 
-/* The kinds declared by enemy.def; its functions and drops are stored by the scripts. */
+/* The kinds declared by enemy.def, whose functions and drops are stored with the scripts. */
 struct enemy_kinds {
     struct slots s;
     uint16_t *sprite;
     uint8_t *shape;
-    fx *a, *b, *x, *y; /* parameters of `shape` (motion.h); several circles take a row each */
+    fx *a, *b, *x, *y; /* parameters of `shape` (motion.h); every further circle has its own row */
     int32_t *hp;
     int64_t *score;
-    uint8_t *bank; /* ENEMY_BANK, and ENEMY_BLINK: how long it blinks when hurt */
+    uint8_t *bank; /* ENEMY_BANK and ENEMY_BLINK */
     uint8_t *flags;
     uint16_t *spark; /* kind + 1, 0: none */
-    int32_t *rate;   /* factor of the damage taken, ENEMY_WHOLE: full damage; NULL: not enabled */
+    int32_t *rate;   /* factor of the damage taken, ENEMY_WHOLE: 1; NULL: not enabled */
 };
 
 struct enemies {
     struct slots s;
     fx *x, *y;
-    fx *was_x, *was_y; /* position before this frame's move; after a jump (faster than MAX_SPEED): position now */
+    fx *was_x, *was_y; /* position before this frame's move; after a jump (more than MAX_SPEED): present position */
     int32_t *hp;
     uint16_t *kind;
-    uint8_t *bank; /* ENEMY_BANK, and ENEMY_BLINK: how long it still blinks */
+    uint8_t *bank; /* ENEMY_BANK and ENEMY_BLINK */
     uint16_t *tag;
-    int32_t *safe;  /* frames left without taking damage, or SAFE_FOREVER */
-    uint32_t *born; /* clock */
+    int32_t *safe;  /* frames left in which the enemy takes no damage, or SAFE_FOREVER */
+    uint32_t *born; /* clock when the enemy was spawned */
     uint32_t *owner_task;
-    int64_t *owner; /* the enemy despawns when its owner ends, 0: none; the board defines the value */
+    int64_t *owner; /* the enemy despawns when this owner ends, 0: none; the board defines the value */
     uint8_t *flags;
     fx *x0, *y0, *x1, *y1; /* start and end of the move in progress */
-    uint32_t *made, *over; /* frames of the move done, and in all; over 0: no move */
+    uint32_t *made, *over; /* the move's frames done, and its total frames; over 0: no move */
     uint8_t *ease;
     fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
     fx value_start[MAX_VALUES];            /* initial values of a new enemy */
-    int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; this and the next: NULL if not enabled */
+    int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; this and `stands`: NULL if not enabled */
     uint8_t *stands;   /* STOOD: frozen in the last move */
     uint32_t standing; /* number of enemies frozen in the last move */
-    uint32_t leaving;  /* number of enemies that left keep in this frame's move */
+    uint32_t leaving;  /* number of enemies that left the keep box in this frame's move */
 
-    /* Bodies and their parts; all NULL if not enabled. A part stays at its body's position plus (dx, dy); its moves (x0
-     * to y1) change dx and dy. */
-    int32_t *rate;               /* factor of the damage taken, ENEMY_WHOLE: full damage */
-    uint32_t *wound;             /* excess of hp, which is rounded up, over the exact value, in 2^-32 hp */
+    /* Bodies and their parts; all NULL if not enabled. A part stays at its body's position plus (dx, dy). Moves of a
+     * part, and their ends (x0 to y1), are in terms of dx and dy. */
+    int32_t *rate;               /* factor of the damage taken, ENEMY_WHOLE: 1 */
+    uint32_t *wound;             /* hp, which is rounded up, minus the exact hp, in 2^-32 hp */
     uint16_t *body;              /* slot + 1 of the part's body; 0: not a part */
-    uint16_t *parts;             /* number of its direct parts */
+    uint16_t *parts;             /* number of the enemy's direct parts */
     fx *dx, *dy;                 /* a part's offset from its body */
-    int32_t *share;              /* share of a part's damage that its body also takes */
-    uint8_t *lead;               /* LEAD_ */
-    fx *cx, *cy;                 /* centre of the orbit, or of the area it wanders in */
-    fx *reach_x, *reach_y;       /* radius at the orbit's start and end; or half the area's width and height */
+    int32_t *share;              /* share of the damage to a part that its body takes too */
+    uint8_t *lead;               /* LEAD_ORBIT, LEAD_WANDER or 0 */
+    fx *cx, *cy;                 /* centre of the orbit, or of the area to wander in */
+    fx *reach_x, *reach_y;       /* radii at the start and end of the orbit; or half the area's width and height */
     int64_t *around;             /* the board's handle of the orbit centre; 0: (cx, cy) is fixed */
     ang *angle;                  /* angle at the orbit's start */
-    int32_t *spin;               /* ang a frame */
-    uint32_t *every, *due, *leg; /* wanderers: frames between the starts of two legs; until the next; length of a leg */
-    uint8_t *settled;            /* 1: this frame's move is done or in progress */
+    int32_t *spin;               /* ang per frame */
+    uint32_t *every, *due, *leg; /* wanderers: frames between the starts of two legs; until the next start; per leg */
+    uint8_t *settled;            /* 1: the enemy's move of this frame is done or in progress */
 };
 
-/* The board's callbacks for the moves of bodies. where finds an entity's position, after its move of this frame if it
- * is an enemy (enemies_settle), and returns false if the entity is gone. draw returns a random number, 0 <= n < below,
- * from the game's generator. */
+/* The board's callbacks for the moves of bodies. where sets (*x, *y) to the position of an entity, for an enemy after
+ * its move of this frame (enemies_settle), and returns false if the entity has despawned. draw returns a random number,
+ * 0 <= n < below, from the game's generator. */
 struct enemies_world {
     void *context;
     bool (*where)(struct enemies_world *w, int64_t thing, fx *x, fx *y);
     uint64_t (*draw)(void *context, uint64_t below);
-    int deep; /* depth of nested calls: enemies waiting for another's position */
+    int deep; /* depth of nested calls: number of enemies that wait for another one's position */
 };
 
 struct enemies_orbit {
     int64_t around; /* handle of the centre; 0: (x, y) is the centre */
     fx x, y, radius, radius_to;
     ang angle;
-    int32_t spin;  /* ang a frame */
+    int32_t spin;  /* ang per frame */
     uint32_t over; /* frames; 0: forever */
 };
 
@@ -124,7 +124,7 @@ struct enemies_ground {
     enum ease ease;
 };
 
-/* Returns column k of the values, 0 <= k < MAX_VALUES, or NULL if it is not declared. */
+/* Returns the column that stores value k, 0 <= k < MAX_VALUES, or NULL if value k is not declared. */
 static inline fx *enemies_value(const struct enemies *e, int k)
 {
     fx *const value[MAX_VALUES] = { e->value1, e->value2, e->value3, e->value4 };
@@ -134,11 +134,11 @@ static inline fx *enemies_value(const struct enemies *e, int k)
 
 extern const struct chip enemies_chip, enemy_kinds_chip;
 
-/* Spawns an enemy of that kind at (x, y), with the kind's hp and bank. Returns its slot, or NO_SLOT if the pool is
+/* Spawns an enemy of the given kind at (x, y), with the kind's hp and bank. Returns its slot, or NO_SLOT if the pool is
  * full. */
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock);
 
-/* Removes enemy i and its parts. Dying parts are detached instead. */
+/* Removes enemy i and its parts. Parts that are dying are detached instead. */
 void enemies_drop(struct enemies *e, uint32_t i);
 
 /* Makes enemy i a part of `body`, which must be neither i itself nor one of i's own parts. */
@@ -147,61 +147,61 @@ void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, 
 /* Returns enemy i's depth of nesting: 0 if it is not a part, otherwise its body's depth + 1. */
 int enemies_depth(const struct enemies *e, uint32_t i);
 
-/* Subtracts amount, in 2^-32 hp, times the enemy's rate, rounded down. Returns the damage taken, in 2^-32 hp, at most
- * what was left. hp becomes the rest, rounded up. */
+/* Damages enemy i by `amount` times its rate, rounded down, but by at most its exact hp. Returns the damage taken. Both
+ * are in 2^-32 hp. Sets hp to the rest, rounded up. */
 uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount);
 
-/* Returns amount * share / ENEMY_WHOLE, rounded down, or INT64_MAX if that is exceeded. */
+/* Returns amount * share / ENEMY_WHOLE, rounded down, at most INT64_MAX. */
 uint64_t enemies_share(uint64_t amount, int32_t share);
 
-/* Removes all enemies with that owner, except dying ones, which despawn after their handlers have run. */
+/* Removes all enemies of `owner`, except dying ones, which despawn after their handlers have run. */
 void enemies_drop_of(struct enemies *e, int64_t owner);
 
 /* Moves enemy i to (x, y) over the next `over` calls of enemies_move, 1 <= over < 2^31, arriving exactly. After k of n
- * frames it is, on either axis, at the fx nearest to that share of the distance (motion_eased), ties to even. A part
- * moves to the offset that (x, y) has from its body now. */
+ * frames the enemy has covered motion_eased(ease, k, n) of the distance; each coordinate is rounded to the nearest fx,
+ * ties to even. A part moves to the offset of (x, y) from its body's present position. */
 void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
 
-/* Moves enemy i by (dx, dy) from its position, as enemies_go does; the offset of a part becomes (dx, dy). */
+/* Like enemies_go, but moves enemy i to its present position plus (dx, dy), or a part to the offset (dx, dy). */
 void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease);
 
-/* Places enemy i at (x, y), which sets a part's offset, and ends its move, orbit or wandering. */
+/* Places enemy i at (x, y), for a part by setting its offset, and ends its move, orbit or wandering. */
 void enemies_put(struct enemies *e, uint32_t i, fx x, fx y);
 
-/* Start an orbit or wandering with the next move. Each leg of a wanderer is a move as by enemies_go, to a random point
- * of its area. These points are drawn in slot order at the start of enemies_move, before any enemy moves. */
+/* Make enemy i orbit or wander from the next call of enemies_move on. Each leg of a wanderer is a move as in
+ * enemies_go, to a random point of the area. enemies_move draws the points in slot order, before any enemy moves. */
 void enemies_circle(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
 void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *g);
 
-/* Ends the enemy's move, orbit or wandering, and leaves it where it is. */
+/* Ends enemy i's move, orbit or wandering. The enemy stays where it is. */
 void enemies_halt(struct enemies *e, uint32_t i);
 
-/* Shifts enemy i by (dx, dy) at once, together with its move, orbit or area; all stay within the world. */
+/* Shifts enemy i at once by (dx, dy), and with it the move, orbit or area. All coordinates are clamped to the world. */
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
 
-/* Stops frozen enemies from ageing: call at the end of a frame in which the clock advances. */
+/* Keeps frozen enemies from ageing. Call it at the end of each frame in which the clock advances. */
 void enemies_stay(struct enemies *e);
 
-/* Starts enemy i's blinking after a hit, if its kind blinks and it is not blinking already. */
+/* Makes enemy i blink after a hit, if its kind blinks and the enemy is not blinking already. */
 void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Returns whether enemy i is drawn white: in the first quarter of its blinking, so that an enemy hit all the time stays
- * visible. */
+/* Returns whether enemy i is drawn white: only in the first quarter of its blinking, so that an enemy that is hit all
+ * the time stays visible. */
 bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
 /* Returns the sprite that enemy i shows. */
 uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Counts down the frames of `safe` and blinking. Called at the start of a frame, so `safe = n` lasts n frames, the
- * present one included. */
+/* Counts down the frames of `safe` and blinking. Call it at the start of each frame, so that `safe = n` lasts n
+ * frames, including the present one. */
 void enemies_count_down(struct enemies *e);
 
 /* Advances all moves by a frame, and marks enemies outside keep as ENEMY_LEAVING, except parts and undying or dying
- * enemies. w may be NULL without bodies. Enemies move in slot order, except that a part moves after its body, and an
- * enemy that orbits another after that one, unless they wait for each other. */
+ * enemies. w may be NULL if bodies are not enabled. Enemies move in slot order, except that a part moves after its
+ * body, and an orbiting enemy after the enemy at its centre, unless the two wait for each other. */
 void enemies_move(struct enemies *e, const struct box *keep, struct enemies_world *w);
 
-/* Makes enemy i's move of this frame, unless it is done or in progress. */
+/* Makes enemy i's move of this frame, unless that move is done or in progress. */
 void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w);
 
 #endif

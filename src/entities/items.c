@@ -1,8 +1,8 @@
 /*
  * items.c - items (items.h).
  *
- * Nothing here draws random numbers. An item that flies to a player has the velocity of its last move in vx and vy, so
- * scripts read what they see.
+ * Uses no random numbers. While an item flies to a player, vx and vy hold the velocity of its last move, so scripts can
+ * read it.
  */
 #include "items.h"
 #include "../base/geom.h"
@@ -83,7 +83,7 @@ void items_let_go(struct items *s, uint32_t p)
             fall_again(s, i);
 }
 
-/* Returns whether the item is frozen in this move, and counts its frames down. */
+/* Returns whether the item is frozen in this move, and counts down its frozen frames. */
 static bool stands(struct items *s, uint32_t i)
 {
     if (!s->frozen)
@@ -110,8 +110,8 @@ static uint64_t apart(const struct items *s, uint32_t i, const struct item_pull 
     return dx * dx + dy * dy;
 }
 
-/* Returns the nearest player that attracts the item, player + 1, or 0 when there is none. Ties go to the first
- * player. */
+/* Returns the index + 1 of the nearest player that attracts the item, or 0 when none does. Of equally near players,
+ * returns the first. */
 static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
 {
     uint64_t nearest = UINT64_MAX;

@@ -25,13 +25,14 @@ struct item_kinds {
     uint8_t *bank;
     uint8_t *flags;
     fx *radius;     /* collection radius, px, tested against the player's hit circle */
-    fx *gravity;    /* px/frame^2: change of its speed each frame */
+    fx *gravity;    /* acceleration of a falling item, px/frame^2 */
     fx *top;        /* maximum falling speed, px/frame */
     int64_t *low;   /* points when taken at the bottom of the field */
     int64_t *high;  /* points when taken at the collect line or above */
     int32_t *lives; /* lives it gives */
-    int32_t *gives; /* ITEM_REGISTERS per kind: amount added to each register numbered among the items' */
-    uint16_t *full; /* register number + 1: while that is at its maximum the item gives only points; 0: none */
+    int32_t *gives; /* ITEM_REGISTERS per kind: amount added to each register that items use */
+    uint16_t *full; /* register number + 1, 0: none; while that register is at its maximum, the item gives only
+                     * points */
 };
 
 /* A player's attraction of items. */
@@ -39,7 +40,7 @@ struct item_pull {
     fx x, y;   /* position of the player */
     fx radius; /* items within this distance are attracted */
     bool all;  /* all items are attracted */
-    bool in;   /* false: attracts nothing, and items on their way fall again */
+    bool in;   /* false: the player attracts nothing, and items flying to it fall again */
     fx speed;
 };
 
@@ -51,10 +52,10 @@ struct items {
     uint16_t *kind;
     uint16_t *tag;
     uint32_t *born;    /* clock at spawn */
-    uint8_t *pull;     /* player + 1 it flies to; 0: it falls */
+    uint8_t *pull;     /* index of the player it flies to + 1; 0: it falls */
     int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; NULL (and `stands` NULL): not declared */
     uint8_t *stands;   /* STOOD flag */
-    uint64_t *taken;   /* one bit per slot: collected, and held until the event handlers have run */
+    uint64_t *taken;   /* one bit per slot: the item is collected, and stays until the event handlers have run */
     uint32_t standing; /* number of items frozen in the last move */
 };
 
@@ -81,7 +82,8 @@ void items_let_go(struct items *s, uint32_t p);
  */
 void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS]);
 
-/* Call at the end of every frame in which the clock advances: items that were frozen in it do not age. */
+/* Keeps items that were frozen in this frame from ageing. Call it at the end of every frame in which the clock
+ * advances. */
 void items_stay(struct items *s);
 
 /* Returns the points for an item of that kind taken at y: `high` at the collect line and above, `low` at the bottom and

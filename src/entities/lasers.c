@@ -1,8 +1,8 @@
 /*
  * lasers.c - lasers (lasers.h).
  *
- * A laser's state follows from its age: warn, grow, on, fade. So freezing a laser only freezes its age, and its state
- * in an earlier frame can be computed.
+ * A laser's state (warn, grow, on, fade) is computed from its age. So freezing a laser only freezes its age, and the
+ * state in an earlier frame is known.
  */
 #include "lasers.h"
 #include <string.h>
@@ -63,7 +63,7 @@ static void set_point(struct lasers *l, struct laser_points *p, uint32_t i, uint
     p->y[entry] = y;
 }
 
-/* Allocates the pieces of laser i. Returns false when there are not enough; it then has none. */
+/* Allocates n pieces for laser i. Returns false, and allocates none, when fewer than n are free. */
 static bool take_pieces(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
 {
     uint16_t *piece = &l->piece[i * LASER_PIECES];
@@ -131,7 +131,7 @@ void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
     slots_trim(&l->s);
 }
 
-/* A ring that is not full has its points in the first entries. */
+/* While a ring is not full, its points are in the first `count` entries. */
 void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box)
 {
     fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;

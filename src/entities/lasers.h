@@ -16,19 +16,19 @@
 
 enum laser_form { LASER_BEAM, LASER_BOLT, LASER_CURVE };
 
-/* As scripts see them; lasers are harmless in the first and the last. */
+/* The states as scripts see them. Lasers are harmless in LASER_WARN and LASER_FADE. */
 enum laser_state { LASER_WARN, LASER_GROW, LASER_ON, LASER_FADE, LASER_STATES };
 
 enum {
-    LASER_FIXED = 1 << 0,  /* immune to clears, unless they clear `all` */
-    LASER_SHOOTS = 1 << 1, /* a player's: hits enemies, not players */
-    LASER_BLEND = 3 << 2,  /* blend mode in units of LASER_BLEND_ONE: 0 opaque, otherwise blend + 1 */
+    LASER_FIXED = 1 << 0,  /* of a kind: immune to clears, unless a clear has `all` */
+    LASER_SHOOTS = 1 << 1, /* of a kind: a player's laser, which hits enemies, not players */
+    LASER_BLEND = 3 << 2,  /* of a kind: blend mode in units of LASER_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     LASER_BLEND_ONE = 1 << 2,
 
     /* in the column `flags` of lasers */
-    LASER_LEFT = 1 << 0,   /* the curve's head has left the keep box: it stops, and the body follows */
+    LASER_LEFT = 1 << 0,   /* the curve's head has left the keep box and stopped; the body catches up */
     LASER_GONE = 1 << 1,   /* despawns at the end of this frame */
-    LASER_STILL = 1 << 2,  /* no sweep this frame: it is frozen, it jumped, or it is a beam that has just become
+    LASER_STILL = 1 << 2,  /* not swept this frame: the laser is frozen, jumped, or is a beam that has just become
                             * dangerous */
     LASER_TURNS = 1 << 3,  /* rotates with the entity it follows */
     LASER_TURNED = 1 << 4, /* `followed` is set */
@@ -48,7 +48,7 @@ struct laser_kinds {
     uint16_t *strip;
     uint16_t *head, *tail; /* sprite + 1; 0: none */
     fx *width;             /* px */
-    fx *share;             /* share of the width that hits, 0 to 1; negative: none of it */
+    fx *share;             /* share of the width that hits, 0 to 1; negative: it never hits */
     uint8_t *bank;
     uint8_t *flags;
     uint16_t *graze; /* frames between two grazes; 0: no grazing */
@@ -64,23 +64,23 @@ struct lasers {
     fx *was_x, *was_y;   /* the head before this frame's move */
     fx *was_x0, *was_y0; /* beams and bolts: the other end before this frame's move */
     fx *length;          /* px; beams and bolts */
-    fx *grown;           /* bolts: px of it that have emerged */
+    fx *grown;           /* bolts: px that have emerged */
     fx *width;           /* px */
-    ang *spin;           /* rotation per frame, once it is dangerous */
+    ang *spin;           /* rotation per frame, once the laser is dangerous */
     int32_t *warn, *grow, *fade; /* frames */
     int32_t *until;              /* age at which it starts to fade, or LASER_FOREVER */
     int64_t *follow;             /* entity it follows, defined by the board; 0: none */
     fx *dx, *dy;                 /* offset from that entity */
-    ang *followed;               /* direction that entity faced last */
-    uint32_t *again;             /* PADS per laser: clock from which each player can graze it again; a player's
-                                  * laser: the first is when it can hit again */
+    ang *followed;               /* direction in which that entity last faced */
+    uint32_t *again;             /* PADS per laser: clock from which that player can graze it again; in a player's
+                                  * laser, the first entry is the clock from which it can hit again */
     uint16_t *points;            /* curves: capacity of the ring, in points */
     uint16_t *count;             /* number of points in the ring */
     uint16_t *at;                /* ring index of the newest point */
     uint16_t *piece;             /* LASER_PIECES per laser: slots of its pieces */
 };
 
-/* Pieces of rings. */
+/* The pieces that hold the curves' points. */
 struct laser_points {
     struct slots s;
     fx *x, *y; /* LASER_PIECE per piece */
@@ -99,13 +99,13 @@ struct laser_shape {
     int64_t follow;
 };
 
-/* Spawns a laser in the lowest free slot, with its points at (x, y); returns the slot, or NO_SLOT when a pool is full:
- * *full is then that pool's slots, the lasers' or the points'. */
+/* Spawns a laser in the lowest free slot, with all its ends at (x, y). Returns the slot, or NO_SLOT when a pool is
+ * full; *full then points to the slots of that pool (lasers or points). */
 int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_shape *shape, fx x, fx y,
                    struct slots **full);
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i);
 
-/* Gets point k of a curve, 0 <= k < count: 0 is the newest. */
+/* Gets point k of curve i, 0 <= k < count; point 0 is the newest. */
 static inline void lasers_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
                                 fx *y)
 {
@@ -116,7 +116,7 @@ static inline void lasers_point(const struct lasers *l, const struct laser_point
     *y = p->y[entry];
 }
 
-/* Gets the smallest box around a curve's points and its tail before this frame's move. */
+/* Gets the smallest box around a curve's points and the position of its tail before this frame's move. */
 void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box);
 
 /* Adds the head's new position (x, y) to a curve. */
@@ -125,16 +125,16 @@ void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, 
 /* Moves a curve's points by (dx, dy), clamped to the world. */
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy);
 
-/* Returns the state at that age in frames. */
+/* Returns the state of laser i at the given age in frames. */
 enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age);
 
-/* Returns the width at that age as drawn, px. */
+/* Returns the width of laser i at the given age as drawn, in px. */
 fx lasers_width(const struct lasers *l, uint32_t i, uint32_t age);
 
-/* Returns whether it has faded out at that age. */
+/* Returns whether laser i has faded out at the given age. */
 bool lasers_over(const struct lasers *l, uint32_t i, uint32_t age);
 
-/* Starts fading at that age, unless it is fading already. */
+/* Makes laser i fade from the given age on, unless it is fading already. */
 void lasers_fade(struct lasers *l, uint32_t i, uint32_t age);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * lines.h - lines of text at any pixel, in proportional fonts.
  *
- * A line stores its text, not the positions of its letters. Those are computed when it is drawn, so no script can
- * depend on a font's widths.
+ * A line stores its text, not the positions of its letters. The positions are computed when the line is drawn, so no
+ * script can depend on a font's widths.
  */
 #ifndef ENTITIES_LINES_H
 #define ENTITIES_LINES_H
@@ -25,7 +25,7 @@ enum {
 struct lines {
     struct slots s;
     fx *x, *y;       /* position; unused if it follows an entity */
-    fx *dx, *dy;     /* offset from that position, or from the entity */
+    fx *dx, *dy;     /* offset from (x, y), or from the entity it follows */
     int64_t *follow; /* entity it follows and despawns with, defined by the board; 0: none */
     int64_t *owner;  /* entity or scope it despawns with, defined by the board; 0: none */
     uint32_t *code;  /* LINE_TEXT per slot: code points, followed by zeroes */
@@ -41,10 +41,11 @@ struct lines {
 
 extern const struct chip lines_chip;
 
-/* Sets slot i's text, n bytes. Returns false, and changes nothing, when it is longer than LINE_TEXT characters. */
+/* Sets slot i's text to n bytes of UTF-8. Returns false, and changes nothing, when it is longer than LINE_TEXT
+ * characters. */
 bool lines_say(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock);
 
-/* Returns the number of letters visible at that clock. */
+/* Returns the number of letters of line i that are visible at the given clock. */
 uint32_t lines_seen(const struct lines *l, uint32_t i, uint32_t clock);
 
 /* Removes all lines of an owner. */

@@ -1,6 +1,6 @@
 /*
  * motion.c - stores motion programs, and computes moves. Equal programs are stored once, so a script may build them in
- * a loop. Easing is quadratic: a share of a move is a fraction of integers, and a position is rounded once.
+ * a loop. Easing is quadratic, so that a share of a move is a fraction of integers and a position is rounded only once.
  */
 #include "motion.h"
 #include <string.h>
@@ -183,15 +183,15 @@ struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n)
     }
 }
 
-/* Returns d * s, truncated; *left is the remainder, in units of 1 / s.whole. Works bit by bit, because the product may
- * not fit in 64 bits. */
+/* Returns d * s, truncated, and sets *left to the remainder, in units of 1 / s.whole. Works bit by bit, because the
+ * product may not fit in 64 bits. */
 static uint32_t share_bits(uint32_t d, struct motion_share s, uint64_t *left)
 {
     uint32_t q = 0;
 
     *left = 0;
     for (int bit = 31; bit >= 0; bit--) {
-        *left = 2 * *left + (d >> bit & 1 ? s.part : 0); /* < 3 whole */
+        *left = 2 * *left + (d >> bit & 1 ? s.part : 0); /* below 3 * s.whole */
         q *= 2;
         for (; *left >= s.whole; *left -= s.whole)
             q++;
@@ -228,7 +228,8 @@ int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
     return to < from ? from - (int64_t)q : from + (int64_t)q;
 }
 
-/* Returns the distance flown in k frames, in Q32, clamped to a value far outside the world. */
+/* Returns the distance flown in k frames, in Q32, clamped to 2^47 (32768 px) either way, which is far outside the
+ * world. */
 static int64_t flown(int64_t pace, uint32_t k)
 {
     const int64_t far = (int64_t)1 << 47;
@@ -248,7 +249,7 @@ static void add_polar(int64_t r, ang dir, int64_t *x, int64_t *y)
     *y += dy;
 }
 
-/* Returns a wave's distance to the side in frame k, relative to its start, in Q32. */
+/* Returns a wave's distance to the side in frame k, relative to the wave's start, in Q32. */
 static int64_t aside(const struct steps *s, uint32_t st, uint32_t k)
 {
     const uint32_t every = s->count[st];
@@ -310,7 +311,7 @@ void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_l
     *y = place_fx(py);
 }
 
-/* ---- numbers taken from a value ---- */
+/* ---- numbers replaced by a bullet's values ---- */
 
 static fx in_range(fx v, int lo, int hi)
 {

@@ -1,6 +1,6 @@
 /*
- * options.c - options (options.h). Integer arithmetic only: each frame an option's offset moves by an equal share of
- * the remaining distance, so it arrives exactly in the intended frame. Angles wrap at 32 bits.
+ * options.c - options (options.h). Integer arithmetic only: each frame an option's offset moves by the remaining
+ * distance divided by the frames left, so it reaches its target exactly on time. Angles wrap at 32 bits.
  */
 #include "options.h"
 #include "../base/trig.h"
@@ -74,8 +74,8 @@ void options_drop_of(struct options *o, uint32_t p, uint32_t index)
     slots_trim(&o->s);
 }
 
-/* Appends the ship's position to its path. A ship at rest adds nothing; after a jump the whole path is the position it
- * jumped to. */
+/* Appends the ship's position to its path. A ship at rest appends nothing. After a jump, every entry is the position
+ * the ship jumped to. */
 static void keep_way(struct option_ways *w, uint32_t p, const struct option_ship *ship)
 {
     fx *x = w->x + p * OPTION_WAY, *y = w->y + p * OPTION_WAY;

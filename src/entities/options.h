@@ -13,7 +13,7 @@ enum {
     MAX_OPTIONS = 256,
     OPTION_PLACES = 16, /* maximum per ship */
     OPTION_LEVELS = 16,
-    OPTION_WAY = 256, /* past positions stored per ship, a power of two */
+    OPTION_WAY = 256, /* positions stored per ship; a power of two */
 
     OPTION_HIDDEN = 1 << 0
 };
@@ -35,7 +35,7 @@ struct option_plan {
     uint32_t apart;  /* OPTION_TRAIL: frames of flight between two options */
     fx wide, close;  /* OPTION_ORBIT: radius, unfocused and focused */
     ang spin;        /* rotation per frame */
-    uint32_t levels; /* ascending by `at` */
+    uint32_t levels; /* number of levels; they are sorted by `at`, ascending */
     struct option_level level[];
 };
 
@@ -54,8 +54,8 @@ struct options {
     uint8_t *player, *index; /* 0-based */
     uint8_t *bank, *flags;   /* flags: OPTION_ */
     uint32_t *born;          /* clock at spawn */
-    /* Its position relative to the ship: current, target, and frames left to reach it. px, or for OPTION_ORBIT radius
-     * and angle. */
+    /* Position relative to the ship: current, target, and frames left to reach the target. In px; with OPTION_ORBIT, a
+     * radius and an angle. */
     int32_t *at, *to; /* 2 per slot */
     uint32_t *left;
 };
@@ -78,14 +78,14 @@ struct option_ship {
 
 extern const struct chip options_chip, option_kinds_chip, option_ways_chip;
 
-/* Returns the level at that register value, or NULL when there is none yet. */
+/* Returns the level that applies at a register value, or NULL when the value is below the first level's. */
 const struct option_level *options_level(const struct option_plan *plan, int64_t value);
 
 /* Spawns option `index` of player p at the ship; returns its slot, or NO_SLOT when the pool is full. */
 int32_t options_add(struct options *o, const struct option_kinds *kinds, uint16_t kind, uint32_t p, uint32_t index,
                     fx x, fx y, uint32_t clock);
 
-/* Drops player p's options from `index` on. */
+/* Despawns player p's options whose index is `index` or higher. */
 void options_drop_of(struct options *o, uint32_t p, uint32_t index);
 
 /* Moves player p's options by one frame, after the ship has moved. */

@@ -83,7 +83,7 @@ void player_leave(struct player *p, uint32_t i)
     player_place(p, i, PARK, PARK);
 }
 
-/* Selects the picture for the direction of flight, if the kind has pictures. */
+/* Selects the picture for the horizontal direction, if the kind has pictures and no script has chosen one. */
 static void bank(struct player *p, const struct player_kinds *kinds, uint32_t i, int dx)
 {
     uint16_t kind = p->kind[i];
@@ -110,7 +110,7 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
     fx speed = p->flags[i] & PLAYER_FOCUS ? kinds->focus[kind] : kinds->speed[kind];
     if (dx && dy)
         speed = fx_mul(speed, PLAYER_DIAGONAL);
-    p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* a clamp is a teleport: the way there is not swept */
+    p->was_x[i] = fx_clamp(p->x[i], area->x0, area->x1); /* clamping moves the ship without a sweep */
     p->was_y[i] = fx_clamp(p->y[i], area->y0, area->y1);
     p->x[i] = fx_clamp(p->was_x[i] + dx * speed, area->x0, area->x1);
     p->y[i] = fx_clamp(p->was_y[i] + dy * speed, area->y0, area->y1);

@@ -16,15 +16,15 @@ enum {
     PLAYER_NO_FIRE = 1 << 1, /* the game ignores fire, bomb and special */
     PLAYER_STANDS = 1 << 2,  /* the game ignores movement and focus */
 
-    PLAYER_REGISTERS = 16, /* maximum per kind, and of the run */
+    PLAYER_REGISTERS = 16, /* maximum number of registers of a kind, and of the run */
     PLAYER_FULL_RUN = 128, /* in column `full`: offset for registers of the run */
     MOST_LIVES = 99,
-    PICTURE_ROW = -1, /* radius of rows that are not kinds but hold a picture of a kind before them */
+    PICTURE_ROW = -1, /* `radius` of a row that is not a kind but holds a picture of the kind declared after it */
 
     PLAYER_FOCUS = 1 << 0, /* moving slowly */
     PLAYER_FLIP = 1 << 1,  /* left and right exchanged */
     PLAYER_HIDDEN = 1 << 2,
-    PLAYER_POSED = 1 << 3,    /* its picture is chosen by a script; otherwise by its movement */
+    PLAYER_POSED = 1 << 3,    /* a script has chosen the picture; otherwise the movement does */
     PLAYER_PICTURE = 15 << 4, /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
     PLAYER_PICTURE_ONE = 1 << 4,
     PLAYER_PICTURES = 15,
@@ -45,8 +45,8 @@ struct player_kinds {
     uint8_t *registers;         /* number of its registers */
     uint16_t *deathbomb;        /* frames after a hit in which a bomb saves the player */
     uint8_t *bomb, *bomb_focus; /* bomb + 1, unfocused and focused, defined by the board; 0: none */
-    fx *magnet;                 /* px: items within this distance are attracted; NULL (and the next three NULL): not
-                                 * declared */
+    fx *magnet;                 /* px: items within this distance are attracted; NULL, like the next three columns: the
+                                 * game has no items */
     fx *line;                   /* y in px at or above which all items are attracted; FX_MIN: none */
     fx *pull;                   /* px/frame at which attracted items fly */
     uint8_t *full;              /* register + 1, or PLAYER_FULL_RUN + a register of the run: at its maximum, all
@@ -56,44 +56,45 @@ struct player_kinds {
 struct player {
     struct slots s;
     uint8_t *in;   /* PLAYER_IN, PLAYER_NO_FIRE and PLAYER_STANDS; 0: not in the game */
-    uint32_t *gen; /* incremented when the player leaves, up to GENERATIONS: handles from earlier games are dead */
+    uint32_t *gen; /* incremented when the player leaves, up to GENERATIONS, which invalidates handles from earlier
+                    * games */
     uint16_t *kind;
     fx *x, *y;
     fx *was_x, *was_y; /* before this frame's move; hit tests sweep from there */
-    int32_t *lives;    /* left, not counting the one in play */
+    int32_t *lives;    /* lives left, not counting the one in play */
     uint32_t *safe;    /* frames of invulnerability left */
     uint32_t *grazes;
     int64_t *score;
     uint8_t *flags;    /* PLAYER_ */
-    uint16_t *hit;     /* frames left in which a bomb saves it from the hit; 0: it was not hit */
-    uint32_t *bombing; /* frames left of its bomb */
+    uint16_t *hit;     /* frames left in which a bomb saves the player from a hit; 0: not hit */
+    uint32_t *bombing; /* frames left of the player's bomb */
     int64_t *bomb;     /* the scope of that bomb, defined by the board */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
 
-/* Returns whether player i has been in 2^30 - 2 games. It must not join again, because a handle could then mean another
- * game's player. */
+/* Returns whether player i has been in 2^30 - 2 games. Such a player must not join again, because a handle from an
+ * earlier game could then refer to the new player. */
 bool player_retired(const struct player *p, uint32_t i);
 
-/* Adds player i (0 or 1) to the game with that kind, at (x, y), with a new game's lives and score. */
+/* Adds player i (0 or 1) to the game with a ship of this kind at (x, y), and with the lives and score of a new game. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
 void player_leave(struct player *p, uint32_t i);
 
 /* Returns the buttons the game ignores (PAD_ bits). */
 unsigned player_withheld(const struct player *p, uint32_t i);
 
-/* Moves a player to (x, y) without sweeping over the way there. */
+/* Moves a player to (x, y) without sweeping the path. */
 void player_place(struct player *p, uint32_t i, fx x, fx y);
 
-/* Returns the sprite it shows. */
+/* Returns the sprite that player i shows. */
 uint16_t player_picture(const struct player *p, const struct player_kinds *kinds, uint32_t i);
 
 /* Counts down the invulnerability frames. Called at the start of a frame, so `safe = n` lasts n frames, including the
  * present one. */
 void player_count_down(struct player *p);
 
-/* Moves both players by their held buttons (PAD_ bits), inside area; one that was hit does not move. */
+/* Moves both players by their held buttons (PAD_ bits), inside area. A player that was hit does not move. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
 
 #endif

@@ -1,6 +1,6 @@
 /*
- * registers.c - counters of ships and of the run (registers.h). Registers that do not drain cost no time: in most games
- * none drains, and registers_drain is never called.
+ * registers.c - counters of ships and of the run (registers.h). Most games have no registers that drain; they never
+ * call registers_drain.
  */
 #include "registers.h"
 #include "../base/int.h"
@@ -43,7 +43,7 @@ struct register_rule registers_rule(const struct registers *r, uint32_t row)
                                    at[RULE_DRAIN], at[RULE_EVERY], at[RULE_HOLD] };
 }
 
-/* Returns whether a register changed against its drain. */
+/* Returns whether the change from `was` to `is` goes against the drain. */
 static bool against(int32_t drain, int32_t was, int32_t is)
 {
     return drain < 0 && drain != DRAIN_FOREVER ? is < was : is > was;

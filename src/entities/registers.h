@@ -1,8 +1,8 @@
 /*
  * registers.h - named counters of ships and of the run: power, bombs, a gauge, a chain, rank.
  *
- * A list of rows, which grows only while scripts load. The registers of a kind of ship are consecutive rows, and so are
- * those of the run. A row has its rule and a value for each player; the run's registers use the value of player 0.
+ * A list of rows, which grows only while scripts load. The registers of a kind of ship are in consecutive rows; so are
+ * the run's registers. A row has a rule and a value for each player; the run's registers use the value of player 0.
  */
 #ifndef ENTITIES_REGISTERS_H
 #define ENTITIES_REGISTERS_H
@@ -13,16 +13,16 @@
 #include "../base/slots.h"
 
 enum {
-    DRAIN_FOREVER = INT32_MIN, /* value of `drain`: drops back to the start value at once */
+    DRAIN_FOREVER = INT32_MIN, /* value of `drain`: the register returns to its start value at once */
     REGISTER_MOST = INT32_MAX, /* value of `most`: no maximum */
-    REGISTERS = 64,            /* default number of rows, unless rom.lua sets it */
+    REGISTERS = 64,            /* number of rows, unless rom.lua sets it */
     MAX_REGISTERS = 1024
 };
 
 /* Declared by a script. */
 struct register_rule {
     int32_t start, least, most;
-    int32_t drain; /* amount it loses every `every` frames; negative: it gains; or DRAIN_FOREVER */
+    int32_t drain; /* amount subtracted every `every` frames (negative: added), or DRAIN_FOREVER */
     int32_t every;
     int32_t hold; /* frames without draining after a write against the drain */
 };
@@ -33,9 +33,9 @@ struct registers {
     struct slots s;
     int32_t *rule;         /* RULE_FIELDS per row */
     int32_t *value;        /* PADS per row */
-    int32_t *wait;         /* PADS per row: frames until it drains again */
+    int32_t *wait;         /* PADS per row: frames until the register drains again */
     uint32_t first, count; /* the run's rows */
-    uint32_t drains;       /* number of rows that drain */
+    uint32_t drains;       /* number of rows whose rule has a drain */
 };
 
 extern const struct chip registers_chip;
@@ -49,16 +49,16 @@ static inline int32_t registers_get(const struct registers *r, uint32_t row, uin
     return r->value[row * PADS + p];
 }
 
-/* Sets a register to v, clamped to its range. */
+/* Sets a register to v, clamped to its range. A change against the drain starts the hold time. */
 void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v);
 
-/* Returns whether a register is at its maximum; false if it has none. */
+/* Returns whether a register is at its maximum; false if the register has no maximum. */
 bool registers_full(const struct registers *r, uint32_t row, uint32_t p);
 
-/* Resets n rows from `first` on to their start values for player p, for a new game. */
+/* Resets player p's values of n rows, starting at row `first`, for a new game. */
 void registers_start(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
-/* Drains n rows from `first` on for player p by one frame. */
+/* Drains player p's values of n rows, starting at row `first`, by one frame. */
 void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
 #endif

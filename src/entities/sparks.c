@@ -19,7 +19,7 @@ static const struct column columns[] = {
 const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
 const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-/* Sets the start position of spark k of a burst; *outwards: the angle to add to its direction. */
+/* Sets the start position of spark k of a burst, in slot i, and sets *outwards to the angle to add to its direction. */
 static void start(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
 {
     fx x = 0, y = 0;

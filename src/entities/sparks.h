@@ -15,8 +15,8 @@ enum {
     SPARK_BLEND = 3 << 4, /* blend mode in units of SPARK_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     SPARK_BLEND_ONE = 1 << 4,
     SPARK_UNDER = 1 << 6, /* drawn under players and bullets */
-    SPARK_BANKS = 8       /* maximum banks over a lifetime: all but the first are in rows after the kind's, with life
-                           * 0 */
+    SPARK_BANKS = 8       /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
+                           * after the kind's, which have life 0 */
 };
 
 /* Declared by spark.def. */
@@ -39,9 +39,10 @@ struct sparks {
 
 struct spark_burst {
     fx x, y, speed;
-    ang dir, spread;     /* thrown within dir +- spread/2; UINT32_MAX: full circle */
-    fx radius;           /* of a ring to start on, evenly spaced and thrown outwards, turned by dir; 0: none */
-    fx along_x, along_y; /* a line to start on, evenly spaced, from (x, y) on, both ends included */
+    ang dir, spread;     /* directions are within dir +- spread/2; spread UINT32_MAX: full circle */
+    fx radius;           /* radius of a ring on which sparks start evenly spaced, flying outwards, turned by dir; 0:
+                          * none */
+    fx along_x, along_y; /* vector of a line from (x, y) on which sparks start evenly spaced, both ends included */
     uint16_t kind;
     uint32_t n;
 };
@@ -52,7 +53,7 @@ extern const struct chip sparks_chip, spark_kinds_chip;
  * that do not fit into the pool are dropped. */
 void sparks_burst(struct sparks *s, const struct spark_burst *burst);
 
-/* Returns the `bank` of a spark of that age: each of its kind's n banks applies for 1/n of the lifetime. */
+/* Returns the `bank` of a spark of that age: each of the kind's n banks applies for 1/n of the lifetime. */
 uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age);
 void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep);
 

@@ -1,5 +1,5 @@
 /*
- * sprites.c - free sprites (sprites.h). Nothing moves by itself here; the chip is just its columns.
+ * sprites.c - free sprites (sprites.h). Sprites do not move by themselves; this chip only stores them.
  */
 #include "sprites.h"
 

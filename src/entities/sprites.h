@@ -16,14 +16,14 @@ enum {
     LAYER_PLATE = LAYERS, /* a plate, which has no picture: below LAYER_OVER */
     LAYER_PLATE_FRONT,    /* above LAYER_OVER */
 
-    SPRITE_FLIP_X = 1 << 0, /* as BLIT_FLIP_X */
+    SPRITE_FLIP_X = 1 << 0, /* same value as BLIT_FLIP_X */
     SPRITE_FLIP_Y = 1 << 1,
     SPRITE_HIDDEN = 1 << 2,
     SPRITE_SCREEN = 1 << 3, /* placed on the screen instead of the field */
     SPRITE_BLEND = 3 << 4,  /* blend mode in units of SPRITE_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     SPRITE_BLEND_ONE = 1 << 4,
-    SPRITE_FOLLOW = 3 << 6, /* what it follows, in units of SPRITE_FOLLOW_ONE: 0 nothing; otherwise x and y are the
-                             * offset from its owner (1), player 1 (2) or player 2 (3) */
+    SPRITE_FOLLOW = 3 << 6, /* what the sprite follows, in units of SPRITE_FOLLOW_ONE: 0 nothing; otherwise x and y are
+                             * the offset from its owner (1), player 1 (2) or player 2 (3) */
     SPRITE_FOLLOW_ONE = 1 << 6,
     FOLLOW_OWNER = 1,
     FOLLOW_PLAYER = 2 /* + the player's index */
@@ -38,7 +38,7 @@ struct sprites {
     uint8_t *flags;
     uint32_t *born;     /* clock at spawn; of a plate: its height, px */
     int64_t *owner;     /* entity or scope it despawns with, defined by the board; 0: none */
-    uint32_t following; /* 0: no sprite follows anything */
+    uint32_t following; /* upper bound for the number of sprites that follow something; 0: none does */
 };
 
 extern const struct chip sprites_chip;

@@ -96,8 +96,8 @@ size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, c
     return size;
 }
 
-/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `room` bytes for
- * that ROM. */
+/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `room` bytes to
+ * unpack the ROM into. */
 static bool look_at(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size, size_t room,
                     size_t *board, size_t *all, char *err, size_t err_size)
 {
@@ -204,7 +204,7 @@ void curtain_close(struct curtain *c)
     c->board = NULL;
 }
 
-/* ---- a frame ---- */
+/* ---- frames ---- */
 
 static unsigned events_of(struct curtain *c)
 {
@@ -280,7 +280,7 @@ const char *curtain_asked(const struct curtain *c)
 const char *curtain_log(const struct curtain *c)
 {
     const struct board_out *out = board_last(c->board);
-    struct curtain *to = (struct curtain *)c; /* only the text buffer changes, which is no part of the state */
+    struct curtain *to = (struct curtain *)c; /* changes only the text buffer, which is not part of the state */
     const size_t n = out->log_size < sizeof to->log_text ? out->log_size : sizeof to->log_text - 1;
 
     if (n > 0)
@@ -317,7 +317,7 @@ static void draw(struct curtain *c)
     if (c->drawn)
         return;
     board_draw(c->board, NULL, &c->fb, c->rgb, c->scratch);
-    for (int y = 0; y < c->fb.h; y++) /* pack the rows, in place: w bytes apart instead of pitch */
+    for (int y = 0; y < c->fb.h; y++) /* pack the rows in place: w bytes apart instead of pitch */
         memmove(c->fb.pix + (size_t)y * (size_t)c->fb.w, c->fb.pix + (size_t)y * (size_t)c->fb.pitch, (size_t)c->fb.w);
     c->drawn = true;
 }

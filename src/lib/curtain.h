@@ -38,8 +38,8 @@ extern "C" {
 #define CURTAIN_API
 #endif
 
-/* The API version: raised when an existing call changes, but not when calls are added. What runs depend on is
- * curtain_core(). */
+/* The API version: raised when an existing call changes, but not when calls are added. Runs depend on curtain_core(),
+ * not on this version. */
 #define CURTAIN_LIBRARY 1
 
 /* Buttons of a pad; combine them with |. */
@@ -65,21 +65,21 @@ struct curtain_config {
     const char *difficulty; /* one of the game's; NULL: the game's default */
     const char *lang;       /* language of the text, "ja"; NULL: the language the game is written in */
     const char *switches;   /* DIP switches, "coins=one pace=3"; NULL: the game's defaults */
-    const char *section;    /* practice start: "one", "one:mark", "queen/bloom"; NULL: the game from its title */
-    int lives;              /* of a practice start, 1 to 99; 0: the ship's */
+    const char *section;    /* practice start: "one", "one:mark", "queen/bloom"; NULL: the whole game, from its title */
+    int lives;              /* lives of a practice start, 1 to 99; 0: the ship's default */
     bool invincible;        /* of a practice start */
     const void *nvram;      /* score tables and saves, as returned by curtain_nvram; NULL: none yet */
     size_t nvram_size;
-    const void *demo; /* a recorded run: supplies the start, and the pads of frames called with pads NULL; NULL: none */
+    const void *demo; /* a recorded run: supplies the start, and the pads when curtain_frame gets NULL; NULL: none */
     size_t demo_size;
     size_t state_room;  /* bytes for the recorded pads of a state, 5 or more per change of pads; 0: 128 KiB */
-    uint32_t snapshots; /* snapshots held in this process, which curtain_load restores without replaying; 0: 16 */
+    uint32_t snapshots; /* snapshots held in this process; curtain_load restores them without a replay; 0: 16 */
     bool alarm;         /* ignored; remains so that old hosts compile */
 };
 
 struct curtain;
 
-/* Returns the core version, which runs depend on. Demos and states are valid for the core version that made them. */
+/* Returns the core version, which runs depend on. A demo or state is valid only for the core version that made it. */
 CURTAIN_API int curtain_core(void);
 
 /* Unpacks a ROM that will be opened more than once, so that it opens faster. Writes the plain form of a compressed or
@@ -98,16 +98,16 @@ CURTAIN_API struct curtain *curtain_open(const struct curtain_config *config, vo
 /* Closes the board and returns the memory to the host. NULL is ignored. */
 CURTAIN_API void curtain_close(struct curtain *c);
 
-/* ---- a frame ---- */
+/* ---- frames ---- */
 
 /* Events of a frame: the bits curtain_frame returns. */
 enum {
     CURTAIN_QUIT = 1 << 0,    /* the game asks to quit */
     CURTAIN_ATTRACT = 1 << 1, /* the game asks the host to show a demo: curtain_attract */
     CURTAIN_ASK = 1 << 2,     /* the game asks for one of the host's screens: curtain_asked */
-    CURTAIN_LOG = 1 << 3,     /* scripts printed, or a pool was full: curtain_log */
+    CURTAIN_LOG = 1 << 3,     /* scripts printed text, or a pool was full: curtain_log */
     CURTAIN_SAVED = 1 << 4,   /* this frame, or a loaded state, changed nvram: curtain_nvram */
-    CURTAIN_MENU = 1 << 5,    /* a menu before the game is open: a good time to show the keys */
+    CURTAIN_MENU = 1 << 5,    /* a menu that precedes the game is open: a good time to show the keys */
     CURTAIN_ENDED = 1 << 7,   /* the demo has ended */
     CURTAIN_FAULT = 1 << 6    /* an error ended the run: curtain_fault. Further frames do nothing. */
 };
@@ -125,8 +125,8 @@ CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" 
 CURTAIN_API const char *curtain_log(const struct curtain *c);     /* lines that end in \n */
 CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: what" and the traceback */
 
-/* Returns the demo the last frame asks for, or NULL when it asks for none or the ROM does not contain it. To show it,
- * pass it as the .demo of another board while this one is paused. */
+/* Returns the demo the last frame asks for, or NULL when it asks for none or the ROM does not contain that demo. To
+ * show the demo, pass it as the .demo of another instance while this one is paused. */
 CURTAIN_API const void *curtain_attract_demo(const struct curtain *c, size_t *size);
 
 /* ---- picture and sound ---- */
@@ -134,13 +134,13 @@ CURTAIN_API const void *curtain_attract_demo(const struct curtain *c, size_t *si
 CURTAIN_API int curtain_width(const struct curtain *c);
 CURTAIN_API int curtain_height(const struct curtain *c);
 
-/* Returns the picture of the last frame, width x height palette indices, row by row; and its palette of 256 colours,
- * 0xRRGGBB. Each frame is drawn on the first call, so frames that are not shown cost no drawing. */
+/* curtain_picture returns the last frame as width x height palette indices, row by row; curtain_palette returns its 256
+ * colours, 0xRRGGBB. A frame is drawn on the first call of either, so frames that are not shown are never drawn. */
 CURTAIN_API const uint8_t *curtain_picture(struct curtain *c);
 CURTAIN_API const uint32_t *curtain_palette(struct curtain *c);
 
-/* Writes the next stereo frames of the last frame's sound (800 in all, at 48 kHz, left first), at most `frames`, and
- * returns how many it wrote. Sound not read before the next curtain_frame is lost. */
+/* Writes the next sample pairs (left, right) of the last frame's sound to lr, at most `frames` pairs, and returns the
+ * number of pairs written. A frame has 800 pairs, at 48 kHz. Sound not read before the next curtain_frame is lost. */
 CURTAIN_API size_t curtain_sound(struct curtain *c, int16_t *lr, size_t frames);
 
 /* ---- the game and the run ---- */
@@ -150,8 +150,8 @@ CURTAIN_API const char *curtain_id(const struct curtain *c);
 CURTAIN_API int curtain_players(const struct curtain *c); /* 1 or 2 */
 
 /* Choices for a configuration. curtain_difficulty returns the i-th difficulty, easiest first (-1: the game's default),
- * or NULL when there is none. curtain_switches gets the i-th DIP switch and its current value, curtain_switch_value its
- * k-th possible value; both return false when there is none. */
+ * or NULL when there is none. curtain_switches gets the i-th DIP switch and its current value, curtain_switch_value the
+ * k-th possible value of the i-th DIP switch; both return false when there is none. */
 struct curtain_switch {
     char name[16], value[16];
 };
@@ -166,15 +166,15 @@ CURTAIN_API uint64_t curtain_hash(const struct curtain *c);
 
 /* Returns the score tables and saves, for the host to store between runs. The bytes are the same on every machine. */
 CURTAIN_API const void *curtain_nvram(const struct curtain *c, size_t *size);
-CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* its maximum size in bytes */
+CURTAIN_API size_t curtain_nvram_room(const struct curtain *c); /* maximum size of nvram in bytes */
 
-/* Gets the position of player i's ship (0 or 1), for hosts that steer it by touch, mouse or program. This does not
- * affect the run: such hosts, too, steer by the pads they pass. Lengths are in 1/256 px of the field, whose pixels are
- * those of the picture. Returns false, with all fields 0, when that player is not in play. */
+/* Gets the position of player i's ship (0 or 1), for hosts that steer it by touch, mouse or program. The call does not
+ * affect the run; the host still steers through the pads it passes. Lengths are in 1/256 px, in field coordinates; the
+ * field and the picture have the same scale. Returns false, with all fields 0, when that player is not in play. */
 struct curtain_ship {
-    bool steers;                      /* its buttons move it: not frozen, in dialogue or just hit */
+    bool steers;                      /* its buttons move it: it is not frozen, in dialogue or just hit */
     int32_t x, y;                     /* its centre */
-    int32_t speed, slow;              /* distance it moves in a frame; the same with CURTAIN_FOCUS */
+    int32_t speed, slow;              /* distance it moves per frame, without and with CURTAIN_FOCUS */
     int32_t left, top, right, bottom; /* limits of its centre */
 };
 CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out);
@@ -182,10 +182,10 @@ CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_shi
 /* ---- states ----
  *
  * A state contains how the run started and the pads so far, so every machine can load it. When this process still has a
- * snapshot of that frame (.snapshots: the last states saved, and some frames along the way), loading takes
- * microseconds; otherwise the run is replayed from the nearest snapshot, at about 10,000 frames a second. Bytes that
- * are damaged, belong to another game or core version, or are not a state at all are refused; untrusted bytes do no
- * harm. */
+ * snapshot of that frame (curtain_save takes one, and so does every 600th frame; .snapshots limits their number),
+ * loading takes microseconds; otherwise the run is replayed from the nearest snapshot, at about 10,000 frames a second.
+ * Bytes that are damaged, belong to another game or core version, or are not a state at all are refused; loading
+ * untrusted bytes is safe. */
 
 /* Returns a buffer size large enough for every state of this game. */
 CURTAIN_API size_t curtain_state_size(const struct curtain *c);
@@ -194,12 +194,12 @@ CURTAIN_API size_t curtain_state_size(const struct curtain *c);
  * .state_room holds. */
 CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size);
 
-/* Loads a state. Returns false, and changes nothing, when it cannot. */
+/* Loads a state. Returns false, and changes nothing, when the state cannot be loaded. */
 CURTAIN_API bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size);
 
-/* Returns the run as a demo, which every Curtain can play and verify; replays the run to make it, then restores the
- * board. Free the memory with curtain_demo_free. Returns NULL when memory is short, the run has more changes of pads
- * than .state_room holds, or the replay stops early. */
+/* Returns the run so far as a demo, which every Curtain can play and verify. Replays the run to record the demo, then
+ * restores the board. Free the demo with curtain_demo_free. Returns NULL when memory is short, the run has more changes
+ * of pads than .state_room holds, or the replay stops early. */
 CURTAIN_API void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size);
 CURTAIN_API void curtain_demo_free(void *demo);
 

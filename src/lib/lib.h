@@ -15,10 +15,10 @@ enum {
     LIB_STATE_ROOM = 128 << 10, /* defaults for config.state_room and config.snapshots */
     LIB_SNAPSHOTS = 16,
     LIB_MOST_SNAPSHOTS = 4096,
-    LIB_KEY = 600 /* frames between snapshots taken along the way */
+    LIB_KEY = 600 /* frames between key snapshots, which are taken during play */
 };
 
-/* A saved frame: the board after `frame` ticks, when the pads log had this digest. */
+/* A saved frame: the board after `frame` ticks, and the digest of the pads log at that frame. */
 struct lib_snapshot {
     uint32_t frame;
     uint64_t digest;
@@ -26,7 +26,7 @@ struct lib_snapshot {
     uint8_t *at;
 };
 
-/* How a run starts, in full; pointers in board_start point into `nvram`. */
+/* Everything that determines how a run starts. start.nvram points to `nvram`, or is NULL. */
 struct lib_start {
     struct board_start start;
     uint8_t *nvram; /* `room` bytes */
@@ -38,7 +38,7 @@ struct curtain {
     struct rom rom;
     struct cart cart;
     uint64_t game_hash;
-    struct lib_start begin, spare; /* of this run; of a state that is being read */
+    struct lib_start begin, spare; /* start of this run; buffer for the start in a state that is being read */
     struct board *board;
     uint8_t *ram, *scratch, *tables; /* tables NULL: the game has no sound */
     size_t ram_size;
@@ -48,15 +48,15 @@ struct curtain {
     bool sounding; /* lr holds this frame's sound */
     size_t taken;  /* stereo frames of lr the host has read */
     int16_t lr[2 * BOARD_SOUND];
-    uint32_t writes;               /* writes to nvram, as last reported */
-    bool saved;                    /* nvram changed since then, because a state restored its own */
+    uint32_t writes;               /* number of writes to nvram when last checked */
+    bool saved;                    /* loading a state has changed nvram, which the next frame reports */
     struct demo demo;              /* the demo that is playing; frames 0: none */
-    struct pads_log log, other;    /* of this run; buffer for the log of a state that is being loaded */
-    struct lib_snapshot *snapshot; /* n of them: the first `keys` are taken along the way, the rest with saved states */
+    struct pads_log log, other;    /* log of this run; buffer for the log of a state that is being loaded */
+    struct lib_snapshot *snapshot; /* n of them: the first `keys` are key snapshots, the others are of saved states */
     uint32_t n, keys;
     uint64_t clock; /* counts uses of snapshots */
     uint8_t *before,
-        *before_out; /* a snapshot and the last frame's output, to restore when a state turns out to be bad */
+        *before_out; /* snapshot and output of the current frame, restored after curtain_demo and when a load fails */
     char log_text[LOG_BYTES + 4096];
     char fault[sizeof(struct board_fault)];
 };
@@ -68,19 +68,20 @@ struct curtain {
 bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
                   const struct demo *demo, char *err, size_t err_size);
 
-/* The start as bytes: its maximum size, writing it, and reading it. */
+/* The start in serialized form. lib_start_room returns its maximum size in bytes, lib_start_write the size written.
+ * lib_start_read returns false when the bytes are not a valid start. */
 size_t lib_start_room(const struct lib_start *s);
 size_t lib_start_write(const struct lib_start *s, uint8_t *out);
 bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size);
 
 /* ---- curtain.c ---- */
 
-/* Powers the board up again from c->begin. Returns false when Lua cannot start. */
+/* Powers the board up from c->begin. Returns false and sets err when Lua cannot start. */
 bool lib_power(struct curtain *c, char *err, size_t err_size);
 
 /* ---- states.c ---- */
 
-/* Takes a snapshot of the current frame, if one is due along the way. */
+/* Takes a key snapshot of the current frame if one is due (every LIB_KEY frames). */
 void lib_keep_key(struct curtain *c);
 
 #endif

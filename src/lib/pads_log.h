@@ -1,9 +1,9 @@
 /*
  * pads_log.h - the pads of a run so far, run-length encoded in a fixed amount of memory.
  *
- * Consecutive frames with the same pads are stored as one entry: their number as a varint (7 bits a byte, lowest
- * first), then a little-endian u16 for each pad. `digest` hashes the start of the run and each frame's pads, so two
- * logs with the same digest at a frame are identical up to that frame.
+ * Consecutive frames with the same pads are stored as one entry: the number of frames as a varint (7 bits a byte,
+ * lowest first), then a little-endian u16 for each pad. `digest` hashes the start of the run and each frame's pads, so
+ * two logs with the same digest at a frame are identical up to that frame.
  */
 #ifndef LIB_PADS_LOG_H
 #define LIB_PADS_LOG_H
@@ -20,11 +20,11 @@ enum {
 };
 
 struct pads_log {
-    uint8_t *bytes; /* `room` bytes, owned by the caller: the finished entries */
+    uint8_t *bytes; /* the finished entries; `room` bytes, owned by the caller */
     size_t room, used;
     uint16_t pads[PADS]; /* of the current entry */
     uint32_t run;        /* frames of the current entry so far */
-    uint32_t frames;     /* in total */
+    uint32_t frames;     /* all frames logged */
     uint64_t digest;
     bool full; /* entries were dropped, or PADS_LOG_FRAMES exceeded: the log is incomplete */
 };
@@ -42,13 +42,13 @@ static inline uint64_t pads_log_fold(uint64_t digest, const uint16_t pads[PADS])
 /* Writes the whole log to out, at most log->room + PADS_LOG_RUN bytes; returns the number written. */
 size_t pads_log_write(const struct pads_log *log, uint8_t *out);
 
-/* A reader of such bytes, followed by the log's current entry. */
+/* Reads the entries of a log: first the finished ones, then the current one. */
 struct pads_run {
     const uint8_t *at, *end;
     uint16_t last_pads[PADS];
-    uint32_t last; /* frames of the current entry; 0: none */
+    uint32_t last; /* frames of the log's current entry; 0: none, or already read */
     uint16_t pads[PADS];
-    uint32_t frames; /* of the entry read last */
+    uint32_t frames; /* frames of the last entry read */
 };
 struct pads_run pads_log_read(const struct pads_log *log);
 

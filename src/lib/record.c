@@ -1,5 +1,5 @@
 /*
- * record.c - a run as a demo: replays the run, hashing every frame, then restores the board.
+ * record.c - makes a demo of a run: replays the run, hashing every frame, then restores the board.
  */
 #include <stdlib.h>
 #include "../base/err.h"

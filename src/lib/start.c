@@ -1,5 +1,5 @@
 /*
- * start.c - how a run starts: from a host's configuration, and as the bytes in a state.
+ * start.c - how a run starts: read from a host's configuration, a demo or a state, and written to a state.
  */
 #include <string.h>
 #include "../base/bytes.h"
@@ -7,7 +7,7 @@
 #include "../base/hash.h"
 #include "lib.h"
 
-enum { TEXT = 64 /* bytes of a word in a configuration, including the NUL */ };
+enum { TEXT = 64 /* capacity in bytes of a NAME=VALUE word of config.switches, including the NUL */ };
 
 static bool plain(const char *text)
 {
@@ -17,7 +17,8 @@ static bool plain(const char *text)
     return true;
 }
 
-/* Copies a string from the host. what: its name in errors, "section". */
+/* Copies a string from the host. text NULL: leaves out unchanged. what: the string's name in errors, such as
+ * "section". */
 static bool take(char *out, size_t size, const char *text, const char *what, char *err, size_t err_size)
 {
     if (!text)
@@ -70,7 +71,7 @@ static bool value_of(const struct dip *dip, const char *text, int32_t *out, char
     return true;
 }
 
-/* word: "NAME=VALUE" */
+/* Sets the DIP switch that word, "NAME=VALUE", names. Overwrites the '=' in word with a NUL. */
 static bool set_switch(struct board_start *start, const struct manifest *m, char *word, char *err, size_t err_size)
 {
     char *equals = strchr(word, '=');
@@ -84,7 +85,7 @@ static bool set_switch(struct board_start *start, const struct manifest *m, char
     return err_set(err, err_size, "switches: unknown switch \"%s\"", word);
 }
 
-/* text: "coins=one pace=3" */
+/* Sets all DIP switches to their defaults, then to the values in text: "coins=one pace=3"; NULL: none. */
 static bool switches_of(struct board_start *start, const struct manifest *m, const char *text, char *err,
                         size_t err_size)
 {
@@ -125,7 +126,7 @@ static void set_hash(struct lib_start *s)
     s->hash = hash_bytes(hash_bytes(HASH_START, head, n), s->nvram, s->start.nvram_size);
 }
 
-/* Copies the start that a demo recorded. */
+/* Copies the start recorded in a demo. */
 static bool demo_start(struct lib_start *out, const struct demo *demo, const struct cart *cart, char *err,
                        size_t err_size)
 {
@@ -162,7 +163,7 @@ bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct c
     return true;
 }
 
-/* ---- as bytes ----
+/* ---- serialized form ----
  *
  * u64 seed, i32 difficulty, 16 i32 switches, 16 bytes language, 64 bytes section, i32 lives, u8 invincible, u8
  * number of registers, 16 registers (32 bytes name, i32 value), u32 size of nvram, and its bytes. Strings are padded

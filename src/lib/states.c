@@ -1,5 +1,5 @@
 /*
- * states.c - states: how the run started and its pads, and the frames this process has saved.
+ * states.c - states (the start of a run and its pads), and the snapshots held in this process.
  *
  *      0  "CURTAINS"                    24  u32 frames             48  u32 CRC32 of all from byte 56 on
  *      8  u32 format (1)                28  u32 bytes of the start 52  u32 CRC32 of the first 52 bytes
@@ -42,8 +42,9 @@ static struct lib_snapshot *oldest(struct curtain *c, uint32_t from, uint32_t to
     return best;
 }
 
-/* Returns the key snapshot to replace: an empty or future one if there is one, otherwise the one with the smallest gap
- * between its neighbours relative to its age, so that gaps grow with age. */
+/* Returns the key snapshot to replace: an empty one, or one of a later frame than `present`, if there is one; otherwise
+ * the one with the smallest gap between its neighbours relative to its age, so that gaps between snapshots grow with
+ * age. */
 static struct lib_snapshot *least_missed(struct curtain *c, uint32_t present)
 {
     struct lib_snapshot *best = NULL;
@@ -86,16 +87,16 @@ void lib_keep_key(struct curtain *c)
 
 /* ---- seeking ---- */
 
-/* Where to start replaying: the last frame of the pads that has a snapshot or that the board is at; otherwise
- * power-on. */
+/* Where a replay starts: at the last of its frames that has a snapshot or is the board's current frame (`present`), or
+ * at power-on when there is none. */
 struct from {
     struct lib_snapshot *snapshot;
     bool present;
     uint32_t frame;
 };
 
-/* Finds the frame to start replaying the pads from. begin: the hash of how their run began. now: the log whose end the
- * board is at; NULL: the board's current frame cannot be used. */
+/* Finds the frame to start replaying the pads from. begin: the hash of the start of the pads' run. now: the log of the
+ * board's run up to its current frame; NULL: the current frame cannot be used. */
 static struct from search(struct curtain *c, struct pads_run pads, uint64_t begin, const struct pads_log *now)
 {
     struct pads_log empty = { 0 };
@@ -117,7 +118,7 @@ static struct from search(struct curtain *c, struct pads_run pads, uint64_t begi
     return from;
 }
 
-/* Brings the board to that frame. Returns false when the run cannot start like that. */
+/* Puts the board at the frame to replay from. Returns false and sets err when the run cannot be powered up. */
 static bool set_out(struct curtain *c, const struct from *from, char *err, size_t err_size)
 {
     c->drawn = c->sounding = false;
@@ -127,14 +128,15 @@ static bool set_out(struct curtain *c, const struct from *from, char *err, size_
     } else if (!from->present) {
         struct board *was = c->board;
         if (!lib_power(c, err, err_size)) {
-            c->board = was; /* the same memory: it is valid again only after a restore */
+            c->board = was; /* in the memory that lib_power has overwritten; valid again only after a restore */
             return false;
         }
     }
     return true;
 }
 
-/* Replays the pads from that frame on; afterwards c->log is their log. */
+/* Replays the pads after frame from->frame; c->log becomes the log of all the pads. Returns false and sets err on
+ * failure. */
 static bool go(struct curtain *c, struct pads_run pads, const struct from *from, char *err, size_t err_size)
 {
     pads_log_begin(&c->log, c->begin.hash);
@@ -223,8 +225,8 @@ static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct
     return length <= c->log.room ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
 }
 
-/* Returns a hash of nvram, and the number of writes to it. Writes to nvram during a load are reported like those of a
- * frame. */
+/* Returns a hash of nvram, and sets *writes to the number of writes to nvram. If the hash differs after a load, the
+ * next frame reports CURTAIN_SAVED. */
 static uint64_t hash_of_saves(const struct curtain *c, uint32_t *writes)
 {
     size_t size;

@@ -11,7 +11,7 @@
 enum {
     MAX_PARTS = 64,       /* state hashes in a track, one per part; a uint64_t holds a set of parts: 1 << part */
     NVRAM_MOST = 1 << 20, /* bytes, the largest NVRAM image (nvram.h); a game's own limit is board.nvram */
-    MAX_TEXT = 65536      /* bytes in a script string; a longer one raises FAULT_MEMORY */
+    MAX_TEXT = 65536      /* most bytes in a script string; a longer string raises FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -36,12 +36,12 @@ enum { PRACTICE_REGISTERS = 16, PRACTICE_LIVES = 99 };
 struct practice {
     char section[64]; /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
     int32_t lives;    /* total lives, 1 to PRACTICE_LIVES, counted as in player.def; 0: the ship kind's default */
-    bool invincible;  /* nothing hits a player: bullets pass through; grazes still count */
+    bool invincible;  /* players cannot be hit: bullets pass through them; grazes still count */
     int32_t registers;
     struct {
         char name[32];
         int32_t value;
-    } reg[PRACTICE_REGISTERS]; /* starting values of the ship's registers; `registers` entries are used */
+    } reg[PRACTICE_REGISTERS]; /* starting values of the ship's registers; the first `registers` entries are used */
 };
 
 /* Every input of a board other than ROM and pads; the demo header stores all fields. Zero is a good default for every
@@ -66,24 +66,24 @@ enum board_ask { ASK_SETTINGS, ASK_REPLAYS, ASK_PRACTICE, ASK_KEYS, ASKS };
 enum board_marker_kind {
     MARKER_STAGE, /* a stage starts; name: the stage */
     MARKER_MARK,  /* stage.mark; name: the mark, of: the stage */
-    MARKER_WAVE,  /* stage.wave; name: the kind of its enemies */
-    MARKER_BOSS,  /* a boss flies in; name and title: the boss's */
-    MARKER_PHASE, /* a boss phase starts; name: the phase's id, of: the boss, title: its spell */
+    MARKER_WAVE,  /* a wave starts (stage.wave); name: the kind of the wave's enemies */
+    MARKER_BOSS,  /* a boss flies in; name: the boss, title: the boss's title */
+    MARKER_PHASE, /* a boss phase starts; name: the phase's id, of: the boss, title: the phase's spell */
     MARKER_DEATH, /* a player dies; name: "1" or "2" */
     MARKER_CLEAR, /* a stage was completed; name: the stage */
-    MARKER_WON,   /* a phase was beaten; name: its id, of: the boss */
-    MARKER_LOST,  /* a phase ended without being beaten; name: its id, of: the boss */
+    MARKER_WON,   /* a phase was beaten; name: the phase's id, of: the boss */
+    MARKER_LOST,  /* a phase ended without being beaten; name: the phase's id, of: the boss */
     MARKER_START, /* the section of a practice start begins or restarts */
 
     /* only in the output of PRACTICE_LIST, which also reports stages, marks, bosses and phases */
-    MARKER_SHIP,     /* a ship; name: its kind, value: total lives. Practice uses the first ship */
-    MARKER_REGISTER, /* a register of the first ship; its name and value */
+    MARKER_SHIP,     /* a ship; name: the ship's kind, value: total lives. Practice uses the first ship listed */
+    MARKER_REGISTER, /* a register of the first ship; name and value: those of the register */
     MARKER_LISTED,   /* the list is complete */
 
     /* markers of a run, continued */
     MARKER_GAME, /* a game starts; name: the kind of the first player's ship, value: number of players */
     MARKER_OVER, /* a game ends; name: "clear" (all stages), "over" (no lives) or "quit", value: stages cleared */
-    MARKER_ROW,  /* a score is entered; name: the table, of: the ship, value: the row in its table, 1 is the best */
+    MARKER_ROW,  /* a score is entered; name: the table, of: the ship, value: row in the ship's table, 1: best */
     MARKER_KINDS
 };
 
@@ -93,15 +93,16 @@ static inline bool board_marks_run(enum board_marker_kind kind)
     return kind < MARKER_SHIP || kind > MARKER_LISTED;
 }
 
-enum { BOARD_MARKERS = 16 /* most markers per tick; the rest are dropped */ };
+enum { BOARD_MARKERS = 16 /* most markers per tick; further ones are dropped */ };
 struct board_marker {
     enum board_marker_kind kind;
     int32_t value;
     char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
-/* A pool that was full for the first time in this run. line: the log line, starting with the script's "FILE:LINE: ". */
-enum { FULLS = 13 /* pools that can be full */, LOG_BYTES = 4096 };
+/* A pool that refused an entity for the first time in this run. line: the log line, starting with the "FILE:LINE: " of
+ * the script. */
+enum { FULLS = 13 /* most full pools reported in a tick */, LOG_BYTES = 4096 };
 struct board_full {
     const char *part; /* "bullets" */
     char line[256];
@@ -112,8 +113,8 @@ struct board_out {
     enum board_request request;
     char attract[64];   /* name of the demo lump, with REQUEST_ATTRACT */
     enum board_ask ask; /* with REQUEST_ASK */
-    const char *log;    /* output of print in this tick, cut off after LOG_BYTES, then a line per full pool; lines end
-                             in \n */
+    const char *log;    /* output of print in this tick, cut off after LOG_BYTES, then a line for each entry of `full`;
+                             lines end in \n */
     size_t log_size;
     struct board_marker marker[BOARD_MARKERS];
     int markers;
@@ -124,14 +125,15 @@ struct board_out {
 };
 
 /* The phases of a tick. The host measures them, because the board cannot read a clock: a board_phase_done callback runs
- * at the end of each phase, in this order (without PHASE_MOTION while the game is frozen), with the host's settings set
- * aside. It must not touch the board. NULL, the value after power-on and after a restore, means no callback. */
+ * at the end of each phase, in this order (without PHASE_MOTION while the game is frozen), before the tick restores the
+ * host thread's settings (board.h). The callback must not touch the board. NULL, the value after power-on and after a
+ * restore, means no callback. */
 enum board_phase {
-    PHASE_SCRIPTS, /* input, and the tasks' turns */
-    PHASE_MOTION,  /* everything moves; entities that leave the keep box are dropped */
+    PHASE_SCRIPTS, /* reading the input, and running the tasks */
+    PHASE_MOTION,  /* moving all entities; those that leave the keep box are held, marked or removed */
     PHASE_HITS,    /* collision detection, which raises events */
-    PHASE_EVENTS,  /* the effects of events, and script event handlers */
-    PHASE_REST,    /* palette, Lua garbage collection */
+    PHASE_EVENTS,  /* applying the effects of events, and running script event handlers */
+    PHASE_REST,    /* updating the palette, collecting Lua garbage */
     PHASES
 };
 typedef void board_phase_done(void *context, enum board_phase phase);

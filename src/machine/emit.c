@@ -1,6 +1,6 @@
 /*
- * emit.c - see emit.h. The patterns match those of scripts/pattern.lua bit for bit: the same operations on doubles, in
- * the same order.
+ * emit.c - see emit.h. The patterns match those of scripts/pattern.lua bit for bit, because both use the same
+ * operations on doubles, in the same order.
  */
 #include "emit.h"
 #include <assert.h>
@@ -14,8 +14,8 @@ void emit_none(struct board *b)
     b->output->emissions = (struct emissions){ 0 };
 }
 
-/* Grows the queue. The list of the previous frame is reused; emit_room finds it, because a restore loses the pointer.
- */
+/* Grows the queue. The first block of a frame is the one that an earlier frame allocated, if any: emit_room finds it,
+ * because a restore loses the pointer `list`. */
 static void grow(const struct board *b, struct emissions *q)
 {
     size_t size = (q->room ? 2 * q->room : FIRST_ROOM) * sizeof *q->list;
@@ -27,7 +27,8 @@ static void grow(const struct board *b, struct emissions *q)
     q->room = (uint32_t)(size / sizeof *list);
 }
 
-/* Returns whether the number refers to a named value, and stores that value in *v. */
+/* Returns whether this number of the step refers to a named value; if so, stores the value in *v, or 0 if the bullet or
+ * shot does not have it. */
 static bool named(const struct motion_emit *e, const struct emission *m, int number, fx *v)
 {
     bool is;
@@ -49,7 +50,7 @@ static double number(const struct motion_emit *e, const struct emission *m, int 
     return named(e, m, n, &v) ? fx_to_double(fx_clamp(v, -most * FX_ONE, most * FX_ONE)) : plain;
 }
 
-/* Loads the emit step, with named values replaced by their numbers. */
+/* Loads the emit step of m, with references to named values replaced by the values of m's bullet or shot. */
 static void emit_of(const struct board *b, const struct emission *m, struct motion_emit *e)
 {
     fx v;
@@ -75,7 +76,7 @@ static void emit_of(const struct board *b, const struct emission *m, struct moti
             e->value[k] = v;
 }
 
-/* Returns how many bullets it fires from the i-th on, i < n, without the skipped ones. */
+/* Returns how many bullets the step fires from bullet i on, i < n, not counting the skipped ones. */
 static uint32_t left(const struct motion_emit *e, int32_t i)
 {
     const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->last < e->n ? e->last : e->n;
@@ -175,13 +176,13 @@ void emit_way(const struct emit_figure *f, int32_t i, struct emit_way *out)
     }
 }
 
-/* The bullets of one emission: what they share, and the shape of the next one. */
+/* The bullets of one emission: the data they share, and the shape of the next bullet. */
 struct volley {
     struct motion_emit e;
     struct bullet_shape shape;
     struct emit_figure f;
-    fx x, y; /* origin */
-    bool aim;
+    fx x, y;  /* origin */
+    bool aim; /* aim each bullet at the nearest target */
 };
 
 static fx nearest(double v)
@@ -192,7 +193,7 @@ static fx nearest(double v)
     return out;
 }
 
-/* Prepares a line, which is aimed once, from its middle. */
+/* Prepares a line. If the line is aimed, all its bullets are aimed together, from the middle. */
 static void settle_line(struct board *b, const struct emission *m, struct volley *v)
 {
     const struct targets t = board_world(b, v->e.flags & EMIT_SHOTS).targets;
@@ -283,7 +284,7 @@ static void fire(struct board *b, const struct emission *m)
     for (int32_t i = 0; i < v.e.n; i++) {
         if (i + 1 >= v.e.first && i + 1 <= v.e.last)
             continue;
-        if (!fire_one(b, &v, i)) { /* the pool is full for the rest, too */
+        if (!fire_one(b, &v, i)) { /* the pool is full for the remaining bullets, too */
             emit_refuse(b, v.e.flags & EMIT_SHOTS, left(&v.e, i) - 1);
             break;
         }

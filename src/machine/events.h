@@ -10,18 +10,18 @@
 
 enum event_kind {
     EV_GRAZE, /* a: player, b: bullet or laser handle */
-    EV_HIT,   /* a: player, b: handle of what hit it */
-    EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes its damage */
+    EV_HIT,   /* a: player, b: handle of the entity that hit the player */
+    EV_SHOT,  /* a: shot handle, b: handle of the enemy or bullet that takes the shot's damage */
     EV_DEATH, /* a: player */
     EV_GAME_OVER,
     EV_KILL,     /* a: enemy handle, b: player or 0 */
     EV_LEAVE,    /* a: enemy handle */
     EV_EXTEND,   /* a: player */
     EV_TAKE,     /* a: player, b: item handle */
-    EV_BOMB,     /* a: player, b: 1 if the bomb saves it from a hit */
+    EV_BOMB,     /* a: player, b: 1 if the bomb saves the player from a hit */
     EV_CONTINUE, /* a: player */
     EV_SCRIPT,   /* a: index of the event that sys.emit queued */
-    EV_BLOCK,    /* a: handle of the bullet, which despawns, b: handle of the enemy that blocks it */
+    EV_BLOCK,    /* a: handle of the bullet, which is removed, b: handle of the enemy that blocks it */
     EV_LASER,    /* a: handle of a player's laser that touches an enemy */
     EV_FIRED,    /* a: bullet handle, b: root of the BulletML document that fired it << 32 | label + 1 */
     EV_MEET      /* last: pair n is EV_MEET + n. a, b: handles of the bullets with the pair's first and second tag */
@@ -53,7 +53,7 @@ static inline struct event events_at(const struct events *e, uint32_t i)
 }
 
 /* Appends an event. Returns false if the list is full, which ends the run: the capacity covers every event that a frame
- * can raise by itself. */
+ * can raise on its own, so only scripts can overfill the list. */
 static inline bool events_push(struct events *e, enum event_kind kind, int64_t a, int64_t b)
 {
     if (e->n == e->cap)

@@ -1,8 +1,8 @@
 /*
  * full.c - the log line of a full pool. A full pool is not an error: the new entity is not made, and `refused` is
- * incremented. Because an author who did not intend this would find the cause hard to track down, the first refusal of
- * a run is logged. Whether it was logged follows from `refused`, so a run resumed from a snapshot logs it in the same
- * frame.
+ * incremented. The first refusal of each pool in a run is logged, because an author who did not intend it would find
+ * the cause hard to track down. Whether a refusal is the first follows from `refused`, so a run resumed from a snapshot
+ * logs it in the same frame.
  */
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 struct wording {
     const struct chip *chip;
     const char *pool;
-    const char *effect; /* what a full pool causes */
+    const char *effect; /* the effect of a full pool */
     const char *set_by; /* name of the capacity in `board` of rom.lua */
 };
 
@@ -45,8 +45,8 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     return NULL;
 }
 
-/* Appends a line to the log, which has room for FULLS of them after LOG_BYTES of print output. If that output was cut
- * off, its last byte becomes \n. */
+/* Appends a line to the log, which has room for FULLS lines after LOG_BYTES of print output. If the print output was
+ * cut off, its last byte becomes \n. */
 static void add_line(struct output *o, const char *line)
 {
     size_t n = strlen(line), room = sizeof o->log - o->log_size;
@@ -92,7 +92,7 @@ void board_full(struct board *b, const struct slots *s)
 
     if (!w)
         return;
-    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* units reported per slot */
+    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* capacity units of `board` per slot */
     b->calls->where(b, place, sizeof place);
     f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
     f->part = w->chip->name;

@@ -1,6 +1,7 @@
 /*
- * handle.h - handles: integers by which scripts refer to things. Bits 63..62 are 01, followed by 30 bits of generation,
- * 8 bits of kind and 24 bits of slot. A handle is dead when its generation differs from its slot's.
+ * handle.h - handles: the integers by which scripts refer to entities, tasks, groups and other objects. Bits 63..62 are
+ * 01, followed by 30 bits of generation, 8 bits of kind and 24 bits of slot. A handle is dead when its generation
+ * differs from its slot's.
  */
 #ifndef MACHINE_HANDLE_H
 #define MACHINE_HANDLE_H
@@ -9,8 +10,8 @@
 #include <stdint.h>
 #include "../base/slots.h"
 
-/* H_GROUP, H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups (of bullets, shots and so on); their slot field is a
- * tag, 0: all. */
+/* H_GROUP (bullets), H_SHOTS, H_ENEMIES, H_ITEMS and H_LASERS are groups; their slot field holds the tag of the
+ * group's members, 0: all entities of the pool. */
 enum handle_kind {
     H_BULLET = 1,
     H_SHOT,
@@ -25,7 +26,7 @@ enum handle_kind {
     H_ITEM,
     H_ITEMS,
     H_LINE,
-    H_LAYER, /* a background layer; the slot is one of struct bg */
+    H_LAYER, /* a background layer; the slot is a slot of struct bg */
     H_PLANE,
     H_LASER,
     H_LASERS,

@@ -37,8 +37,8 @@ static uint64_t younger(uint32_t n)
     return ((uint64_t)2 << n) - 1;
 }
 
-/* Counts the frames for which buttons are held, and sets `repeated`. The count of a button that is up is 0, so only
- * buttons that are or were down need an update. */
+/* Counts the frames for which each button has been held, and sets `repeated`. now, was: buttons down in this and in the
+ * previous frame; the count of any other button is 0 already. */
 static void count_frames(struct input *in, uint32_t p, unsigned now, unsigned was)
 {
     for (unsigned m = now | was; m; m &= m - 1) {

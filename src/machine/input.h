@@ -18,28 +18,29 @@ enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES, PRESS_NOBODY = PRESS_SID
 struct input {
     struct slots s; /* a list of two entries, one per player */
     uint16_t *held;
-    uint16_t *pressed; /* down now, up in the previous frame */
+    uint16_t *pressed; /* down in this frame, up in the previous one */
     uint16_t *released;
     uint16_t *repeated; /* pressed, and again every few frames while held */
     uint32_t *since;    /* PAD_BUTTONS values per player: frames held */
-    uint64_t *presses;  /* PRESS_SIDES * PAD_BUTTONS values per player: bit k: pressed k frames ago, not yet taken */
+    uint64_t *presses;  /* PRESS_SIDES * PAD_BUTTONS values per player; bit k: pressed k frames ago, not yet taken */
 };
 
 extern const struct chip input_chip;
 
-/* Reads this frame's pads. Opposite directions held together cancel out. The frame belongs to `side`, which gets the
- * presses; those of the other side do not age. carry: buttons pressed, released and repeated in the previous frame also
- * count for this one, so a run of PRESS_NOBODY frames passes them on to the frame that follows. */
+/* Reads this frame's pads. Opposite directions held together cancel out. The frame's presses are added to the buffer of
+ * `side` (PRESS_NOBODY: to none); the other side's presses do not age. carry: buttons pressed, released and repeated in
+ * the previous frame also count in this frame, so a run of PRESS_NOBODY frames passes them on to the first frame after
+ * the run. */
 void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry);
 
 /* Clears the pressed, released and repeated buttons, so that nothing carries over into the next frame. */
 void input_done(struct input *in);
 
-/* Takes the oldest press of a button that is at most n frames old (0 to PRESS_KEPT; 0: this frame). Returns whether
- * there was one. */
+/* Takes the oldest press of a button among the presses that are at most n frames old (0 to PRESS_KEPT; 0: this frame).
+ * Returns whether there was one. */
 bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side);
 
-/* Drops all of player p's presses of these buttons (PAD_ bits). */
+/* Drops all presses of these buttons (PAD_ bits) by player p from the buffer of `side`. */
 void input_forget(struct input *in, uint32_t p, enum press_side side, unsigned buttons);
 
 #endif

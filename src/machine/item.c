@@ -1,5 +1,5 @@
 /*
- * item.c - items on the board: spawning them, and what attracts them.
+ * item.c - spawning items on the board, and how players attract them.
  */
 #include "machine.h"
 #include "../base/trig.h"
@@ -34,7 +34,8 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y)
     put(b, kind, x, y);
 }
 
-/* Returns whether the register that makes player i attract all items is at its maximum. */
+/* Returns whether player i attracts all items because of a full register: the kind of the ship may name a register
+ * that, at its maximum, has this effect. */
 static bool draws_all(const struct board *b, uint32_t i)
 {
     const uint8_t full = b->player_kinds.full[b->player.kind[i]];

@@ -36,7 +36,7 @@ static bool dangerous(const struct board *b, uint32_t i, uint32_t age)
     return s == LASER_GROW || s == LASER_ON;
 }
 
-/* Updates the end of a beam or bolt that is opposite its head. */
+/* Updates the position of the tail of a beam or bolt: the end opposite its head. */
 static void place_end(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -89,10 +89,11 @@ void lasers_remove(struct board *b, uint32_t i)
     slots_trim(&b->laser_heads.s);
 }
 
-/* ---- moves ---- */
+/* ---- moving lasers ---- */
 
-/* Stores the position of an entity now or, with `before`, before this frame's move; all others have moved when lasers
- * do. For another laser both are its position before the move, so that the order of slots does not matter. */
+/* Stores the present position of an entity or, with `before`, its position before this frame's move. Entities other
+ * than lasers have already moved. For a laser both are the position before the move, so that the order of slots does
+ * not matter. */
 static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
 {
     const struct board *b = w->context;
@@ -137,7 +138,7 @@ static struct motion_world world(const struct board *b, bool shoots)
     return w;
 }
 
-/* Stores the direction of an entity. Returns false if it has none. */
+/* Stores the direction of an entity. Returns false if entities of this kind have no direction. */
 static bool looks(const struct board *b, int64_t h, ang *dir)
 {
     const uint32_t i = handle_slot(h);
@@ -162,7 +163,7 @@ static fx within_world(int64_t v)
     return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
 }
 
-/* Moves laser i to the entity it follows. Returns false if that is dead. */
+/* Moves laser i to the entity it follows. Returns false if that entity is dead. */
 static bool follow(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -182,7 +183,7 @@ static bool follow(struct board *b, uint32_t i)
     return true;
 }
 
-/* Returns whether all of the laser is outside the keep box. */
+/* Returns whether the box around laser i's line is entirely outside the keep box. */
 static bool is_outside(const struct board *b, uint32_t i)
 {
     fx x, y, x0 = FX_MAX, y0 = FX_MAX, x1 = FX_MIN, y1 = FX_MIN;
@@ -202,7 +203,7 @@ static bool is_kept(const struct board *b, fx x, fx y)
     return x >= b->keep.x0 && x <= b->keep.x1 && y >= b->keep.y0 && y <= b->keep.y1;
 }
 
-/* Moves a bolt, which grows out of the point where it was fired. */
+/* Updates a bolt after its head moved. A bolt grows from the point where it was fired until it has its full length. */
 static void move_bolt(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -215,7 +216,7 @@ static void move_bolt(struct board *b, uint32_t i)
         l->flags[i] |= LASER_GONE;
 }
 
-/* Moves a curve. When its head has left the keep box, the head stops, and the body moves on until it has left, too. */
+/* Updates a curve after its head moved. A head that has left the keep box stops; the body follows it out. */
 static void move_curve(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -231,7 +232,7 @@ static void move_curve(struct board *b, uint32_t i)
         l->flags[i] |= LASER_GONE;
 }
 
-/* Returns whether either end moved further than an entity can move in a frame. */
+/* Returns whether either end of laser i moved further, on an axis, than an entity can move in a frame. */
 static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
 {
     const int64_t far =
@@ -241,7 +242,7 @@ static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
     return far > most_move;
 }
 
-/* Returns false if its program removed it. */
+/* Moves laser i by its spin and its program. Returns false if the program removed the laser. */
 static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint32_t age)
 {
     struct lasers *l = &b->lasers;
@@ -266,7 +267,7 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
     return true;
 }
 
-/* Moves laser i by a frame. Returns false if it ends. */
+/* Moves laser i by one frame. Returns false if the laser ends; lasers_move then removes it. */
 static bool move(struct board *b, const struct motion_world *w, uint32_t i)
 {
     struct lasers *l = &b->lasers;
@@ -304,7 +305,7 @@ void lasers_move(struct board *b)
 
     bullets_begin(&b->laser_heads);
     note_where_all_were(l, &b->laser_heads);
-    for (int follows = 0; follows < 2; follows++) /* lasers that follow something move last */
+    for (int follows = 0; follows < 2; follows++) /* lasers that follow an entity move last */
         EACH_LIVE (i, &l->s) {
             const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
             if ((l->follow[i] != 0) != follows || move(b, &w[shoots], i))
@@ -323,7 +324,7 @@ void lasers_end_frame(struct board *b)
             lasers_remove(b, i);
 }
 
-/* ---- the line of a laser ---- */
+/* ---- a laser's line: corners, and tests against shapes ---- */
 
 uint32_t lasers_corners(const struct board *b, uint32_t i)
 {
@@ -363,7 +364,7 @@ uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struc
 {
     const uint32_t n = lasers_corners(b, i);
     uint32_t places = 0;
-    int64_t next = every / 2; /* px from the last corner to the next position */
+    int64_t next = every / 2; /* fx from the last corner to the next position */
     fx x, y, to_x, to_y;
 
     lasers_corner(b, i, 0, &x, &y);
@@ -381,7 +382,7 @@ uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struc
     return 1;
 }
 
-/* Returns whether the segment from corner k to the next comes within r of a point moving from (x, y) to (to_x, to_y).
+/* Returns whether the segment from corner k to the next corner comes within r of the line from (x, y) to (to_x, to_y).
  */
 static bool piece_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
 {
@@ -402,7 +403,7 @@ static uint32_t pieces(const struct board *b, uint32_t i)
     return n > 1 ? n - 1 : 1;
 }
 
-enum { NEAR = 256 /* fx per 1/256 px: distances in that unit keep products below 2^63 */ };
+enum { NEAR = 256 /* number of fx in 1/256 px. In units of 1/256 px, products of distances are below 2^63 */ };
 
 /* Returns the squared distance from (x, y) to (to_x, to_y), in 1/256 px. */
 static int64_t apart(fx x, fx y, fx to_x, fx to_y)

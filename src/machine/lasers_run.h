@@ -6,27 +6,28 @@
 
 #include "machine.h"
 
-/* Fires a laser: adds its head, a bullet, and the laser. Returns its slot, or NO_SLOT if a pool is full, which is
- * logged. */
+/* Fires a laser: adds the laser and its head, a bullet, in the same slot. Returns the slot, or NO_SLOT if a pool is
+ * full, which is logged. */
 int32_t lasers_fire(struct board *b, const struct bullet_shape *head, struct laser_shape *shape);
 
 /* Removes laser i at once. */
 void lasers_remove(struct board *b, uint32_t i);
 
-/* Moves all lasers, after every entity they may follow; lasers that follow something move after the others. A laser
- * whose time is over, or whose followed entity is dead, is removed at once; one that has left the field is marked, and
- * lasers_end_frame removes it. */
+/* Moves all lasers, after every entity they may follow; lasers that follow an entity move after the others. A laser
+ * whose lifetime is over, or whose followed entity is dead, is removed at once; a laser that has left the field is
+ * marked, and lasers_end_frame removes it. */
 void lasers_move(struct board *b);
 void lasers_end_frame(struct board *b);
 
-/* Updates the ends of laser i after a script moved, turned or resized it; it hits nothing on the way. */
+/* Updates the ends of laser i after a script moved, turned or resized it. The area that the laser passes over in this
+ * change is not tested for hits. */
 void lasers_settle(struct board *b, uint32_t i);
 
 /* Moves laser i to (x, y) for a script; a curve moves with its whole body. */
 void lasers_place(struct board *b, uint32_t i, fx x, fx y);
 
 /* Returns the age of laser i, in frames. lasers_age_seen is for drawing and inspecting between frames: it returns the
- * age in the last frame, which hit detection used. */
+ * age that hit detection used in the last frame. */
 uint32_t lasers_age(const struct board *b, uint32_t i);
 uint32_t lasers_age_seen(const struct board *b, uint32_t i);
 
@@ -42,15 +43,16 @@ void lasers_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
 void lasers_corner_was(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
 
 /* Calls `each` for positions along the line of laser i, `every` px apart, starting half that distance from the head.
- * Returns how many there were. A line too short for any has one: the head. every > 0. */
+ * Returns the number of calls. If the line is too short, calls `each` once, for the head. every > 0. */
 uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struct board *b, fx x, fx y, void *context),
                        void *context);
 
 /* Stores the point of laser i's line that is nearest to (x, y), to within 1/256 px. */
 void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
 
-/* Returns whether laser i, as it is drawn now (all points within half its width of its line), overlaps a circle of
- * radius a, a box with half extents (w, h), or the points within a of the line from (x, y) to (to_x, to_y). */
+/* Returns whether laser i, as it is drawn now (all points within half its width of the line), overlaps the circle
+ * of radius a around (x, y), the box around (x, y) with half extents (w, h), or the set of all points within a of the
+ * line from (x, y) to (to_x, to_y). */
 bool lasers_in_circle(const struct board *b, uint32_t i, fx x, fx y, fx a);
 bool lasers_in_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h);
 bool lasers_in_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a);

@@ -1,5 +1,5 @@
 /*
- * machine.c - see machine.h: resolves handles, and functions that involve several parts.
+ * machine.c - see machine.h: resolving handles, and functions that involve several parts.
  */
 #include "machine.h"
 
@@ -11,9 +11,9 @@ struct targets board_players(const struct board *b)
     return (struct targets){ &b->player.s, b->player.x, b->player.y, b->player.in };
 }
 
-/* Stores the position of an entity for the motion of bullets or shots; with `before`, its position before this frame's
- * move. Enemies and players move before bullets and shots do, and shots before bullets. For the pool that is moving,
- * both are the position before the move. */
+/* Stores the present position of an entity, for the motion of bullets or shots, or, with `before`, its position before
+ * this frame's move. Enemies and players move before shots, and shots before bullets. For an entity of the pool that is
+ * moving now, both are the position before the move: slots below `moved` have moved already. */
 static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
 {
     const struct board *b = w->context;
@@ -60,8 +60,8 @@ struct motion_world board_world(const struct board *b, bool shots)
     return w;
 }
 
-/* The list holds every event that a frame raises by itself (event_room), so only scripts can overfill it: FAULT_SCRIPT.
- */
+/* The capacity (event_room) covers every event that a frame can raise on its own. Only scripts can overfill the list,
+ * hence FAULT_SCRIPT. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2)
 {
     if (!events_push(&b->events, kind, a, b2))
@@ -80,7 +80,8 @@ uint64_t board_chance(void *board, uint64_t below)
     return v;
 }
 
-/* Copies a string, replacing all but printable ASCII, which is all that demos and the cabinet's font support. */
+/* Copies a string, cut to fit. Replaces every byte that is not printable ASCII by '?', because demos and the cabinet's
+ * font support only printable ASCII. */
 static void copy_plain(char *to, size_t size, const char *from)
 {
     snprintf(to, size, "%s", from);

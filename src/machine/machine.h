@@ -2,8 +2,8 @@
  * machine.h - the internals of the board: every part, in the order of RAM and of the hash track.
  *
  * Three terms:
- *   chip  a struct of columns with the code that works on them, most in src/entities. struct chip describes its
- *         columns (slots.h). Several parts may use one chip's struct: bullets and shots are both struct bullets.
+ *   chip  a struct of columns with the code that works on them, mostly in src/entities. A struct chip describes the
+ *         columns (slots.h). Several parts may have the same struct type: bullets and shots are both struct bullets.
  *   slot  a numbered row of a chip: the i-th value of each column. A handle names a slot and its generation.
  *   part  a chip as the board lists, hashes, saves and names it. Two parts have registers but no slots: script, and
  *         core, which is named "board". machine_parts[] lists all parts; PART_LIST in parts.c defines their order.
@@ -49,18 +49,18 @@ struct core {
     uint32_t clock; /* ticks of game time; stopped while frozen */
     uint32_t difficulty;
     uint64_t random[4];      /* state of the game's random number generator */
-    int64_t frozen;          /* scope whose tasks alone run, 0: not frozen; below 0: a hit-stop, counted up to 0 */
+    int64_t frozen;          /* 0: no; above 0: handle of the only scope that runs; below 0: hit-stop, counts up */
     uint64_t notes;          /* digest of the values passed to board.note */
     uint32_t extended[PADS]; /* extends each player has received */
     uint32_t over;           /* 1: EV_GAME_OVER has been raised */
-    uint32_t since;          /* clock when the game began */
+    uint32_t since;          /* value of `clock` when the game began */
     uint8_t continues[PADS]; /* continues each player has left */
     uint8_t continued[PADS]; /* continues each player has used */
     uint64_t drawn;          /* numbers drawn from the generator since it was seeded */
 };
 
-/* A running digest of the actions of scripts. Two runs have different digests from the first frame in which their
- * scripts act differently. */
+/* A running digest of the actions of scripts. The digests of two runs differ from the first frame in which the scripts
+ * act differently. */
 struct script {
     struct slots s;
     uint64_t digest;
@@ -72,14 +72,15 @@ struct output {
     struct board_out out;
     struct board_fault fault;
     size_t log_size;
-    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)]; /* of print, then a line per full pool */
+    /* output of print, then a line per full pool */
+    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)];
     char shortage[VM_PLACE]; /* "FILE:LINE: " of the last failed allocation */
-    size_t long_text;        /* bytes of a string that was too long, 0: none */
-    char dead_field[32];     /* last property read from a despawned entity; dead_place: where */
+    size_t long_text;        /* size in bytes of a string that was too long, 0: none */
+    char dead_field[32];     /* last property read from a despawned entity; dead_place: where it was read */
     char dead_place[VM_PLACE];
-    bool deep;                 /* the failed allocation was in deeply nested calls */
-    const struct force *force; /* being run by force_run */
-    const char *line;          /* being run by board_eval */
+    bool deep;                 /* the last failed allocation happened in deeply nested calls */
+    const struct force *force; /* event that force_run is forcing now */
+    const char *line;          /* the line that board_eval is running now */
     struct values *values;     /* output of board_eval_values */
     struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
@@ -93,7 +94,7 @@ struct board {
     size_t ram_size;
     bool reset;              /* board.reset was called in this frame */
     struct box keep, area;   /* entities outside `keep` despawn; players stay inside `area` */
-    struct sprite *pictures; /* the ROM's sprites, by index */
+    struct sprite *pictures; /* the ROM's sprite images, by index */
     struct words words;      /* text in the language of start.lang */
     struct output *output;
     struct vm vm;
@@ -177,19 +178,21 @@ const struct slots *part_named(const struct board *b, const char *name);
 
 enum { MOTION_WORK = 8 /* work per motion step */ };
 
-/* Returns the pools that motion programs read. Targets are the enemies if `shots`, otherwise the players, which
- * board_players returns. */
+/* board_world returns the state that motion programs read. The targets are the enemies if `shots` is set, otherwise the
+ * players, as returned by board_players. */
 struct motion_world board_world(const struct board *b, bool shots);
 struct targets board_players(const struct board *b);
 
-/* Moves everything. Entities that leave the field are held or marked, so that hit_run still tests them. */
+/* Moves all entities. Entities that leave the field but may still touch something are held or marked, so that hit_run
+ * tests them. */
 void board_move(struct board *b);
 
-/* Draws a number in [0, below) from the game's random number generator; if `below` is 0, any 64-bit number. */
+/* Returns the next number of the game's random number generator: a number in [0, below) or, if `below` is 0, any 64-bit
+ * number. board: a struct board. */
 uint64_t board_chance(void *board, uint64_t below);
 
-/* Adds work done in C to the tick's total, which vm_charge adds to as well; a unit is at most about 10 ns. Returns
- * false if the total exceeds the tick's limit: the caller must raise board_too_much. Call only inside vm_call. */
+/* Adds work done in C to the tick's total, to which vm_charge also adds; a unit takes at most about 10 ns. Returns
+ * false if the total exceeds the tick's limit; then the caller must call board_too_much. Call only inside vm_call. */
 static inline bool board_work(struct board *b, uint64_t work)
 {
     b->vm.work += work;
@@ -204,21 +207,21 @@ void board_fault(struct board *b, enum board_fault_kind kind, const char *format
  * change. */
 void board_too_much(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Adds the work of drawing the board in its present state; raises a fault if that exceeds the limit. Call only inside
- * vm_call. */
+/* Adds the work of drawing the board in its present state to the tick's total; raises a fault if the total would exceed
+ * the limit. Call only inside vm_call. */
 void board_charge_picture(struct board *b);
 
-/* Raises an event, or a fault if the event list is full. */
+/* Raises an event with the operands a and b2 (events.h), or a fault if the event list is full. */
 void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Adds a marker to the tick's output; drops it if BOARD_MARKERS were added already. */
+/* Adds a marker to the tick's output, unless the output already has BOARD_MARKERS markers. */
 void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
                       int32_t value);
 
 /* Returns whether this board was started only to list the sections for practice (PRACTICE_LIST). */
 bool board_lists(const struct board *b);
 
-/* Returns which presses pad.take reads now: the game's, or those of the screen that freezes the game. */
+/* Returns which presses pad.take reads now: PRESS_GAME or, while a screen freezes the game, PRESS_PAUSE. */
 static inline enum press_side board_presses(const struct board *b)
 {
     return b->core.frozen > 0 ? PRESS_PAUSE : PRESS_GAME;
@@ -231,10 +234,10 @@ static inline unsigned board_withheld(const struct board *b, uint32_t p)
     return b->core.frozen ? 0 : player_withheld(&b->player, p);
 }
 
-/* Calls sparks_burst, and board_full if the pool was full. */
+/* Calls sparks_burst, then board_full if the pool refused a spark. */
 void board_sparks(struct board *b, const struct spark_burst *burst);
 
-/* Where dropped items spawn, and how they start to move. */
+/* Position and initial motion of dropped items. */
 struct item_drop {
     fx x, y;
     ang dir;
@@ -243,8 +246,8 @@ struct item_drop {
     uint16_t tag;
 };
 
-/* Spawns n[k] items of each of `kinds` kinds, in this order, with directions spread evenly over all of them; calls
- * board_full for each that does not fit. */
+/* Spawns n[k] items of kind[k], for k from 0 to kinds - 1. The directions of all these items together are spread
+ * evenly over d->spread. Calls board_full for each item that does not fit in the pool. */
 void board_drop(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds);
 
 /* Spawns an item at rest at (x, y), in place of another entity. */
@@ -253,7 +256,8 @@ void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
 /* Stores how each player attracts items. */
 void board_pulls(const struct board *b, struct item_pull pull[PADS]);
 
-/* Register reg of player p's ship: its row, its value, and a write, which clamps to the register's range. */
+/* board_register_row returns the row of register `reg` of player p's ship, and board_register its value.
+ * board_set_register sets the value, clamped to the register's range. */
 static inline uint32_t board_register_row(const struct board *b, uint32_t p, uint32_t reg)
 {
     return b->player_kinds.first[b->player.kind[p]] + reg;
@@ -269,7 +273,8 @@ static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg,
     registers_set(&b->registers, board_register_row(b, p, reg), p, v);
 }
 
-/* The same for the run's registers. */
+/* board_run_register returns the value of the run's register `reg`, board_run_full whether the value is at its
+ * maximum. board_set_run_register sets the value, clamped to the register's range. */
 static inline int32_t board_run_register(const struct board *b, uint32_t reg)
 {
     return registers_get(&b->registers, b->registers.first + reg, 0);
@@ -285,22 +290,21 @@ static inline void board_set_run_register(struct board *b, uint32_t reg, int64_t
     registers_set(&b->registers, b->registers.first + reg, 0, v);
 }
 
-/* Spawns the spark that bullet i's kind leaves when the bullet is cleared, if any. */
+/* Spawns the spark, if any, that bullet i's kind leaves behind when a bullet is cleared. */
 void board_vanish(struct board *b, uint32_t i);
 
-/* Call after the pool s refused an entity: logs the first refusal of the run. */
+/* Logs that the pool s is full, once in a run: at its first refusal. Call after s refused an entity. */
 void board_full(struct board *b, const struct slots *s);
 
-/* Withdraws the reports of board_full in this frame, when an endless loop filled the pools: its fault is reported
- * instead. */
+/* Withdraws this frame's reports by board_full. Used when an endless loop has filled the pools, so that only the fault
+ * of the loop is reported. */
 void board_full_forget(struct board *b);
 
 /* Adds points (may be negative) to player i's score, clamped to 0..999,999,999,999, and awards a life at each of the
  * manifest's extends. */
 void board_score(struct board *b, uint32_t i, int64_t points);
 
-/* Returns the name of an index (the last one, if there are several), or NULL if it has none. Valid until the next tick.
- */
+/* Returns the name declared for this index (the last one, if there are several), or NULL. Valid until the next tick. */
 static inline const char *board_name(const struct board *b, enum name_kind kind, int index)
 {
     const struct name_list *t = &b->names[kind];
@@ -321,8 +325,8 @@ int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
 /* Returns whether the entity of handle h is alive. Groups and motion programs always are. */
 bool board_alive(const struct board *b, int64_t h);
 
-/* Returns whether the entity of handle h can still be read. Besides live entities, until the frame's handlers have run,
- * these are enemies that died or left, and bullets, shots and items that left the field and are still held. */
+/* Returns whether the entity of handle h can still be read. That includes, until the frame's handlers have run,
+ * enemies that died or left, and bullets, shots and items that left the field and are still held. */
 bool board_there(const struct board *b, int64_t h);
 
 /* Returns the handle of the entity that sprite i follows, or 0. */
@@ -331,12 +335,12 @@ int64_t board_followed(const struct board *b, uint32_t i);
 /* Returns the player number, 1 or 2, for a live player or option handle; otherwise 0. */
 uint8_t board_player_of(const struct board *b, int64_t h);
 
-/* Stores the position of the entity of handle h. Returns false if it cannot be read (board_there) or has no position.
- */
+/* Stores the position of the entity of handle h. Returns false if the entity cannot be read (board_there) or has no
+ * position. */
 bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
 
-/* Returns the index of the ROM palette that is loaded: the one most similar to the colours in RAM (pal_likeness). Ties
- * go to main, then to the first by name. */
+/* Returns the index of the ROM palette that is most similar to the colours in RAM (pal_likeness), which is taken to be
+ * the loaded one. Ties go to the palette named main, then to the first by name. */
 int board_palette(const struct board *b);
 
 #endif

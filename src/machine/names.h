@@ -25,7 +25,7 @@ enum name_kind {
     NAME_LISTS
 };
 
-/* The names of one kind, in the Lua heap; api_names.c declares them. */
+/* The names of one kind, allocated in the Lua heap; api_names.c adds them. */
 struct name_list {
     const char **at; /* `room` entries, NULL where there is no name */
     uint32_t n, room;

@@ -1,5 +1,5 @@
 /*
- * nvram.c - see nvram.h. Finding a record walks from the first; resizing or removing one moves all records after it.
+ * nvram.c - see nvram.h. Finding a record is a linear search; resizing or removing a record moves all records after it.
  */
 #include "nvram.h"
 #include <assert.h>
@@ -21,7 +21,7 @@ enum {
     ROW = 24,
     ROW_FAR = NV_NAME, /* offset in a row of the progress byte */
     ROW_SCORE = 16,
-    KEY_MOST = 2 * NV_KEY + 1 /* most bytes of a table record's name, with a ship */
+    KEY_MOST = 2 * NV_KEY + 1 /* most bytes of the name of a table record, which may include a ship */
 };
 
 static const char magic[] = "NV02", old_magic[] = "NV01";
@@ -38,7 +38,8 @@ static const uint8_t *value_of(const uint8_t *r)
     return r + HEAD + r[1];
 }
 
-/* Returns the offset of the save or table record with this name, or the image's size if there is none. */
+/* Returns the offset of the record with this name, a score table if `table` is set, otherwise a save; the image's size
+ * if there is none. */
 static uint32_t find(const struct nvram *nv, bool table, const char *name)
 {
     size_t n = strlen(name);
@@ -68,8 +69,8 @@ static void drop(struct nvram *nv, uint32_t at)
     nv->s.live -= size;
 }
 
-/* Resizes the record at `at`, or adds one at the end, for a value of m bytes, and returns the address of the value. Its
- * first bytes keep the old value. Returns NULL, and changes nothing, if there is no room. */
+/* Resizes the record at `at`, or adds one at the end, for a value of m bytes, and returns the address of the value. The
+ * old value, cut to m bytes, is preserved. Returns NULL, and changes nothing, if the record does not fit. */
 static uint8_t *put(struct nvram *nv, uint32_t at, enum nv_type type, const char *name, size_t m)
 {
     uint8_t *r = nv->bytes + at;
@@ -160,7 +161,7 @@ static struct nv_value old_value(const uint8_t *r)
     return v;
 }
 
-/* Loads an old image. Of two records with the same key, the first counts, as it did for old versions. */
+/* Loads an old image. Of several records with the same key, the first is loaded, as in the versions that wrote them. */
 static void load_old(struct nvram *nv, const uint8_t *image)
 {
     for (int i = 0; i < OLD_SAVES; i++) {
@@ -251,7 +252,7 @@ static int64_t score_of(const uint8_t *row)
     return (int64_t)bytes_get64(row + ROW_SCORE);
 }
 
-/* Returns whether the record is this table, or one of its ships' tables; stores the ship's name, or "", in `ship`. */
+/* Returns whether record r belongs to this score table, with or without a ship; stores the ship's name, or "". */
 static bool is_table(const uint8_t *r, const char *table, char ship[NV_KEY + 1])
 {
     size_t n = strlen(table), all = r[1];
@@ -267,7 +268,8 @@ static bool is_table(const uint8_t *r, const char *table, char ship[NV_KEY + 1])
     return true;
 }
 
-/* Inserts a row into n rows, below those that are better or equal. Returns the new number of rows, at most NV_ROWS. */
+/* Inserts a row into n rows, below all rows with the same or a better score. Returns the new number of rows, at most
+ * NV_ROWS: the worst row may be dropped. */
 static int sort_in(struct nv_row rows[NV_ROWS], int n, const uint8_t *from, const char *ship)
 {
     int at = n;

@@ -9,12 +9,13 @@
  * rows, best first, of 24 bytes: name[15] padded with NULs, u8 progress, i64 score. Memory, snapshots and hashes hold
  * only what is stored; the manifest sets the capacity (board.nvram).
  *
- * The progress byte: its low four bits are the stage reached (0: unknown, 15: all cleared), its high four bits how
- * often the run was continued (15: 15 times or more). Each ship's scores are in a separate table, named by the table's
+ * The low four bits of the progress byte are the stage reached (0: unknown, 15: all cleared), the high four bits the
+ * number of continues (15: 15 or more). Each ship's scores are in a separate table, whose name is the score table's
  * name, NV_SHIP and the ship's name.
  *
- * Old images, "NV01", are accepted too: 32768 bytes; 256 records of 96 bytes { key[32], type, length, 2 spare,
- * value[60] }, 16 tables of 32 + 10 x 24 bytes { name[32], rows }, zeroes. An empty key or name is a free record.
+ * Old images, with the magic "NV01", are accepted too: 32768 bytes; 256 records of 96 bytes { key[32], type, length, 2
+ * spare, value[60] }, 16 tables of 32 + 10 x 24 bytes { name[32], rows }, then zeroes. An empty key or name is a free
+ * record.
  */
 #ifndef MACHINE_NVRAM_H
 #define MACHINE_NVRAM_H
@@ -44,11 +45,11 @@ struct nv_value {
 struct nv_row {
     char name[NV_NAME + 1], ship[NV_KEY + 1]; /* ship "": unknown */
     int64_t score;
-    uint8_t stage, continues; /* 0 to NV_CLEARED; 0 to NV_CONTINUES */
+    uint8_t stage, continues; /* stage: 0 to NV_CLEARED; continues: 0 to NV_CONTINUES */
 };
 
 struct nvram {
-    struct slots s; /* a list: the image's bytes are live; those after it are undefined */
+    struct slots s; /* a list: the bytes of the image are live; bytes after them are undefined */
     uint8_t *bytes;
     uint32_t writes; /* number of writes since the image was loaded */
 };
@@ -62,18 +63,18 @@ bool nvram_valid(const uint8_t *image, size_t size);
  * loaded. */
 void nvram_load(struct nvram *nv, const uint8_t *image, size_t size);
 
-/* Returns the value stored under a key; its type is NV_NONE if there is none. */
+/* Returns the value stored under a key, or a value of type NV_NONE if there is none. */
 struct nv_value nvram_get(const struct nvram *nv, const char *key);
 
-/* Stores a value under a key; NV_NONE deletes the key. Returns false, and keeps the old value, if there is no room. */
+/* Stores a value under a key; NV_NONE deletes the key. Returns false, and leaves the old value, if it does not fit. */
 bool nvram_set(struct nvram *nv, const char *key, const struct nv_value *v);
 
-/* Stores the rows of a score table, best first, and returns their number: those of `ship` or, if it is NULL, the best
- * of all ships and of the rows without a ship. */
+/* Stores rows of a score table in `rows`, best first, and returns their number, at most NV_ROWS. ship: only this ship's
+ * rows ("": only rows without a ship); NULL: the best of all rows, with or without a ship. */
 int nvram_rows(const struct nvram *nv, const char *table, const char *ship, struct nv_row rows[NV_ROWS]);
 
-/* Enters a row into the table of its ship, below the rows that are better or equal. Returns its position there, -1 if
- * it is not good enough, or -2 if there is no room. */
+/* Enters a row into the table of the row's ship, below all rows with the same or a better score. Returns the row's
+ * index in that table, -1 if the score is not good enough, or -2 if the NVRAM is full. */
 int nvram_enter(struct nvram *nv, const char *table, const struct nv_row *row);
 
 #endif

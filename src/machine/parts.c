@@ -21,13 +21,13 @@ static const struct chip script_chip = { "script", script_columns, sizeof script
 
 enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 
-/* Returns the first n groups of values. */
+/* Returns the column groups of the first n values. */
 static uint32_t value_groups(int32_t n)
 {
     return SLOTS_GROUP(GROUP_VALUE + n) - SLOTS_GROUP(GROUP_VALUE);
 }
 
-/* Return the column groups that manifest m requires. */
+/* These functions return the column groups that manifest m requires in each pool. */
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |

@@ -10,7 +10,8 @@ static const uint8_t *rom(const struct board *b)
     return b->cart.tune_data;
 }
 
-/* Returns a voice's volume. 127 is a third of full scale, so that a few voices together stay below the limiter. */
+/* Returns a voice's volume. volume: 0 to TUNE_LOUD, which is a third of full scale, so that a few voices together stay
+ * below the limiter; of: a factor, 256: 1; tune_volume: 0 to 255. */
 static uint16_t loud(int volume, int of, int tune_volume)
 {
     const int64_t third = VOICE_LOUD / 3;
@@ -18,7 +19,7 @@ static uint16_t loud(int volume, int of, int tune_volume)
     return (uint16_t)(third * volume * volume / (TUNE_LOUD * TUNE_LOUD) * of / 256 * tune_volume / 255);
 }
 
-/* The target of a sequencer event, of either the music or a sound. */
+/* The voice to which a sequencer event of the music or of a sound is applied, and the state of its track. */
 struct part_played {
     struct board *b;
     uint32_t tune; /* offset in the ROM's tune data */
@@ -121,7 +122,7 @@ static void start_music(struct board *b, uint16_t index)
     seq_start(&b->music, index, &t);
 }
 
-/* Silences the old piece's voices after a fade, and makes the new piece audible at once. */
+/* Removes the music's voices after a fade to silence, and sets the gain at once to that of the next piece. */
 static void silence_music(struct board *b)
 {
     for (int i = 0; i < VOICE_SLOTS; i++)
@@ -148,7 +149,7 @@ static void bring_back(struct board *b)
     seq_back(&b->music);
 }
 
-/* Starts, or resumes, the requested piece at this sample of the frame. */
+/* Changes to the requested piece, which starts or resumes at this sample of the frame. */
 static void change_music(struct board *b, int sample)
 {
     struct seq *s = &b->music;
@@ -167,7 +168,7 @@ static void change_music(struct board *b, int sample)
         start_music(b, s->next);
 }
 
-/* Ducks the music within a few frames while a sound requires it; afterwards the music returns slowly. */
+/* Ducks the music within a few frames while a sound requires it; afterwards, its volume rises again slowly. */
 static void step_duck(struct board *b)
 {
     struct voices *v = &b->voices;
@@ -201,7 +202,7 @@ static bool goes(const struct seq *s)
     return s->fade_over || s->next_waits;
 }
 
-/* Ends the current piece, whose last notes ring out, and resumes the one set aside last, if any. */
+/* Ends the current piece, letting its last notes ring out, and resumes the piece set aside last, if any. */
 static void end_piece(struct board *b)
 {
     if (b->music.aside)
@@ -218,7 +219,7 @@ static void step_level(struct seq *s)
     s->level_over--;
 }
 
-/* Plays a frame of the music, unless a pause holds it. */
+/* Plays one frame of the music, unless the game is paused. */
 static void step_music(struct board *b)
 {
     struct seq *s = &b->music;
@@ -252,7 +253,7 @@ void sound_begin(struct board *b)
     voices_step(&b->voices, rom(b));
 }
 
-/* Plays a frame of the sounds. */
+/* Plays one frame of all sounds. */
 static void step_cues(struct board *b)
 {
     struct cues_run run = { 0 };
@@ -310,7 +311,7 @@ int16_t sound_place(const struct board *b, fx x)
     return (int16_t)place;
 }
 
-/* Least frames between two cues of a kind, because many in a row sound like noise. */
+/* Least frames from one cue of a kind to the next, because many in quick succession sound like noise. */
 static const uint8_t apart[CART_CUES] = { [CUE_GRAZE] = 4, [CUE_ITEM] = 3 };
 
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
@@ -325,7 +326,8 @@ void sound_cue_at(struct board *b, enum cart_cue cue, fx x)
 
 /* ---- music ---- */
 
-/* Fades out the current piece, after which the requested one starts. A fade in progress never becomes louder. */
+/* Fades out the current piece; then the requested one starts. A fade already in progress continues from its current
+ * level, shortened to `fade` frames if it is longer. */
 static void begin_fade(struct board *b, int32_t fade)
 {
     struct seq *s = &b->music;
@@ -337,7 +339,7 @@ static void begin_fade(struct board *b, int32_t fade)
     s->fade = (uint16_t)fade;
 }
 
-/* Requests piece `index`, 0: silence: it starts now, at a beat or bar, or after a fade. */
+/* Requests a piece, or silence if index is 0, which starts now, at a beat or bar, or after a fade. */
 static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
 {
     struct seq *s = &b->music;
@@ -408,10 +410,10 @@ void sound_music_back(struct board *b, int tune, int32_t fade)
 
     if (goes(s) && s->next == index && s->next_back)
         forget_next(s);
-    else if (goes(s) && s->next == index && kept >= 0) { /* it was about to resume */
+    else if (goes(s) && s->next == index && kept >= 0) { /* the piece was about to resume */
         drop_kept(b, kept);
         s->next = s->aside ? s->kept[s->aside - 1] : 0;
-    } else if (s->tune == index && goes(s) && s->next_back) /* the next piece was to set it aside: drop it instead */
+    } else if (s->tune == index && goes(s) && s->next_back) /* end this piece instead of setting it aside */
         s->next_back = 0;
     else if (s->tune == index && !goes(s))
         ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
@@ -450,10 +452,10 @@ void sound_game(struct board *b)
 
 enum {
     PASS_WORK = 64,             /* work per frame of music */
-    LONGEST_PASS = 60 * 60 * 60 /* frames in total while skipping: an hour */
+    LONGEST_PASS = 60 * 60 * 60 /* most frames in total while skipping: an hour */
 };
 
-/* Advances the music alone by n frames, each the end of one tick and the start of the next. Returns the work. */
+/* Advances only the music, by n frames, each from the end of a tick to the start of the next. Returns the work done. */
 static uint64_t pass(struct board *b, int64_t n)
 {
     struct seq *s = &b->music;

@@ -1,8 +1,8 @@
 /*
- * sound.h - the sounds and music of a board: their progress in a tick, and requests by scripts and events.
+ * sound.h - the sounds and music of a board: playing them tick by tick, and requests by scripts and events.
  *
- * For games that declare sounds or music. In other games the sound parts have no slots, and only sound_cue may be
- * called; it does nothing then.
+ * If a game declares neither sounds nor music, the sound parts have no slots, and of these functions only sound_cue may
+ * be called; it then does nothing.
  */
 #ifndef MACHINE_SOUND_H
 #define MACHINE_SOUND_H
@@ -17,11 +17,11 @@ void sound_end(struct board *b);
 /* Plays a sound (seq.h). */
 void sound_play(struct board *b, const struct cue *cue);
 
-/* Ends the sound at this position in the ROM; 0: all sounds. */
+/* Ends the sound whose tune is at this offset in the ROM's tune data; 0: all sounds. */
 void sound_stop(struct board *b, uint32_t tune);
 
-/* Plays the game's sound for this cue, if it has one, panned for position x in the field. Graze and item sounds do not
- * repeat in every frame. */
+/* Plays the sound that the game has set for this cue, if any, panned for position x in the field. Graze and item sounds
+ * do not repeat in every frame. */
 void sound_cue_at(struct board *b, enum cart_cue cue, fx x);
 static inline void sound_cue(struct board *b, enum cart_cue cue, fx x)
 {
@@ -37,24 +37,24 @@ int16_t sound_place(const struct board *b, fx x);
 enum music_at { MUSIC_AT_ONCE, MUSIC_AT_BEAT, MUSIC_AT_BAR };
 struct music_how {
     int32_t fade;     /* frames in which the current piece fades out first */
-    enum music_at at; /* instead of a fade: start on a beat or bar of the current piece */
-    bool again;       /* start over, even if the piece is playing or set aside */
-    bool back;        /* set the current piece aside until this one ends, by itself or by sound_music_back */
+    enum music_at at; /* instead of a fade, start on a beat or bar of the current piece */
+    bool again;       /* start the piece from its beginning, even if it is playing or set aside */
+    bool back;        /* set the current piece aside until the new piece ends, by itself or by sound_music_back */
 };
 
-/* Starts a piece. Unless how->again is set, a piece that was set aside resumes where it was. Returns false if the piece
- * is already playing or about to start: it continues, and a pending change to another piece is cancelled. A piece that
- * has ended no longer counts as playing. */
+/* Starts a piece. Unless how->again is set, a piece that was set aside resumes where it was interrupted. Returns false
+ * if the piece is already playing or about to start: then it continues, and a pending change to another piece is
+ * cancelled. A piece that has ended no longer counts as playing. */
 bool sound_music(struct board *b, int tune, const struct music_how *how);
 
-/* Ends a piece if it is playing, about to start or set aside. The piece below it then continues, if there is one;
- * otherwise there is silence. fade: frames. */
+/* Ends a piece if it is playing, about to start or set aside. A piece that is playing fades out in `fade` frames; then
+ * the piece set aside last resumes, or there is silence if there is none. */
 void sound_music_back(struct board *b, int tune, int32_t fade);
 
 /* Fades out the music in `fade` frames, and ends the pieces set aside. */
 void sound_music_stop(struct board *b, int32_t fade);
 
-/* Changes the music volume to `level`, out of SEQ_FULL, in `over` frames. */
+/* Changes the music volume gradually to `level` (SEQ_FULL: full volume) over `over` frames. */
 void sound_volume(struct board *b, uint16_t level, int32_t over);
 
 /* sound_power resets the volumes at power-on. sound_game, at the start of a game, stops the music and clears the list
@@ -62,9 +62,10 @@ void sound_volume(struct board *b, uint16_t level, int32_t over);
 void sound_power(struct board *b);
 void sound_game(struct board *b);
 
-/* Skipping to a mark, which sound_skip starts and ends, advances the music as if the stage had been played.
- * sound_pass_* are called when the stage waits n frames; when its clock is moved n frames ahead, including waits; and
- * when a fight is skipped, in which all fades end. They return work (vm.h). */
+/* sound_skip starts and ends skipping to a mark, in which the music advances as if the stage had been played. Call
+ * sound_pass_wait when the stage skips a wait of n frames; sound_pass_clock when the stage's clock moves n frames
+ * ahead, including waits already reported by sound_pass_wait; sound_pass_fight when a fight is skipped, which ends all
+ * fades. They return the work done (vm.h). */
 void sound_skip(struct board *b, bool on);
 uint64_t sound_pass_wait(struct board *b, int64_t n);
 uint64_t sound_pass_clock(struct board *b, int64_t n);

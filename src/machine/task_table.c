@@ -30,7 +30,7 @@ bool tasks_owner_alive(const struct board *b, int64_t owner)
     return !owner || board_alive(b, owner);
 }
 
-/* Not recursive, because a chain of owners can be as long as the pool is large. */
+/* A loop rather than recursion: a chain of owners may contain MAX_OWNER_DEPTH tasks. */
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
 {
     const struct tasks *t = &b->tasks;

@@ -13,9 +13,9 @@ struct board;
 enum {
     TASK_RUNS = 0,
     TASK_SCOPE = 1,
-    TASK_STOP = 2 /* flag: close the task at its turn */,
+    TASK_STOP = 2 /* close the task at its next turn */,
     TASK_BEGUN = 4,
-    TASK_SKIPS = 8 /* skips all waits, to reach a practice mark */,
+    TASK_SKIPS = 8 /* the task skips all waits, to reach a practice mark */,
     TASK_SCENE = 16
 };
 
@@ -27,8 +27,8 @@ enum {
 struct tasks {
     struct slots s;
     uint32_t *serial; /* increases with every start; tasks run in this order */
-    int64_t *owner;   /* handle, 0: the board */
-    int64_t *scene;   /* handle of the scene it runs in, 0: none; for a scene, the enclosing one */
+    int64_t *owner;   /* handle of the task's owner, 0: the board */
+    int64_t *scene;   /* handle of the scene the task runs in, 0: none; of a scene: the enclosing scene */
     int64_t *wait;    /* turns left to wait */
     uint8_t *flags;
     uint32_t *born;
@@ -36,16 +36,17 @@ struct tasks {
     const char **from;     /* "FILE:LINE: " of the author's line that started an @std task; NULL: a script's own task */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
-    uint32_t serials; /* given out so far */
+    uint32_t serials; /* number of serials given out so far */
     int32_t current;  /* slot of the running task, NO_SLOT: none */
     uint32_t skipped; /* waits the running task has skipped in this turn */
     int64_t now_owner,
-        now_scene; /* owner of the tasks that the running script starts; scene of the entities it makes */
+        now_scene; /* owner of the tasks that the running script starts; scene of the entities that it makes */
 };
 
 extern const struct chip tasks_chip;
 
-/* Returns whether this owner (0: the board) and all its own owners are alive. */
+/* Returns whether this owner (0: the board) is alive. A task is alive if it has not been stopped and its owner is
+ * alive, up the whole chain of owners. */
 bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
@@ -54,27 +55,29 @@ struct tasks_now {
     int64_t owner, scene;
 };
 
-/* Returns the owner of what the running script starts. */
+/* Returns the owner of the tasks that the running script starts. */
 int64_t tasks_owner(const struct board *b);
 
 /* Stores the owner of an enemy or sprite that the running script makes: the script's scene or, with `stay`, none, so
- * that it outlives the scene. Returns false if that scene has ended, in which nothing more may be made. */
+ * that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts can make
+ * no entities in it. */
 bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner);
 
-/* Sets the owner and scene for an enemy's handler, which runs in the enemy's scene. If the enemy has none, the handler
- * runs in no scene, on behalf of the owner of the script that caused the event; if that script runs in a scene, it has
- * no owner, because what it makes must not end with that scene. Returns the previous values, for tasks_act_for to
- * restore. */
+/* Sets the owner and scene for an enemy's handler. If the enemy has a scene, the handler runs in that scene, which is
+ * also the owner. Otherwise the handler runs in no scene, and the owner stays that of the script that caused the event,
+ * unless that script runs in a scene: then the owner is the board, because the tasks and entities of the handler must
+ * not end with the scene of another script. Returns the previous values, for tasks_act_for to restore. */
 struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene);
 void tasks_act_for(struct board *b, struct tasks_now was);
 
-/* Sets the owner and scene to those of the task, for its scripts, including those that run when it ends. */
+/* Sets the owner and scene to those of the task, for its code, including the code that runs when the task ends. */
 void tasks_act_for_task(struct board *b, uint32_t slot);
 
-/* Restores the running task's own owner and scene, after it caught an error raised in an enemy's handler. */
+/* Restores the owner and scene of the running task, after the task caught an error raised in an enemy's handler. */
 void tasks_act_for_turn(struct board *b);
 
-/* Returns "FILE:LINE: " of the author's line that started the @std task running in L, or NULL if none is. */
+/* Returns the "FILE:LINE: " of the author's line that started the @std task running in L, or NULL if L is not running
+ * an @std task. */
 const char *tasks_from(const struct board *b, const struct lua_State *L);
 
 /* Returns the serial of the running task, or 0. */

@@ -1,5 +1,6 @@
 /*
- * vm_state.h - the board's state of the Lua machine (script/vm.h), and the calls that the board's parts make into it.
+ * vm_state.h - the board's state of the Lua machine (script/vm.h), and the functions by which the board's parts call
+ * that machine.
  */
 #ifndef MACHINE_VM_STATE_H
 #define MACHINE_VM_STATE_H
@@ -11,7 +12,7 @@ struct api_table;
 struct board;
 struct profile;
 
-/* Most VM instructions, or equivalent work in C, in one tick. Tests of endless loops lower it. */
+/* Most VM instructions, or equivalent work in C, in one tick. Tests of endless loops lower this limit. */
 #ifndef WORK_LIMIT
 #define WORK_LIMIT 200000000
 #endif
@@ -23,7 +24,7 @@ enum {
     VM_PLACE = 80     /* size of a buffer for "FILE:LINE: " */
 };
 
-/* Why an instruction counts as 1 + more: it may have to process n items of the kind `why`. */
+/* Why a VM instruction counts as 1 + `more` instructions: it may have to process n items of the kind `why`. */
 enum vm_why {
     WEIGHT_TEXT,
     WEIGHT_ZEROS,
@@ -40,8 +41,8 @@ struct vm_weight {
     size_t n;
 };
 
-/* A cache of name lookups, indexed by api_guess: where the last name with that index was found. It affects only the
- * time a lookup takes. */
+/* A cache of name lookups, indexed by api_guess: each entry holds where the last name with that index was found. The
+ * cache affects only the speed of lookups. */
 enum { VM_GUESSES = 128 };
 struct vm_guesses {
     uint8_t props[VM_GUESSES];
@@ -53,16 +54,16 @@ struct vm {
     struct lua_State *L;
     struct lua_State *running; /* the running thread, or the last one that ran */
     struct heap *heap;
-    uint64_t work;                /* done in this tick */
-    uint64_t limit;               /* of `work`: WORK_LIMIT in a tick, less in a line of board_eval */
-    uint64_t looked;              /* heap_work at the last check of the work done */
+    uint64_t work;                /* work done in this tick */
+    uint64_t limit;               /* limit on `work`: WORK_LIMIT in a tick, less in board_eval */
+    uint64_t looked;              /* heap_work when the work done was last checked */
     uint32_t stream;              /* state of the random numbers that space the checks */
     uint32_t left;                /* instructions until the next check, while there is a profile */
     struct vm_weight heaviest;    /* the heaviest instruction of this tick */
     uint64_t swept;               /* heap_work when the collector last had a chance to run */
     size_t heap_size, collect_at; /* bytes: size of the heap, and heap use at which the next collection starts */
     bool collecting;              /* a collection is in progress */
-    size_t text_block, text_max;  /* bytes of Lua's block for the last string, and for the longest allowed */
+    size_t text_block, text_max;  /* bytes that Lua allocated for the last string; most bytes allowed */
     struct profile *profile;      /* the host's profile while it counts lines (profile.h); otherwise NULL */
     bool loading;                 /* scripts are being loaded */
     bool practice_read;           /* a script has read the practice start (sys.practice) */
@@ -79,9 +80,9 @@ struct vm_calls {
     void (*fault)(struct board *b, enum board_fault_kind kind, const char *message);
     /* Stores "FILE:LINE: " of the running script, or "". */
     void (*where)(struct board *b, char *place, size_t size);
-    /* Returns a block in Lua's heap for the queue of emits. had: its present block, for which a zeroed one of *size
-     * bytes is returned; NULL: it has none in this frame yet, so the block of an earlier frame is returned, if there is
-     * one, and its size stored in *size. Raises a Lua error when out of memory. */
+    /* Returns a block in Lua's heap for the queue of emits. had: the queue's present block, or NULL if the queue has
+     * none in this frame yet. If `had` is NULL and a block of an earlier frame exists, returns that block and stores
+     * its size in *size; otherwise returns a new, zeroed block of *size bytes. Raises a Lua error if out of memory. */
     void *(*emit_room)(const struct board *b, const void *had, size_t *size);
 };
 

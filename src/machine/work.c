@@ -1,9 +1,10 @@
 /*
- * work.c - counting work done in C, so that every frame is bounded: the fault, and the work of drawing a picture.
+ * work.c - limiting the work done in C, so that every frame is bounded: raising the fault, and the work of drawing a
+ * picture.
  *
- * A unit takes about as long as the slowest VM instruction, at most 10 ns; all work shares one sum and one limit
- * (vm.h). Loops over two pools count the entities they examine. Work done once per entity of a pool is not counted,
- * because the manifest bounds it.
+ * A unit of work takes about as long as the slowest VM instruction, at most 10 ns; VM instructions and work in C add to
+ * the same total and have one limit (vm.h). Loops over two pools count the entities they examine. Work done once per
+ * entity of a pool is not counted, because the manifest bounds it.
  */
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /*
- * bulletml.c - see bulletml.h. Only the first word of a command has ML_COMMAND set, so a place can be checked by
- * looking at its word. A value starts at the first step or after a STEP_DONE.
+ * bulletml.c - see bulletml.h. Only the first word of a command has ML_COMMAND set, so the word at a place shows
+ * whether a command starts there. The steps of a value start at step 0 or after a STEP_DONE.
  */
 #include "bulletml.h"
 #include <inttypes.h>
@@ -55,7 +55,7 @@ static bool value_ok(const struct ml *m, uint32_t v)
     return v < m->steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
 }
 
-/* Checks one operand, whose type is `form` (see ml_operands). Stores a count in *n. */
+/* Checks one operand, whose type is `form` (see ml_operands). If the operand is a count, stores it in *n. */
 static bool operand_ok(const struct ml *m, char form, uint32_t v, uint32_t *n)
 {
     switch (form) {
@@ -105,7 +105,7 @@ static bool commands_ok(const struct ml *m)
     return m->words && is_end(m, 0) && is_end(m, m->words - 1);
 }
 
-/* Checks a step. *stack: the numbers on the stack before the step; updated to those after it. */
+/* Checks a step. *stack: the number of values on the stack, which the step updates. */
 static bool step_ok(const struct ml *m, uint32_t w, int *stack)
 {
     const uint32_t argument = ML_ARGUMENT(w);
@@ -199,7 +199,7 @@ int64_t ml_multiply(int64_t a, int64_t b)
     return with_sign(high >> 32 ? UINT64_MAX : high << 32 | up >> 32, (a ^ b) < 0);
 }
 
-/* Computes 2^32 a / b: the integer part, then 32 fraction bits, then the rounding. */
+/* Computes 2^32 a / b: the integer part of a / b, then 32 fraction bits, then the rounding. */
 int64_t ml_divide(int64_t a, int64_t b)
 {
     const uint64_t ua = size_of(a), ub = size_of(b);

@@ -5,20 +5,20 @@
  *
  *   u32 magic, u32 horizontal (0 or 1), u32 tops, u32 labels, u32 numbers, u32 words, u32 steps, u32 bytes of text
  *   i64 number[numbers]    the program's constants, Q31.32
- *   u32 top[tops]          where the top actions, which run by themselves, start; in the document's order
+ *   u32 top[tops]          places of the top actions, which run by themselves; in the document's order
  *   u32 label[labels]      labels of fired bullets: offset in the text, each ends with a NUL
  *   u32 word[words]        the commands
  *   u32 step[steps]        the steps that compute values
  *   text
  *
  * A command is a word with ML_COMMAND set, which contains ML_OP, ML_TYPE and ML_LINE, followed by the operands of its
- * operation, words without ML_COMMAND: v is a value, p the place of a command, n a count of values, l a label + 1 or 0.
- * The first and the last command are ML_END.
+ * operation, which are words without ML_COMMAND: v is a value, p the place of a command (its index in word), n a count
+ * of values, l the index of a label + 1, or 0. The first and the last command are ML_END.
  *
- * A value is the index of a number, or ML_WORKED_OUT and the index of the first of its steps, which run up to
- * STEP_DONE; a step contains ML_STEP and ML_ARGUMENT. In a program that passed ml_check, every place is that of a
- * command and every value is valid and needs at most ML_STACK numbers at once. ml_check does not verify that repeats
- * and calls are properly nested; the interpreter stays in bounds even if they are not.
+ * A value is the index of a constant, or ML_WORKED_OUT and the index of the first step that computes it; its steps run
+ * up to STEP_DONE. A step contains ML_STEP and ML_ARGUMENT. In a program that passed ml_check, every place is that of a
+ * command, and every value is valid and needs at most ML_STACK numbers on the stack. ml_check does not verify that
+ * repeats and calls are properly nested; the interpreter stays in bounds even if they are not.
  */
 #ifndef ROM_BULLETML_H
 #define ROM_BULLETML_H
@@ -37,7 +37,7 @@ enum {
     ML_HEADER = 32,      /* bytes */
     ML_STACK = 16,       /* maximum numbers on the stack while a value is computed */
     ML_PARAMS = 9,       /* $1 to $9 */
-    ML_MOST_PARAMS = 64, /* parameters that a reference may give; all are computed */
+    ML_MOST_PARAMS = 64, /* maximum parameters that a reference can give; all are computed */
     ML_MAX_TOPS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
@@ -45,7 +45,7 @@ enum {
     ML_MAX_TEXT = 1 << 20
 };
 
-/* What a direction, speed or component is relative to. */
+/* The reference to which a direction, speed or component of an acceleration is relative. */
 enum ml_type { ML_NONE, ML_AIM, ML_ABSOLUTE, ML_RELATIVE, ML_SEQUENCE, ML_TYPES };
 
 enum ml_op {
@@ -53,18 +53,18 @@ enum ml_op {
     ML_NEXT,             /* the bullet's next action follows; it starts in the next frame */
     ML_AGAIN,            /* p: end of a repeat's body, which starts at p */
     ML_RETURN,           /* return from ML_CALL; ML_END if there is nothing to return to */
-    ML_ENDS = ML_RETURN, /* the commands up to here are not elements; they run with the element before them */
+    ML_ENDS = ML_RETURN, /* the commands up to here are not elements; they run even while a wait lasts */
     ML_WAIT,             /* v: frames */
-    ML_REPEAT,           /* v: runs what follows, up to its ML_AGAIN, v times, at least once */
+    ML_REPEAT,           /* v: runs the commands up to its ML_AGAIN v times, at least once */
     ML_CALL,             /* p n v..: runs p up to ML_RETURN, with the n values as $1 to $n */
-    ML_GO,               /* p n v..: the same at the end of an action, as a tail call: does not return */
-    ML_LEAVE,            /* p n v..: as ML_GO, and drops all open calls and repeats: for a top action */
+    ML_GO,               /* p n v..: ML_CALL at the end of an action, as a tail call: does not return */
+    ML_LEAVE,            /* p n v..: like ML_GO, but also drops all open calls and repeats; for top actions */
     ML_FIRE,             /* starts to prepare a shot: speed and direction are unset */
-    ML_FIRE_REF,         /* p n v..: as ML_CALL, for a fire */
+    ML_FIRE_REF,         /* p n v..: like ML_CALL, for a fire */
     ML_FIRED,            /* end of a labelled fire: returns to the ML_FIRE_REF that led here, if any */
     ML_SHOT_SPEED,       /* v, with its ML_TYPE */
     ML_SHOT_DIRECTION,   /* v, with its ML_TYPE */
-    ML_BULLET_REF,       /* p n v..: as ML_CALL, for a bullet */
+    ML_BULLET_REF,       /* p n v..: like ML_CALL, for a bullet */
     ML_BULLET, /* l p: fires the shot; p: its actions, 0: none. Returns to the ML_BULLET_REF that led here, if any */
     ML_VANISH,
     ML_TURN,  /* v v: term, direction, with its ML_TYPE */
@@ -74,7 +74,8 @@ enum ml_op {
 };
 enum { ML_TYPE_Y = 8 };
 
-/* The operation of a command, its type, and the line of its element (ML_LINES: that line or a later one). */
+/* ML_OP is a command's operation, ML_TYPE its enum ml_type, ML_LINE the line of its element in the document (ML_LINES:
+ * that line or a later one). */
 #define ML_OP(word)   ((word)&0xff)
 #define ML_TYPE(word) ((word) >> 8 & 0xff)
 #define ML_LINE(word) ((word) >> 16 & 0x7fff)
@@ -88,7 +89,7 @@ static inline uint32_t ml_command(enum ml_op op, unsigned type, int line)
 /* The steps that compute a value, on a stack. */
 enum ml_step {
     STEP_DONE,
-    STEP_NUMBER, /* argument: the index of a number */
+    STEP_NUMBER, /* argument: the index of a constant */
     STEP_RAND,
     STEP_RANK,
     STEP_PARAM, /* argument: 0 to 9. A missing parameter is 1; $0 is 1 without parameters, otherwise 0 */
@@ -109,13 +110,13 @@ struct ml {
     bool horizontal;
 };
 
-/* The operands of each operation: v, p, n and l as above, '*': n values. */
+/* The operands of each operation: v, p, n and l as in the format at the top of this file; '*': n values. */
 extern const char *const ml_operands[ML_OPS];
 
-/* Returns whether data is exactly one valid program; if not, err is one sentence. */
+/* Returns whether data is exactly one valid program. If it is not, stores one sentence in err. */
 bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* Finds the sections of a program that was checked. */
+/* Finds the sections of a program that ml_check has accepted. */
 void ml_open(struct ml *m, const uint8_t *data);
 
 static inline uint32_t ml_word(const struct ml *m, uint32_t at)
@@ -144,8 +145,8 @@ static inline const char *ml_label(const struct ml *m, uint32_t at)
 }
 
 /*
- * Arithmetic in Q31.32. Results that do not fit saturate to INT64_MAX or INT64_MIN; products and quotients are rounded
- * to nearest, halves away from 0. x / 0 saturates by the sign of x, and 0 / 0 is 0.
+ * Arithmetic in Q31.32. Results out of range saturate to INT64_MAX or INT64_MIN; products and quotients are rounded
+ * to nearest, halves away from 0. x / 0 saturates according to the sign of x; 0 / 0 is 0.
  */
 #define ML_ONE ((int64_t)1 << 32)
 
@@ -171,8 +172,8 @@ static inline int64_t ml_subtract(int64_t a, int64_t b)
     return ((a ^ b) & (a ^ less)) < 0 ? (a >> 63) ^ INT64_MAX : less;
 }
 
-/* Converts a count of frames or rounds to a whole number by truncation, except that a value at most 2^-20 short of a
- * whole number is rounded to it. INT64_MAX, the result of an overflow, counts as 0, as documents expect. */
+/* Converts a count of frames or repeats to a whole number by truncation, except that a value at most 2^-20 short of a
+ * whole number is rounded to it. INT64_MAX, the result of an overflow, becomes 0, as documents expect. */
 static inline int32_t ml_whole(int64_t v)
 {
     const int64_t hair = 1 << 12;
@@ -197,7 +198,8 @@ static inline int64_t ml_scale(int64_t a, int64_t b, int shift)
 #endif
 }
 
-/* Returns the next value of $rand, from 0 to below 1, Q31.32. *state must not be 0. Marsaglia's xorshift, 13 17 5. */
+/* Returns the next value of $rand, 0 <= value < 1, Q31.32. *state must not be 0. The generator is Marsaglia's 32-bit
+ * xorshift with shifts 13, 17 and 5. */
 static inline int64_t ml_rand(uint32_t *state)
 {
     uint32_t s = *state;
@@ -209,10 +211,10 @@ static inline int64_t ml_rand(uint32_t *state)
     return (int64_t)(s >> 8) << 8;
 }
 
-/* Directions are degrees in Q31.32, from 0 to below 360; as in documents, 0 is up and angles grow clockwise. */
+/* Directions are degrees in Q31.32, 0 <= d < 360; as in documents, 0 is up and angles grow clockwise. */
 #define ML_TURN_ROUND (360 * ML_ONE)
 
-/* Returns direction d wrapped into that range. */
+/* Returns d wrapped to 0 <= d < 360 degrees. */
 static inline int64_t ml_wrap(int64_t d)
 {
     if ((uint64_t)d < (uint64_t)ML_TURN_ROUND)
@@ -223,7 +225,8 @@ static inline int64_t ml_wrap(int64_t d)
     return d < 0 ? d + ML_TURN_ROUND : d;
 }
 
-/* Converts degrees in that range to the nearest angle (2^32 a turn); ml_degrees is the exact inverse conversion. */
+/* ml_angle converts degrees, 0 <= d < 360, to the nearest angle (2^32 per turn). ml_degrees converts an angle to
+ * degrees exactly. */
 static inline ang ml_angle(int64_t d)
 {
     return (ang)(((uint64_t)d + 180) / 360);

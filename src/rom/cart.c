@@ -1,6 +1,6 @@
 /*
- * cart.c - see cart.h. Everything that is trusted later is checked here: sizes, computed in 64 bits, and every pixel,
- * because a blit copies eight pixels at a time and would show the contents of a picture's padding.
+ * cart.c - see cart.h. This file checks everything that other code trusts. Sizes are computed in 64 bits. Every pixel
+ * is checked, because a blit copies eight pixels at a time and would show padding that is not 0.
  */
 #include "cart.h"
 
@@ -25,7 +25,7 @@ static bool find(const struct rom *rom, const char *name, struct lump *l)
     return i >= 0;
 }
 
-/* Finds the lump folder + name + tail. Returns false if there is none. */
+/* Finds the lump named folder + name + tail. Returns false if there is no such lump. */
 static bool find_in(const struct rom *rom, const char *folder, const char *name, const char *tail, struct lump *l)
 {
     char full[ROM_NAME];
@@ -34,8 +34,8 @@ static bool find_in(const struct rom *rom, const char *folder, const char *name,
     return n > 0 && n < ROM_NAME && find(rom, full, l);
 }
 
-/* Returns the index of the first lump with a prefix, and stores the number of such lumps in *n. after: the prefix with
- * its last byte incremented. */
+/* Returns the index of the first lump with a prefix, and stores the number of such lumps in *n. after: the prefix
+ * with its last byte incremented. */
 static int range(const struct rom *rom, const char *prefix, const char *after, int *n)
 {
     int first = rom_first(rom, prefix);
@@ -72,7 +72,7 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
     return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
-/* Returns the blend rule with the same result as a table, or BLIT_TABLE. */
+/* Returns the blend rule with the same results as a table, or BLIT_TABLE if there is none. */
 static uint8_t rule_of(const uint8_t table[CART_BLEND])
 {
     for (uint8_t rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
@@ -119,7 +119,7 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* Opens the tables of palette i; those it does not have are main's. */
+/* Opens the tables of palette i. In place of missing tables, it uses those of palette/main. */
 static bool open_look(struct cart *c, int i, char *err, size_t err_size)
 {
     struct cart_look *look = &c->looks[i];
@@ -245,7 +245,8 @@ static bool header_ok(const struct sprite *s)
            in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
 }
 
-/* Checks eight pixels at a time: each must be 0, or have the bank in its upper half and not 0 in its lower half. */
+/* Checks a row of a picture, eight pixels at a time. A pixel must be 0, or have the bank in its upper four bits and not
+ * 0 in its lower four bits. Padding must be 0. */
 static bool row_ok(const uint8_t *row, const struct sprite *s)
 {
     const uint64_t ones = 0x0101010101010101, uppers = 0xf0 * ones, lowers = 0x0f * ones;
@@ -253,7 +254,7 @@ static bool row_ok(const uint8_t *row, const struct sprite *s)
     for (int x = 0; x < s->pitch; x += 8) {
         uint64_t pixels;
         memcpy(&pixels, row + x, sizeof pixels);
-        const uint64_t drawn = ((pixels & lowers) + lowers) >> 4 & ones; /* 1 where the lower half is not 0 */
+        const uint64_t drawn = ((pixels & lowers) + lowers) >> 4 & ones; /* 1 in each byte whose lower half is not 0 */
         if ((pixels & uppers) != drawn * ((uint64_t)s->bank << 4))
             return false;
     }
@@ -323,8 +324,8 @@ static void read_hit(const uint8_t *p, struct cart_hit *hit)
     }
 }
 
-/* Returns whether row i is valid for the shape: lengths are not negative, and values that the shape does not use are
- * 0. */
+/* Returns whether row i of a hitbox is valid: lengths are not negative, nothing is too large, and values that the shape
+ * does not use are 0. */
 static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
 {
     const int64_t most = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
@@ -400,7 +401,8 @@ static bool map_header_ok(const struct map *m)
            m->bank <= 15;
 }
 
-/* Checks a tile: tile 0 must be empty, and `solid` must be 1 for exactly the tiles without a 0 pixel. */
+/* Checks a tile: tile 0 must be empty, pixels must be 0 or in the bank, and m->solid must be 1 if no pixel is 0,
+ * otherwise 0. */
 static bool tile_ok(const struct map *m, int tile)
 {
     const int n = m->side * m->side;
@@ -476,7 +478,7 @@ static bool open_bulletml(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* Returns whether a stream's samples are valid. Only music can be a stream. */
+/* Returns whether a stream's samples, for `sides` channels, exist and are valid. Only music can be a stream. */
 static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
 {
     struct lump l;
@@ -485,7 +487,7 @@ static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
            samples_open(l.data, l.size, sides);
 }
 
-/* Checks the n tunes of a folder. */
+/* Checks n tunes, music or sounds, from lump `first` on. */
 static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
 {
     struct lump l;
@@ -515,7 +517,7 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 
     c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
     c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
-    if (c->sounds + c->tunes > 0) { /* their lumps are adjacent in the ROM */
+    if (c->sounds + c->tunes > 0) { /* sounds and music are adjacent in the ROM */
         rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
         c->tune_data = first.data - TUNES_FIRST;
     }
@@ -555,7 +557,7 @@ const char *cart_sprite_name(const struct cart *cart, int i)
     return l.name + strlen("gfx/");
 }
 
-/* Returns the index of the lump folder + name, relative to lump `first`, or -1. */
+/* Returns the index of the lump named folder + name, relative to lump `first`, or -1. */
 static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
 {
     char full[ROM_NAME];
@@ -759,7 +761,7 @@ int cart_find_sound(const struct cart *cart, const char *name)
     return index_in(cart, "sound/", name, cart->first_sound);
 }
 
-/* Returns the place of the samples of the recording at place `tune`; 0: none. */
+/* Returns the place of the samples of the tune at place `tune`, which is a recording; 0: none. */
 static uint32_t samples_of(const struct cart *cart, uint32_t tune)
 {
     const uint32_t at = bytes_get32(cart->tune_data + tune + 12);

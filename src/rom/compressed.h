@@ -1,5 +1,5 @@
 /*
- * compressed.h - compressed ROM files. Decompression restores the plain ROM byte by byte, so lumps and hashes do not
+ * compressed.h - compressed ROM files. Decompression restores the plain ROM exactly, so lumps and hashes do not
  * change.
  *
  * Little-endian:
@@ -16,25 +16,27 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A file whose header claims more is rejected, since it could exhaust memory; the writer leaves such a ROM plain. */
+/* A file whose header exceeds these maximums is rejected, because decompressing it could exhaust memory. The packer
+ * leaves a ROM that would exceed them uncompressed. */
 enum {
     COMPRESSED_HEADER = 32,
     COMPRESSED_MOST = 256 << 20, /* maximum bytes of the plain ROM */
-    COMPRESSED_TIMES = 1000      /* maximum ratio of its size to the file's */
+    COMPRESSED_TIMES = 1000      /* maximum ratio of the plain ROM's size to the file's size */
 };
 
 /* Returns whether data starts like a compressed ROM, which a plain ROM never does. */
 bool compressed_is(const void *data, size_t size);
 
 /* Returns the bytes of the plain ROM; 0, with one sentence in err (without the file's name), if the file is damaged or
- * claims too much. */
+ * its header exceeds the maximums. */
 size_t compressed_size(const void *data, size_t size, char *err, size_t err_size);
 
 /* Decompresses the plain ROM into out, which has compressed_size bytes. Returns false, with one sentence in err, if the
- * file is damaged. rom_open still has to check the result. */
+ * file is damaged. The caller must still check the result with rom_open. */
 bool compressed_read(const void *data, size_t size, void *out, char *err, size_t err_size);
 
-/* Writes the header at out, in front of a stream of `size - COMPRESSED_HEADER` bytes that is already there. */
+/* Writes the header of a compressed file of `size` bytes at out. The LZMA stream must already be at out +
+ * COMPRESSED_HEADER. rom is the plain ROM. */
 void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size);
 
 #endif

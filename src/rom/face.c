@@ -1,6 +1,6 @@
 /*
- * face.c - see face.h. Every pixel is checked, because a blit copies eight at a time and would show the contents of the
- * padding.
+ * face.c - see face.h. Every pixel is checked, because a blit copies eight pixels at a time and would show padding that
+ * is not 0.
  */
 #include "face.h"
 

@@ -2,9 +2,9 @@
  * lzma.c - see lzma.h.
  *
  * The range coder splits a range of numbers in proportion to the odds of each bit, until only the number that the
- * stream encodes is left in the range. Odds move by 1/32 of their error. Any bytes decode to some symbols, so the
- * reader checks that no distance points before the start of the output, that no match runs past its end, and that
- * stream and output end together.
+ * stream encodes is left in the range. Any sequence of bytes decodes to some symbols, so the reader checks that no
+ * distance points before the start of the output, that no match runs past the end of the output, and that stream and
+ * output end together.
  */
 #include "lzma.h"
 
@@ -34,15 +34,15 @@ int lzma_after(int state, enum lzma_match match)
     return match == LZMA_MATCH ? 10 : 11;
 }
 
-/* ---- bits ---- */
+/* ---- range decoder ---- */
 
 struct reader {
     const uint8_t *in, *end;
     uint32_t range, code;
-    bool over; /* the reader needed bytes after the end of the stream */
+    bool over; /* the decoder needed bytes beyond the end of the stream */
     uint8_t *out;
     size_t at, size;
-    uint32_t rep[LZMA_REPS]; /* distances less 1 */
+    uint32_t rep[LZMA_REPS]; /* remembered distances - 1, the last one first */
     int state;
     struct lzma_model m;
 };
@@ -74,7 +74,7 @@ static unsigned read_bit(struct reader *r, lzma_odds *odds)
     return bit;
 }
 
-/* Reads a number of `bits` bits, the highest first. The odds of each bit depend on the bits before it. */
+/* Reads a number of `bits` bits, most significant first. The odds of each bit depend on the bits before it. */
 static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
 {
     unsigned m = 1;
@@ -84,7 +84,7 @@ static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
     return m - (1u << bits);
 }
 
-/* As read_tree, the lowest bit first. */
+/* Like read_tree, but least significant bit first. */
 static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
 {
     unsigned m = 1;
@@ -98,7 +98,7 @@ static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
     return out;
 }
 
-/* Reads bits with even odds, the highest first. */
+/* Reads direct bits (fixed probability 1/2), most significant first. */
 static uint32_t read_even(struct reader *r, int bits)
 {
     uint32_t out = 0;
@@ -120,7 +120,8 @@ static void read_literal(struct reader *r)
     unsigned m = 1;
 
     if (r->state >= LZMA_LITERALS) {
-        const unsigned match = r->out[r->at - r->rep[0] - 1]; /* differs, or the match would be longer */
+        /* The byte that would continue the match. The literal usually differs, or the match would be longer. */
+        const unsigned match = r->out[r->at - r->rep[0] - 1];
         for (int i = 7; i >= 0 && m < 0x100; i--) {
             const unsigned would = match >> i & 1, bit = read_bit(r, &r->m.literal[1 + would][m]);
             m = m << 1 | bit;
@@ -158,7 +159,7 @@ static uint32_t read_distance(struct reader *r, uint32_t length)
     return from + high + read_backwards(r, r->m.align, LZMA_ALIGN);
 }
 
-/* Makes the i-th remembered distance the last one. */
+/* Moves remembered distance i to the front. */
 static void recall(struct reader *r, int i)
 {
     const uint32_t distance = r->rep[i];
@@ -198,7 +199,8 @@ static uint32_t read_new(struct reader *r)
     return length;
 }
 
-/* Copies a match. Returns false if it starts before the output or ends after it. */
+/* Copies a match of `length` bytes at distance rep[0]. Returns false if it starts before the output or runs past its
+ * end. */
 static bool copy(struct reader *r, uint32_t length)
 {
     if (r->rep[0] >= r->at || length > r->size - r->at)
@@ -209,7 +211,7 @@ static bool copy(struct reader *r, uint32_t length)
     return true;
 }
 
-/* Returns whether the whole stream has been read: the number is the start of the range, and no byte is left. */
+/* Returns whether the whole stream has been read: the encoded number is the start of the range, and no byte is left. */
 static bool ended(const struct reader *r)
 {
     return r->code == 0 && r->in == r->end && !r->over;

@@ -16,13 +16,13 @@ enum {
     LZMA_LONGEST = 273,
     LZMA_REPS = 4, /* number of remembered distances */
     LZMA_STATES = 12,
-    LZMA_LITERALS = 7, /* states below this one follow a literal */
+    LZMA_LITERALS = 7, /* in states below this one, the last symbol was a literal */
     LZMA_LENGTHS = 4,  /* models of distance slots: for matches of 2, 3, 4, and 5 or more bytes */
-    LZMA_NEAR = 14,    /* in slots below this one all bits have odds */
-    LZMA_ALIGN = 4,    /* lowest bits of a distance, which have odds in all other slots too */
+    LZMA_NEAR = 14,    /* in distance slots below this one, all bits of a distance are coded with odds */
+    LZMA_ALIGN = 4,    /* in the other slots, only the lowest LZMA_ALIGN bits are; the rest are direct bits */
     LZMA_SCALE = 11,
-    LZMA_PACE = 5,     /* odds move by 1/32 of their error */
-    LZMA_TOP = 1 << 24 /* a range below this one needs another byte */
+    LZMA_PACE = 5,     /* after each bit, its odds move by 2^-LZMA_PACE of their error */
+    LZMA_TOP = 1 << 24 /* a range smaller than this takes in another byte */
 };
 
 /* The probability that a bit is 0, of 2048. */
@@ -32,24 +32,24 @@ struct lzma_length {
     lzma_odds choice[2], low[8], middle[8], high[256];
 };
 
-/* The odds of each kind of bit, learned so far; the writer and the reader have the same at each byte. */
+/* The odds of each kind of bit, adapted to the bits so far. The writer and the reader have equal models at each bit. */
 struct lzma_model {
     lzma_odds match[LZMA_STATES], rep[LZMA_STATES], rep_0[LZMA_STATES], rep_0_long[LZMA_STATES], rep_1[LZMA_STATES],
         rep_2[LZMA_STATES];
     lzma_odds slot[LZMA_LENGTHS][64], near[128], align[1 << LZMA_ALIGN];
     struct lzma_length length, rep_length;
-    lzma_odds literal[3][256]; /* plain; after a match, by the bit that would have continued the match */
+    lzma_odds literal[3][256]; /* [0]: plain; [1 + b]: after a match whose next bit would have been b */
 };
 
 void lzma_model_reset(struct lzma_model *m);
 
-/* Return the state after a literal, and after a match: with a new distance, with a remembered distance, or of one byte
- * at the last distance. */
+/* lzma_after_literal returns the state that follows `state` after a literal; lzma_after, the one after a match: with a
+ * new distance, with a remembered distance, or of one byte at the last distance. */
 enum lzma_match { LZMA_MATCH, LZMA_REP, LZMA_SHORT_REP };
 int lzma_after_literal(int state);
 int lzma_after(int state, enum lzma_match match);
 
-/* Decompresses a stream of exactly `size` plain bytes. Returns false if the stream is damaged or of another size; the
+/* Decompresses a stream of exactly `size` plain bytes. Returns false if the stream is damaged or has another size; the
  * contents of out are then undefined. */
 bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size);
 

@@ -1,6 +1,6 @@
 /*
- * manifest.c - see manifest.h: defaults, ranges and the binary form. manifest_text.c reads the text form. The same walk
- * over the struct reads and writes the binary form, so the two cannot disagree.
+ * manifest.c - see manifest.h: defaults, ranges and the binary form. manifest_text.c reads the text form. One walk over
+ * the struct serves for both reading and writing the binary form, so reader and writer cannot disagree.
  */
 #include "manifest.h"
 
@@ -17,9 +17,9 @@
 #include "../entities/options.h"
 #include "../entities/registers.h"
 
-/* The lump's first word is its format. numbers_of: how many of manifest_numbers a lump of each format has. Core
- * versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. Games that run BulletML documents
- * have format 5, other games format 4. */
+/* The lump's first word is its format. numbers_of: how many fields of manifest_numbers each format contains. Core
+ * versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes format
+ * 5 for games that run BulletML documents, and format 4 for other games. */
 enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
 static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
 
@@ -201,7 +201,7 @@ static bool check_extends(const struct manifest *m, char *err, size_t err_size)
     return true;
 }
 
-/* Returns whether the first n words are valid and distinct, and the rest are zero. */
+/* Returns whether the first n of `max` words are valid and distinct, and the rest are zero. */
 static bool words_ok(const char words[][MAX_WORD], int n, int max)
 {
     for (int i = 0; i < n; i++) {
@@ -389,7 +389,7 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
     m->nvram_kib = NV_KIB;        /* format 1 has no nvram_kib */
-    m->registers = MAX_REGISTERS; /* formats 1 to 3 have no registers; ships could have this many */
+    m->registers = MAX_REGISTERS; /* formats 1 to 3 have no registers field; ships could have this many */
     walk_manifest(&w, m, format);
     if (!w.good)
         return err_set(err, err_size, "unknown format");

@@ -1,7 +1,7 @@
 /*
- * rom.c - see rom.h. rom_open makes all checks; the other functions read without checking. Only the layout that
- * rom_write writes is accepted, except that gaps between sections are allowed: names ascend, data ascends, nothing
- * overlaps.
+ * rom.c - see rom.h. rom_open makes all checks; the other functions read without checking. rom_open accepts only the
+ * layout that rom_write writes, in which names ascend, data ascends and nothing overlaps; but gaps between sections are
+ * allowed.
  */
 #include "rom.h"
 
@@ -15,7 +15,7 @@
 
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 0x1a };
 
-/* The offset where the header's checksum starts. */
+/* The offset of the first byte that the header's checksum covers. */
 enum { CRC_FROM = 16 };
 
 static const uint8_t *entry(const struct rom *rom, uint32_t i)
@@ -181,7 +181,7 @@ static uint64_t align_up(uint64_t n)
     return (n + ROM_ALIGN - 1) / ROM_ALIGN * ROM_ALIGN;
 }
 
-/* Returns the offset of the data. */
+/* Returns the offset of the first lump's data in a ROM of n lumps. */
 static uint64_t data_start(const struct lump *lumps, int n)
 {
     uint64_t at = ROM_HEADER + (uint64_t)n * ROM_ENTRY;

@@ -37,8 +37,8 @@ struct lump {
     uint32_t size;
 };
 
-/* Checks, once, every byte that the reader relies on. Returns false, with one sentence in err (without the file's
- * name), if the block is not a complete, undamaged ROM. The block must outlive rom. */
+/* Opens a ROM and checks it, so that the other functions need no checks. Returns false, with one sentence in err
+ * (without the file's name), if data is not a complete, undamaged ROM. data must outlive rom. */
 bool rom_open(struct rom *rom, const void *data, size_t size, char *err, size_t err_size);
 
 /* Returns the index of the lump with that name, or -1. */
@@ -53,14 +53,14 @@ int rom_first(const struct rom *rom, const char *prefix);
 /* Returns a hash of the names and bytes of all lumps. */
 uint64_t rom_hash(const struct rom *rom);
 
-/* Returns a hash of lumps that ticks can read: manifest, script/, data/, lang/, tune/ and hit/. It leaves out
- * bulletml/, art, sounds and demos. */
+/* Returns a hash of the names and bytes of these lumps, which ticks can read: manifest, script/, data/, lang/, tune/
+ * and hit/. bulletml/, art, sounds and demos are not included. */
 uint64_t rom_game_hash(const struct rom *rom);
 
 /* Returns whether name is valid for a lump: 1 to ROM_NAME - 1 printable ASCII characters. */
 bool rom_name_ok(const char *name);
 
-/* Returns the bytes that rom_write writes for n lumps; 0: 4 GiB or more. */
+/* Returns the size in bytes of a ROM of n lumps; 0: 4 GiB or more. */
 size_t rom_write_size(const struct lump *lumps, int n);
 
 /* Writes a ROM of n lumps into out (rom_write_size bytes). The names must be valid, distinct and ascending. */

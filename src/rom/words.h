@@ -24,7 +24,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
 /* Returns the original string of entry i, and stores its translation in *words unless words is NULL. */
 const char *words_entry(const struct words *w, uint32_t i, const char **words);
 
-/* Returns the translation of a text of n bytes, or NULL. */
+/* Returns the translation of a text of n bytes, or NULL if there is none. */
 const char *words_find(const struct words *w, const char *text, size_t n);
 
 #endif

@@ -1,8 +1,8 @@
 /*
  * bulletml_do.c - executes the commands of BulletML documents, one runner at a time, and evaluates their expressions.
  *
- * A list of actions ends with its last element, even if that is a wait: a runner with nothing after its wait is over at
- * once, and a bullet's next action, due when the wait ends, starts in that frame and not one later.
+ * A list of actions ends with its last element, even if that element is a wait. A runner with no command after the wait
+ * is over immediately, and a bullet's next action starts in the frame in which the wait ends, not one frame later.
  *
  * A fire completes within one turn, so its state is in C variables and not in RAM. A repeat or an action call can last
  * many turns, so each has an entry (a frame of the call stack) in a pool.
@@ -25,10 +25,10 @@ struct work {
     uint32_t at;
     struct shot shot;
     struct given own, fire, bullet; /* parameters of the action, the fireRef and the bulletRef */
-    struct given *given;            /* the one in force */
+    struct given *given;            /* the parameters that expressions use now: own, fire or bullet */
     int64_t fire_value[ML_PARAMS], bullet_value[ML_PARAMS];
-    bool yields;    /* the rest waits for the next frame */
-    uint64_t steps; /* expression steps since work was last counted */
+    bool yields;    /* the remaining commands run in the next frame */
+    uint64_t steps; /* expression steps not charged yet */
 };
 
 static uint32_t next_word(struct work *w)
@@ -150,8 +150,8 @@ static int64_t resolve_speed(const struct work *w, enum ml_type type, int64_t v)
     return v;
 }
 
-/* Starts a timed change from `from` to `to` that takes `term` frames, at least 1. If `each` is not 0, it is the
- * change per frame. */
+/* Starts a timed change from `from` to `to` that takes `term` frames, at least 1. each: the change per frame, or 0 to
+ * divide the difference by `term`. */
 static void begin_change(const struct work *w, int change, int64_t from, int64_t to, int32_t term, int64_t each)
 {
     struct ml_runners *r = w->r;
@@ -170,7 +170,8 @@ static void begin_change(const struct work *w, int change, int64_t from, int64_t
     r->flags[i] |= (uint16_t)(1u << change);
 }
 
-/* Starts a turn the shorter way round; of two equally long ways, the one opposite in sign to the plain difference. */
+/* Starts a change of direction. A sequence turns by its value per frame. Other types turn the shorter way round; for
+ * exactly half a turn, the side is opposite in sign to the plain difference. */
 static void turn(struct work *w, enum ml_type type)
 {
     const int32_t term = ml_whole(next_value(w));
@@ -217,7 +218,7 @@ static void accel(struct work *w, uint32_t types)
 
 /* ---- repeats and calls ---- */
 
-/* Pushes a new innermost frame. If the pool is full, ends the runner's actions and returns false. */
+/* Pushes a new innermost call frame. If the pool is full, ends the runner's actions and returns false. */
 static bool push(struct work *w, uint32_t command, int32_t left, uint32_t back, uint32_t given)
 {
     struct ml_frames *f = &w->t->b->ml_frames;
@@ -250,7 +251,7 @@ static void pop(struct work *w)
     slots_drop(&f->s, k);
 }
 
-/* Makes `list` (slot + 1; 0: none) the runner's own parameters. Takes over the caller's reference to it. */
+/* Makes `list` (slot + 1; 0: none) the runner's own parameters. Takes over the caller's reference to the list. */
 static void set_given(struct work *w, uint32_t list)
 {
     const struct ml_params *p = &w->t->b->ml_params;
@@ -259,8 +260,8 @@ static void set_given(struct work *w, uint32_t list)
     w->own = (struct given){ list ? p->n[list - 1] : 0, list ? p->value + (size_t)(list - 1) * ML_VALUES : NULL, list };
 }
 
-/* Evaluates the n parameters of a call into a new list, *list (slot + 1; 0 if there are none). If the pool is full,
- * ends the runner's actions and returns false. */
+/* Evaluates the n parameters of a call and sets *list to a new list of them (slot + 1; 0: no parameters). If the pool
+ * is full, ends the runner's actions and returns false. */
 static bool call_list(struct work *w, uint32_t n, uint32_t *list)
 {
     int64_t out[ML_PARAMS];
@@ -456,7 +457,7 @@ static void command(struct work *w, uint32_t c)
     }
 }
 
-enum { A_COMMAND = 8, A_STEP = 1 /* work */ };
+enum { A_COMMAND = 8, A_STEP = 1 /* work per command and per expression step */ };
 
 /* Charges for the executed command c and its expression steps. */
 static void count(struct work *w, uint32_t c)

@@ -1,6 +1,6 @@
 /*
- * bulletml_parts.h - what the two halves of the BulletML interpreter share: bulletml_run.c, which manages roots,
- * runners and bullets, and bulletml_do.c, which executes the commands.
+ * bulletml_parts.h - declarations shared by the two halves of the BulletML interpreter: bulletml_run.c, which manages
+ * roots, runners and bullets, and bulletml_do.c, which executes the commands.
  */
 #ifndef SCRIPT_BULLETML_PARTS_H
 #define SCRIPT_BULLETML_PARTS_H
@@ -15,26 +15,26 @@ enum {
     LONGEST = 1 << 30       /* frames, for a wait or a term */
 };
 
-/* Returns the extra precision of a change's step, which is stored in units of 2^-32 / bulletml_fine so that the
- * steps add up to the exact straight line. A step too large for that is stored as 0, and the value is interpolated
- * each frame. */
+/* Returns the factor that the per-frame step of a change is scaled by: steps are stored in units of 2^-32 /
+ * bulletml_fine, so that rounding errors stay small when many steps are added. A step too large to be scaled is stored
+ * as 0; the value is then interpolated each frame. */
 static inline int64_t bulletml_fine(int change)
 {
     return change == CHANGE_DIRECTION ? 1 << 12 : 1 << 20;
 }
 
-/* A runner's turn. */
+/* The turn of one runner in one frame. */
 struct turn {
     struct board *b;
     const struct ml *ml;
     uint32_t runner, root, body;
     uint32_t now; /* the board's clock, in frames */
-    fx x, y;      /* position of its bullet, or of the root */
+    fx x, y;      /* position of the runner's bullet or, for a top-level runner, of the root */
     bool vanishes;
     bool steers; /* direction, speed or velocity changed */
 };
 
-/* The values of $1, $2, ... in a part of a document, from a list in the parameter pool or not stored there yet. */
+/* The values of $1, $2, ... in an action, fire or bullet. They may not be in the parameter pool yet. */
 struct given {
     int n;
     const int64_t *value;
@@ -45,7 +45,7 @@ struct given {
 struct fired {
     int64_t direction, speed; /* degrees in [0, 360), and document speed; both Q31.32 */
     uint32_t label;           /* label + 1; 0: none */
-    uint32_t at;              /* program position of its actions; 0: it has none */
+    uint32_t at;              /* program position of the bullet's actions; 0: none */
 };
 
 /* Executes the runner's due commands. */
@@ -54,9 +54,9 @@ void bulletml_do(struct turn *t);
 /* Fires f from the runner's position. */
 void bulletml_fire(const struct turn *t, const struct fired *f, struct given *given);
 
-/* Reference counting of parameter lists, named by slot + 1; 0 is ignored. bulletml_keep adds a reference,
- * bulletml_let_list drops one and frees an unused list. bulletml_list returns a new list of n values with one
- * reference; 0: pool full. */
+/* Reference counting of parameter lists. A list is identified by slot + 1; 0 means no list and is ignored.
+ * bulletml_keep adds a reference. bulletml_let_list drops a reference, and frees the list if it was the last one.
+ * bulletml_list returns a new list of n values with one reference, or 0 if the pool is full. */
 void bulletml_keep(struct board *b, uint32_t list);
 void bulletml_let_list(struct board *b, uint32_t list);
 uint32_t bulletml_list(struct board *b, const int64_t *value, int n);
@@ -67,7 +67,8 @@ int64_t bulletml_aim(const struct turn *t);
 /* Raises a script fault that names the runner's document and the line of command w. */
 void bulletml_fault(const struct turn *t, uint32_t w, const char *what);
 
-/* Raises the fault for more BulletML work, in all documents together, than a frame may take. */
+/* Raises the fault for exceeding the frame's work limit, with the number of runners and of commands executed in all
+ * documents. w: the current command. */
 void bulletml_too_much(const struct turn *t, uint32_t w);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * bulletml_run.c - runs BulletML documents in a tick: roots, runners and their bullets. bulletml_do.c executes the
+ * bulletml_run.c - runs BulletML documents each tick: roots, runners and their bullets. bulletml_do.c executes the
  * commands.
  *
  * Runners get their turns in the order in which they were created, before bullets move. In its turn a runner reads what
@@ -116,7 +116,7 @@ static int64_t in_speed(int64_t v)
     return int64_clamp(v, -most, most);
 }
 
-/* Converts a document's speed to px a frame, Q31.32, at most MAX_SPEED. */
+/* Converts a document's speed to px a frame, Q31.32, clamped to MAX_SPEED in both directions. */
 static inline int64_t scaled(int64_t v, int64_t pace)
 {
     const int64_t most = (int64_t)1 << 46;
@@ -142,7 +142,8 @@ static inline __attribute__((always_inline)) struct heading heading_of(const str
     return h;
 }
 
-/* Sets a body's direction. */
+/* Sets a body's direction in the document and the values derived from it: the board's direction, its cosine and
+ * sine. */
 static inline __attribute__((always_inline)) void head_for(struct ml_runners *r, const struct ml_roots *o,
                                                            uint32_t root, uint32_t body, int64_t direction)
 {
@@ -163,7 +164,7 @@ static inline __attribute__((always_inline)) struct flight flight(const struct m
     return (struct flight){ nearest(v), nearest(x), nearest(y), x, y };
 }
 
-/* Adds a velocity of the document to f. The sum is rounded only once. */
+/* Converts (vx, vy) from the document's units and axes to the board's and adds it to f. Only the sum is rounded. */
 static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
     const ang turned = o->turned[root] - UP;
@@ -195,7 +196,7 @@ flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, u
 
 /* ---- runners ---- */
 
-/* Creates a runner, last in the order. Returns NO_SLOT if the pool is full. */
+/* Creates a runner whose turn comes last. Returns NO_SLOT if the pool is full. */
 static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32_t at, uint32_t wake)
 {
     struct ml_runners *r = &b->ml_runners;
@@ -353,8 +354,8 @@ static inline int64_t changed(const struct ml_runners *r, size_t c, int change, 
     return ml_add(r->from[c], ml_multiply(ml_subtract(r->to[c], r->from[c]), ml_divide(k * ML_ONE, term * ML_ONE)));
 }
 
-/* Wraps a direction into range. If it wraps, shifts both ends of the turn by the same amount, so that a turn over
- * many rounds stays near the range. */
+/* Returns v, the current value of direction change c, wrapped to [0, 360). If wrapping alters v, shifts both ends of
+ * the change by the same amount, so that they stay near the range even over many rounds. */
 static inline int64_t wrap_turn(struct ml_runners *r, size_t c, int64_t v)
 {
     const int64_t in = ml_wrap(v);
@@ -396,7 +397,8 @@ static void apply_changes(struct turn *t)
     t->steers = true;
 }
 
-/* Takes over what scripts wrote to the runner's bullet, and ends the changes that this overrides. */
+/* Updates the runner with what scripts wrote to its bullet since its last turn, and ends the changes in progress that
+ * these writes override. */
 static void read_back(const struct turn *t, uint32_t bullet)
 {
     const struct bullets *s = &t->b->bullets;
@@ -473,7 +475,8 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) { /* 0: resumes in this move */
+    /* With `frozen` 0 the bullet resumes in this frame's move. */
+    if (b->bullets.stands && b->bullets.stands[bullet] && b->bullets.frozen[bullet]) {
         stay(r, i);
         return true;
     }
@@ -492,7 +495,7 @@ static bool run_bullet(struct turn *t)
     return !(r->flags[i] & RUNNER_OVER) || r->flags[i] & RUNNER_CHANGES;
 }
 
-/* Sets *v to the value of a change. Returns false if the change ends in this frame or has no step. */
+/* Sets *v to the current value of change c. Returns false if the change ends in this frame or has no step. */
 static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint32_t now, int64_t *v)
 {
     if ((int32_t)(now - r->over[c]) >= 0 || !r->step[c])
@@ -501,7 +504,8 @@ static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint
     return true;
 }
 
-/* Returns whether runner i's bullet, slot k, still exists and is as the runner left it. */
+/* Returns whether runner i's bullet, in slot k, still exists and has the speed and direction that the runner last
+ * set. */
 static inline bool untouched(const struct ml_runners *r, const struct bullets *s, uint32_t i, uint32_t k)
 {
     return slots_has(&s->s, k, handle_gen(r->bullet[i])) && !s->motion[k] &&
@@ -546,7 +550,7 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     return true;
 }
 
-/* Charges for a root's search through all runners for its own. */
+/* Charges the work of scanning all runners for those of one root. */
 static void count_search(struct board *b)
 {
     const struct ml_runners *r = &b->ml_runners;
@@ -656,7 +660,7 @@ static fx in_world(int64_t v)
     return (fx)int64_clamp(v, -WORLD * FX_ONE, WORLD * FX_ONE);
 }
 
-/* Moves a root to the entity it follows. */
+/* Moves a root to its offset from the entity it follows. */
 static void find_place(struct board *b, uint32_t i)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -667,8 +671,8 @@ static void find_place(struct board *b, uint32_t i)
     o->y[i] = in_world((int64_t)y + o->dy[i]);
 }
 
-/* Before the turns: ends roots whose owner or followed entity no longer exists, updates the positions of followers,
- * and drops ended roots that have no runners left, neither their own nor their bullets'. */
+/* Called before the turns. Ends roots whose owner or followed entity no longer exists, moves roots that follow an
+ * entity, and drops ended roots that have no runners left (top-level or of bullets). */
 static void find_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -683,8 +687,8 @@ static void find_roots(struct board *b)
     }
 }
 
-/* Moves a coordinate by `by`, Q31.32; *more is its 16 extra fraction bits. The precision matters because some
- * documents move a root during the whole game and aim from it. */
+/* Moves a coordinate by `by`, Q31.32; *more holds 16 more fraction bits of the coordinate. The precision matters
+ * because some documents move a root during the whole game and aim from it. */
 static void move_fine(fx *at, int16_t *more, int64_t by)
 {
     const int64_t most = (int64_t)WORLD << 32;
@@ -694,7 +698,7 @@ static void move_fine(fx *at, int16_t *more, int64_t by)
     *at = (fx)whole;
 }
 
-/* Moves a root by its own velocity, together with the enemy that it steers. */
+/* Moves a root by its own velocity, together with the enemy it steers, if any. */
 static void move_root(struct board *b, uint32_t i)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -729,7 +733,7 @@ static bool all_ended(struct board *b, uint32_t root)
     return true;
 }
 
-/* After the turns: ends roots that vanished or have finished, and moves the others. */
+/* Called after the turns. Ends roots that vanished or have finished, and moves the others. */
 static void end_roots(struct board *b)
 {
     struct ml_roots *o = &b->ml_roots;
@@ -745,7 +749,7 @@ static void end_roots(struct board *b)
     slots_trim(&o->s);
 }
 
-/* The program of the previous runner, which is usually the next one's too. */
+/* The document opened for the previous runner's turn; the next runner usually has the same one. */
 struct opened {
     uint32_t program; /* UINT32_MAX: none */
     struct ml ml;

@@ -7,8 +7,8 @@
 #include <lua.h>
 #include "../machine/machine.h"
 
-/* Runs all documents for one frame; called before bullets move. bulletml_let_go spawns the bullets they fired, after
- * the frame's hits. */
+/* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_let_go spawns the bullets
+ * that the documents fired in the frame; it is called after the frame's hits. */
 void bulletml_run(struct board *b);
 void bulletml_let_go(struct board *b);
 
@@ -34,7 +34,8 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start);
 void bulletml_stop(struct board *b, uint32_t i);
 
 /* bulletml_set_handler sets on_fire of the root in slot i to the value on top of the stack (popped). bulletml_tell
- * calls it with a bullet's handle and the name of a label (given + 1; 0: nil). */
+ * calls that function with a bullet's handle and the name of a label; `label` is the label's index + 1, or 0 to pass
+ * nil. */
 void bulletml_set_handler(lua_State *L, uint32_t i);
 void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
 

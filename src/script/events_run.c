@@ -2,11 +2,11 @@
  * events_run.c - see events_run.h.
  *
  * The Lua registry holds the handlers: a list of functions for each event that has any, and one table of functions and
- * drop lists. Its keys are, for functions, enemy kinds ("on_hit 3"), bullet kinds ("bullet's on_death 3"), pairs of
- * tags ("on_meet 3"), item kinds ("item's on_take 3") and single enemies (slot + 1); for drop lists "drops 3",
- * "bullet's drops 3" and single enemies (-slot - 1). Every spawn sets the entries of its slot, so nothing is left from
- * the slot's previous tenant. A handler may raise further events; they are applied in the same frame, after those
- * raised before.
+ * drop lists. The keys of functions are e.g. "on_hit 3" (enemy kind 3), "bullet's on_death 3" (bullet kind 3), "on_meet
+ * 3" (tag pair 3), "item's on_take 3" (item kind 3) and slot + 1 (a single enemy). The keys of drop lists are "drops 3"
+ * (enemy kind 3), "bullet's drops 3" (bullet kind 3) and -slot - 1 (a single enemy). Spawning an enemy sets both
+ * entries of its slot, so no entry of the slot's previous enemy is left. A handler may raise further events; they are
+ * applied in the same frame, after all events raised earlier.
  */
 #include "bulletml_run.h"
 #include "events_run.h"
@@ -79,7 +79,7 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     return true;
 }
 
-enum { AN_EVENT = 30, A_HANDLER = 10 /* work per event and per handler call, without the handler's own */ };
+enum { AN_EVENT = 30, A_HANDLER = 10 /* work per event and per handler call, excluding the handler's own work */ };
 
 static void count(struct board *b, uint64_t work)
 {
@@ -89,7 +89,7 @@ static void count(struct board *b, uint64_t work)
             b->events.n);
 }
 
-/* Calls every handler of an event with the n values on top of the stack (popped). */
+/* Calls every handler of an event with the n arguments on top of the stack (popped). */
 static void call_handlers(lua_State *L, int kind, int n)
 {
     int first = lua_gettop(L) - n + 1;
@@ -164,7 +164,8 @@ bool events_push_function(lua_State *L, uint16_t kind, const char *what)
     return false;
 }
 
-/* Drops the items of the list on top of the stack (popped), if it is a list. */
+/* Drops items at (x, y) as listed by the value on top of the stack (popped); does nothing if that is not a drop
+ * list. */
 static void drop(lua_State *L, struct board *b, fx x, fx y)
 {
     if (lua_type(L, -1) == LUA_TSTRING)
@@ -173,7 +174,7 @@ static void drop(lua_State *L, struct board *b, fx x, fx y)
         lua_pop(L, 1);
 }
 
-/* Drops the enemy's own list, or else its kind's. */
+/* Drops the items of the enemy's own drop list or, if it has none, of its kind's. */
 static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
@@ -186,7 +187,8 @@ static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
     drop(L, b, b->enemies.x[i], b->enemies.y[i]);
 }
 
-/* Pushes the enemy's own on_death, or else its kind's. Returns false, with nothing pushed, if neither exists. */
+/* Pushes the enemy's own on_death or, if it has none, its kind's. Returns false, with nothing pushed, if neither
+ * exists. */
 static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
@@ -198,7 +200,7 @@ static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
     return events_push_function(L, kind, "on_death");
 }
 
-/* spark: spark kind + 1; 0: none. */
+/* Emits the sparks of a death. spark: spark kind + 1; 0: none. */
 static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
 {
     if (spark)
@@ -207,7 +209,8 @@ static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
                    .x = x, .y = y, .speed = 2 << 16, .spread = UINT32_MAX, .kind = (uint16_t)(spark - 1), .n = 12 });
 }
 
-/* Calls an enemy's own handler, in the enemy's scene, with the n values on top of the stack (popped). */
+/* Calls the function below the n arguments on top of the stack (all popped) as a handler of enemy i, in the enemy's
+ * scene. */
 static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
 {
     struct tasks_now was = tasks_act_for_scene(b, b->enemies.owner[i]);
@@ -216,7 +219,8 @@ static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
     tasks_act_for(b, was);
 }
 
-/* Removes the parts of a body that died, with their sparks, in slot order; each part after its own parts. */
+/* Removes the parts of an enemy that died and emits their sparks, in slot order. A part that has parts is removed after
+ * them. */
 static void burst_parts(struct board *b, uint32_t body)
 {
     struct enemies *e = &b->enemies;
@@ -248,7 +252,7 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
     b->enemies.hp[i] = 0;
     if (b->items.s.cap)
         enemy_drops(L, b, i);
-    if (push_death(L, i, kind)) { /* it can still read where the enemy died */
+    if (push_death(L, i, kind)) { /* on_death can still read the enemy's position */
         push_thing(L, h);
         push_thing(L, p);
         call_own(b, L, i, 2);
@@ -257,7 +261,8 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
         burst_parts(b, i);
 }
 
-/* Returns whether an event that names h still takes effect: not if h was removed or killed since. */
+/* Returns whether an event about entity h still takes effect, i.e. whether h has not been removed or killed since the
+ * event was raised. */
 static bool counts(const struct board *b, int64_t h)
 {
     if (!board_there(b, h))
@@ -265,8 +270,8 @@ static bool counts(const struct board *b, int64_t h)
     return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
 }
 
-/* Takes `amount`, in 2^-32 hp, from one enemy. Sets *body to the enemy's body, 0 if it has none, and returns the
- * share of the amount that passes on to the body. */
+/* Takes `amount`, in 2^-32 hp, from one enemy. Sets *body to the handle of the enemy's body, or 0 if it has none, and
+ * returns the share of the amount that is passed on to the body. */
 static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player, int64_t *body)
 {
     struct enemies *e = &b->enemies;
@@ -281,7 +286,8 @@ static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amo
     return on;
 }
 
-/* events_enemy_hurt when enemies may be parts. A handler may remove the body before it takes its share. */
+/* Like events_enemy_hurt, for boards on which enemies may be parts. A handler may remove the body before the body takes
+ * its share. */
 static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
@@ -317,14 +323,14 @@ static void take_away(struct board *b, struct bullets *s, int64_t h)
         bullets_release(s, handle_slot(h));
 }
 
-/* Uses up shot h, which hit `thing`, unless it pierces it. */
+/* Uses up shot h, which hit `thing`, unless the shot pierces it. */
 static void spend(struct board *b, int64_t h, int64_t thing)
 {
     if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), thing, b->core.clock))
         take_away(b, &b->shots, h);
 }
 
-/* Destroys bullet h, whose hp reached 0. Its on_death can still read it, but it is no longer alive. */
+/* Destroys bullet h, whose hp reached 0. on_death can still read the bullet, which is no longer alive. */
 static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
@@ -349,7 +355,8 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
         bullets_release(&b->bullets, i);
 }
 
-/* A shot damages a bullet that has hp, or cancels one that has none. An earlier event may have changed both. */
+/* Applies a shot's hit on a bullet: damages a bullet that has hp; cancels one that has none. Earlier events of the
+ * frame may have changed the bullet. */
 static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
 {
     const struct bullets *s = &b->bullets;
@@ -373,7 +380,7 @@ static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
     }
 }
 
-/* A shot hits. An enemy that still exists uses it up, even if the enemy is safe. */
+/* Applies a shot's hit. An enemy that still exists uses up the shot even if the enemy is safe. */
 static void apply_shot(struct board *b, lua_State *L, const struct event *e)
 {
     if (!counts(b, e->a) || !counts(b, e->b))
@@ -400,8 +407,8 @@ static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t 
     return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
 }
 
-/* A player's laser hurts all enemies that it touches, in slot order. A handler may move or remove any of them, or
- * the laser. */
+/* Hurts all enemies that a player's laser touches, in slot order. A handler may move or remove the laser or any of the
+ * enemies. */
 static void apply_laser(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t i = handle_slot(e->a);
@@ -437,8 +444,8 @@ static void apply_block(struct board *b, const struct event *e)
         bullets_drop(&b->bullets, handle_slot(e->a));
 }
 
-/* Removes bullet h of a pair that met, leaving the pair's spark or else its kind's. Does nothing if h is gone, or if
- * its kind cannot be cleared and the pair does not clear all. */
+/* Removes bullet h of a pair that met, and emits the pair's spark or, if it has none, the bullet kind's. Does nothing
+ * if the bullet no longer exists, or if its kind is immune to clearing and the pair does not clear all. */
 static void meet_take(struct board *b, uint32_t pair, int64_t h)
 {
     const struct bullets *s = &b->bullets;
@@ -456,7 +463,8 @@ static void meet_take(struct board *b, uint32_t pair, int64_t h)
     take_away(b, &b->bullets, h);
 }
 
-/* Two bullets of a pair met: calls the pair's handler while both exist, then removes those the pair removes. */
+/* Applies the meeting of two bullets, if both still exist: calls the pair's handler, then removes the bullets that the
+ * pair is declared to remove. */
 static void apply_meet(struct board *b, lua_State *L, const struct event *e)
 {
     uint8_t flags = b->bullets.meet_flags[e->pair];
@@ -489,8 +497,8 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
     tell(L, e);
 }
 
-/* Returns whether the register that makes the item kind full, the ship's or else the run's, is at its maximum. The
- * item then gives only points. */
+/* Returns whether the register named by the item kind's `full` is at its maximum; the item then gives only points. The
+ * name is looked up among the ship's registers, then among the run's. */
 static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
     const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
@@ -502,7 +510,8 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
     return reg >= 0 && board_run_full(b, (uint32_t)reg);
 }
 
-/* Adds what the item gives to the ship's registers, or else to the run's. */
+/* Adds the item kind's amounts to the registers that it names: the ship's or, if the ship has no such register, the
+ * run's. */
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
     for (int k = 0; k < ITEM_REGISTERS; k++) {
@@ -537,8 +546,8 @@ static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
     board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
 }
 
-/* Handlers can still read the item, which is no longer alive. A player hit in this frame still takes it, because
- * EV_DEATH comes after it. */
+/* Applies the taking of an item. Handlers can still read the item, which is no longer alive. A player who was hit in
+ * this frame still takes the item, because EV_DEATH is applied after EV_TAKE. */
 static void apply_take(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
@@ -606,8 +615,8 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 
     if (b->start.practice.invincible) /* tested only here; does not affect `safe`, which scripts read and write */
         return;
-    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b)) /* a handler may have
-                                                                                               removed it */
+    /* An earlier handler may have removed the entity that hit the player. */
+    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b))
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved the player */
@@ -640,8 +649,8 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     events_game_over(b);
 }
 
-/* The handlers of on.kill and on.leave can still read the enemy, which is dropped after them. An enemy killed while
- * leaving raises no on.leave. */
+/* The handlers of on.kill and on.leave can still read the enemy, which is removed after they return. An enemy killed
+ * while leaving raises no on.leave. */
 static void apply_end(struct board *b, lua_State *L, const struct event *e)
 {
     if (e->kind == EV_LEAVE && !counts(b, e->a))

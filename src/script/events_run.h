@@ -1,6 +1,6 @@
 /*
- * events_run.h - applies a frame's events after the hits of the tick: their effects and the scripts' handlers, in the
- * order of the events.
+ * events_run.h - applies a frame's events, in order, after hit detection: carries out each event's effects and calls
+ * the scripts' handlers.
  */
 #ifndef SCRIPT_EVENTS_RUN_H
 #define SCRIPT_EVENTS_RUN_H
@@ -13,17 +13,17 @@
  * handlers; then the events that only scripts raise. */
 extern const char *const events_names[];
 
-/* Applies all events, including those raised meanwhile. For vm_call. */
+/* Applies all queued events, including events raised by handlers in the process. Called through vm_call. */
 int events_run(lua_State *L);
 
-/* Kills enemy i: scores for player (1 or 2; 0: nobody), emits sparks, raises EV_KILL, drops items, calls its
- * on_death. */
+/* Kills enemy i: adds its score to `player` (1 or 2; 0: nobody), emits sparks, raises EV_KILL, drops items and calls
+ * the enemy's on_death. */
 void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player);
 
 /* Takes n hp from enemy i unless it is safe. Returns whether the enemy died. */
 bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player);
 
-/* Returns the points player p gets for an item of that kind at p's position. */
+/* Returns the points that player p gets for taking an item of this kind at p's current position. */
 int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind);
 
 /* Events that only scripts raise: indices into events_names. */
@@ -32,7 +32,7 @@ enum { EV_PHASE = EV_SCRIPT, EV_STAGE, EV_START };
 /* Raises EV_GAME_OVER, once, if no player is in the game and none can continue. */
 void events_game_over(struct board *b);
 
-/* Calls the handlers of on.start at once. Tasks they start belong to the scope `game`. */
+/* Calls the on.start handlers immediately. Tasks started by the handlers belong to the scope `game`. */
 void events_start(lua_State *L, int64_t game);
 
 /* Takes a life from player p and raises EV_DEATH. */
@@ -47,10 +47,11 @@ void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y);
 /* Creates the empty handler tables. */
 void events_open(lua_State *L);
 
-/* Adds the function on top of the stack (popped) to the handlers of on.NAME, NAME = events_names[kind]. */
+/* Adds the function on top of the stack (popped) to the handlers of on.NAME, where NAME is events_names[kind]. */
 void events_on(lua_State *L, int kind);
 
-/* Queues the n values on top of L's stack (popped) for the handlers of `name`. Returns whether that event exists. */
+/* Queues the event `name` with the n values on top of L's stack (popped) as arguments. If there is no such event,
+ * returns false and pops nothing. */
 bool events_emit(struct board *b, lua_State *L, const char *name, int n);
 
 /* Sets a kind's function, drops or parts, as named by `what` ("on_hit", "bullet's drops"), to the value on top of
@@ -60,10 +61,11 @@ void events_set_function(lua_State *L, uint16_t kind, const char *what);
 /* Sets on_death of the enemy just spawned in `slot` to the function or nil on top of the stack (popped). */
 void events_set_death(lua_State *L, uint32_t slot);
 
-/* Sets that enemy's drops to the value on top of the stack (popped): a list made by api_drops, or nil. */
+/* Sets the drops of the enemy just spawned in `slot` to the value on top of the stack (popped): a list made by
+ * api_drops, or nil. */
 void events_set_drops(lua_State *L, uint32_t slot);
 
-/* Pushes the value set by events_set_function, or nil. */
+/* Pushes the value that events_set_function set for this kind and `what`, or nil. */
 void events_push_set(lua_State *L, uint16_t kind, const char *what);
 
 /* Pushes a kind's function such as "run" or "on_hit". Returns false, with nothing pushed, if the kind has none. */

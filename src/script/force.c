@@ -11,7 +11,7 @@ enum {
     FORCE_HP = 5000 /* few enough that an enemy meant to be indestructible survives */
 };
 
-/* Returns the handle of a bullet that can be grazed, or one that can hit a player if not `grazes`; 0 if there is
+/* Returns the handle of a bullet that can be grazed or, if not `grazes`, that can hit a player. Returns 0 if there is
  * none. */
 static int64_t bullet_that(const struct board *b, bool grazes)
 {

@@ -10,19 +10,20 @@
 #include <lua.h>
 #include <stdbool.h>
 
-/* Returns the string key at stack index `at`, or NULL if it is not a string or contains \0, which no name does. */
+/* Returns the key at stack index `at` if it is a string without \0 bytes (names contain none), otherwise NULL. */
 const char *luakeys_text(lua_State *L, int at);
 
-/* Replaces the key on top (nil: before the first) by the next key of the table at `at`. Returns how many keys share
- * its place in the order, itself included: several tables or functions do. Pops the key and returns 0 at the end. */
+/* Replaces the key on top (nil to start) by the next key of the table at `at`. Returns the number of keys at this place
+ * in the order, which is above 1 if several keys are, say, tables or functions. After the last key, pops the key and
+ * returns 0. */
 int luakeys_next(lua_State *L, int at);
 
 /* Pushes the value to show for the key on top. `like` is what luakeys_next returned; above 1 the value is "...". */
 void luakeys_push_value(lua_State *L, int at, int like);
 
-/* Ends a C function that walked a table: moves its n results to the bottom of its stack and clears the slots above,
- * where keys remain in an order that differs between runs. The work counter (vm_count.c) weighs all stack slots of a
- * call, stale ones included. Returns n. */
+/* Ends a C function that walked a table: moves the n results to the bottom of the stack and clears the slots above
+ * them, which hold keys in an order that differs between runs. The work counter (vm_count.c) weighs all stack slots of
+ * a call, stale ones included. Returns n. */
 int luakeys_return(lua_State *L, int n);
 
 /* Returns whether the key on top is known. `key` is its text (luakeys_text), `of` the context given to

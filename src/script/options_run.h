@@ -6,7 +6,8 @@
 
 #include "../machine/machine.h"
 
-/* Spawns and removes options so that each ship has those of its level. Called once a frame, before the moves. */
+/* Spawns and removes options so that each ship has the number of options its level calls for. Called once a frame,
+ * before the moves. */
 void options_count(struct board *b, lua_State *L);
 
 /* Moves options along with their ships. */

@@ -8,7 +8,7 @@
 enum { BUTTON_BOMB = 5 }; /* index in PAD_NAMES */
 _Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
 
-/* Counts down player p's bomb. The bomb's scope ends with it. */
+/* Counts down player p's bomb. When the bomb ends, stops its scope. */
 static void count_bomb(struct board *b, uint32_t p)
 {
     const int64_t scope = b->player.bomb[p];

@@ -19,7 +19,7 @@ uint64_t profile_work(const struct profile_line *line)
     return line->instructions + line->calls;
 }
 
-/* Returns the entry of that place, or `other` if there is no room for a new one. */
+/* Returns the entry for `place`, adding it if it is new, or `other` if there is no space for it. */
 static struct profile_line *entry(struct profile *p, const char *place, size_t n)
 {
     uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_ROOM;
@@ -69,7 +69,7 @@ static struct profile_line *caller(struct profile *p, lua_State *L)
     return entry(p, place, n < PROFILE_PLACE ? (size_t)n : PROFILE_PLACE - 1);
 }
 
-/* Returns the line that the next instruction counts for. Usually that is the same line as for the previous one. */
+/* Returns the line that the next instruction counts for. This is usually the previous instruction's line. */
 static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug *ar)
 {
     lua_getinfo(L, "Sl", ar);
@@ -87,8 +87,8 @@ static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug
     return entry_at(p, ar);
 }
 
-/* Adds the work and allocations since the last call to the last line. A board that was reset has a new heap, whose
- * count of allocated bytes starts at 0. */
+/* Adds the work and allocations since settle was last called to the last instruction's line. A board that was reset has
+ * a new heap, whose count of allocated bytes starts at 0. */
 static void settle(struct profile *p, const struct vm *vm)
 {
     const uint64_t allocated = heap_work(vm->heap);

@@ -20,7 +20,7 @@ enum {
 
 /* Work is in instructions, counted as for the infinite-loop guard (vm_count.c). */
 struct profile_line {
-    char place[PROFILE_PLACE]; /* the author's line if there is one in the call chain, otherwise @std's; "": unused */
+    char place[PROFILE_PLACE]; /* the author's line if the call chain has one, otherwise a line of @std; "": unused */
     uint64_t instructions;     /* Lua instructions */
     uint64_t calls;            /* work of C functions called: 100 per API function, more for costly ones */
     uint64_t bytes;            /* allocated; approximate, because table growth depends on hash order */
@@ -34,13 +34,13 @@ struct profile {
 
     /* private to profile.c */
     struct profile_line *now; /* the last instruction's line; NULL: none yet in this turn */
-    const char *source;       /* chunk of the last instruction, if it was the author's; `at` is its line */
-    int at;
+    const char *source;       /* chunk of the last instruction; NULL: none, or in @std */
+    int at;                   /* line of the last instruction in `source` */
     uint64_t seen, allocated; /* work and allocated bytes (heap_work) counted so far */
 };
 
-/* Starts counting into p, which must be zeroed; NULL stops. Call it after power-on and after a restore. The
- * infinite-loop guard works as without a profile. */
+/* Starts counting into p, which must be zeroed; NULL stops. Call it after power-on and after a restore. Profiling does
+ * not affect the infinite-loop guard. */
 void board_profile(struct board *b, struct profile *p);
 
 /* Returns a line's total work: instructions and calls. */

@@ -20,7 +20,7 @@ static const char no_mode[] = "__mode is not available (weak tables hold differe
 struct scan {
     struct cursor at;
     char word[8]; /* the first bytes of the last name or string */
-    size_t size;  /* its length in bytes */
+    size_t size;  /* bytes in the whole name or string */
 };
 
 static void keep(struct scan *s, unsigned c)
@@ -114,7 +114,7 @@ static void escape(struct scan *s)
         for (s->at.p++; s->at.p < s->at.end && strchr(" \t\n\v\f\r", *s->at.p) != NULL && *s->at.p != '\0';)
             cursor_step(&s->at);
     } else if (s->at.p < s->at.end) {
-        keep(s, '\n'); /* a letter or a line end: any character that is in neither name */
+        keep(s, '\n'); /* a letter or a line end: recorded as \n, since no forbidden name contains its value */
         cursor_step(&s->at);
     }
 }
@@ -274,7 +274,7 @@ const char *script_field(const char *text, size_t n, size_t at, size_t *size)
     return first;
 }
 
-/* ---- a missing end ---- */
+/* ---- explaining a missing `end` ---- */
 
 enum { MAX_BLOCKS = 256 };
 
@@ -292,7 +292,7 @@ struct blocks {
     int n;
 };
 
-/* Returns the number of blanks at the start of p's line. *first: whether p directly follows them. */
+/* Returns the number of blanks at the start of p's line. Sets *first to whether p directly follows the blanks. */
 static int indent_of(const char *text, const char *p, bool *first)
 {
     const char *line = p;
@@ -370,8 +370,9 @@ static bool block_bracket(struct blocks *b, const struct block **lacks)
     return true;
 }
 
-/* Finds the block that probably lacks its end: one whose end is indented less than the block, and so belongs to
- * another block; or else one still open where it must end. Returns NULL if there is none. */
+/* Returns the block that probably lacks its `end`: the first one whose `end` is indented less than the block and so
+ * probably belongs to an enclosing block; or else a block still open at a closing bracket or at the end of the text.
+ * Returns NULL if there is none. */
 static const struct block *block_lacking(struct blocks *b, const char *text, size_t n)
 {
     const struct block *lacks = NULL;
@@ -456,7 +457,8 @@ static bool compile(const char *text, size_t n, const char *chunk, void *work, s
         snprintf(err, err_size, "%s", lua_tostring(lua, -1));
         explain_end(text, n, err, err_size);
     }
-    for (char *c = err; !good && *c != '\0'; c++) /* keep it on one line, even if it quotes control characters */
+    /* Keep the message on one line, even if it quotes control characters. */
+    for (char *c = err; !good && *c != '\0'; c++)
         if ((unsigned char)*c < 32 || *c == 127)
             *c = ' ';
     lua_close(lua);

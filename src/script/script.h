@@ -7,13 +7,13 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Returns false if the text uses the operator ^, or __gc or __mode as a name or as a whole string; sets *line to the
- * line and *what to a message. Skips comments. Text that is not Lua passes, because the compiler rejects it.
- * Allocates nothing. */
+/* Returns false if the text uses the operator ^, or __gc or __mode as a name or as a whole string; it then sets *line
+ * to the line number and *what to a message. Skips comments. Text that is not Lua passes, because the compiler rejects
+ * it. Allocates nothing. */
 bool script_scan(const char *text, size_t n, int *line, const char **what);
 
-/* Like script_scan, but starts at *place and, on false, moves *place past the match, so that the next call continues
- * there. */
+/* Like script_scan, but starts at *place. When it returns false, it has moved *place past the match, so that the next
+ * call continues there. */
 struct script_place {
     size_t at;
     int line; /* line of byte `at`; a scan starts at { 0, 1 } */
@@ -34,7 +34,7 @@ const char *script_field(const char *text, size_t n, size_t at, size_t *size);
 enum { SCRIPT_NAME = 128 };
 bool script_name(const char *name, char out[SCRIPT_NAME]);
 
-/* Checks the syntax only, and refuses compiled Lua. Arguments as for script_check. */
+/* Like script_check, but checks only the syntax. Compiled Lua is an error. */
 bool script_compile(const char *text, size_t n, const char *chunk, void *work, size_t work_size, char *err,
                     size_t err_size);
 

@@ -8,8 +8,9 @@
 
 enum { ALL = (1 << STD_MODULES) - 1 };
 
-/* `globals` are the names that need the module: the global that its table is bound to, or for the prelude each of
- * its entries. A module with `fields` adds them to the table `to` and is not bound itself. */
+/* globals: the names that a script uses the module by: the global that the module's table is bound to; for the prelude,
+ * each of its entries. A module with `fields` adds these to the table `to` and is not bound itself; its `globals` is
+ * that table. */
 static const struct {
     const char *name, *globals, *fields, *to;
 } modules[STD_MODULES] = {
@@ -41,7 +42,7 @@ const char *std_module(int i)
     return modules[i].name;
 }
 
-/* Returns whether the word is in the list, whose words have blanks around them. */
+/* Returns whether the word is in the list. Each word of the list has a blank before and after it. */
 static int in_list(const char *list, const char *word, size_t n)
 {
     for (const char *p = list + 1; *p != '\0'; p++) {

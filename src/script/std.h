@@ -1,12 +1,12 @@
 /*
- * std.h - the modules of the standard library (@std): their order, and which of them a script names.
+ * std.h - the modules of the standard library (@std): their load order, and which modules a script uses.
  *
- * A ROM contains the modules that its scripts name, and the modules those name in turn; other modules are not loaded.
- * Only cab has the source of the modules; at run time they are the ROM's lumps "script/@std/NAME.lua".
+ * A ROM contains only the modules that its scripts name and, in turn, the modules that these modules name. Only cab has
+ * the source of the modules; at run time they are the ROM's lumps "script/@std/NAME.lua".
  *
  * Code that a module rarely needs is in separate pieces such as "screens/title". A piece is packed with its module, is
- * not run at power-on, and is loaded on each call of sys.read. A piece may use only modules that its module names (or
- * the game that requested it), because a piece adds no module to the ROM.
+ * not run at power-on, and is loaded on each call of sys.read. A piece may use only modules that its own module or the
+ * game that requested the piece names, because a piece adds no module to the ROM.
  */
 #ifndef SCRIPT_STD_H
 #define SCRIPT_STD_H
@@ -16,14 +16,14 @@
 
 enum { STD_MODULES = 19 };
 
-/* The error text for a module's global that no script of the game names, when it is typed into the console. */
+/* The hint in the error for using (in the console) the global of a module that no script of the game names. */
 #define STD_NOT_HERE "not packed in this ROM; a library module is packed if a script names it"
 
 /* Returns the name of module i in load order, e.g. "pattern". Module 0 is the prelude, which all others need. */
 const char *std_module(int i);
 
-/* Returns the module that a piece such as "boss/cast" belongs to: the one named like its folder, or boot for
- * "screens". Returns -1 if `name` is not a piece. */
+/* Returns the module that a piece such as "boss/cast" belongs to: the module with the name of the piece's folder, or
+ * boot for "screens". Returns -1 if `name` is not a piece. */
 int std_piece_of(const char *name);
 
 /* Returns the module that binds the global `name`, or -1. */

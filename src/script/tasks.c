@@ -1,6 +1,5 @@
 /*
- * tasks.c - see tasks.h. The slots are linked in order of serials, so starting or ending a task costs the same however
- * many there are.
+ * tasks.c - see tasks.h. The slots are linked in order of serials, so starting or ending a task takes constant time.
  */
 #include "tasks.h"
 #include <lauxlib.h>
@@ -8,7 +7,7 @@
 #include "../machine/machine.h"
 #include "vm.h"
 
-static const char threads_key = 0; /* registry: slot + 1 -> thread, and -slot - 1 -> its tasks.from */
+static const char threads_key = 0; /* registry: slot + 1 -> thread; -slot - 1 -> the string that tasks.from points to */
 
 static void push_threads(lua_State *L)
 {
@@ -64,8 +63,8 @@ static void check_depth(struct board *b, int64_t owner)
     }
 }
 
-/* Returns the scene of a task with this owner. Bullets, shots and lasers have none, so their tasks get the scene of
- * the script that starts the task. */
+/* Returns the scene of a task with this owner. Bullets, shots and lasers belong to no scene, so their tasks get the
+ * scene of the script that starts the task. */
 static int64_t scene_in(const struct board *b, int64_t owner)
 {
     uint32_t i = handle_slot(owner);
@@ -303,7 +302,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         return false;
     if (resume(b, L, i))
         return true;
-    if (t->flags[i] & TASK_STOP) /* it stopped itself: close it now */
+    if (t->flags[i] & TASK_STOP) /* the task stopped itself: close it now */
         close_task(b, L, i);
     return t->flags[i] & TASK_STOP;
 }
@@ -315,7 +314,7 @@ int tasks_run(lua_State *L)
 
     for (uint32_t i = b->tasks.first; i != NONE; i = next) {
         bool ended = turn(b, L, i);
-        next = b->tasks.next[i]; /* after its turn: it may have started others */
+        next = b->tasks.next[i]; /* read after the turn, which may have started tasks */
         if (ended)
             drop(b, L, i);
     }

@@ -5,8 +5,8 @@
  * is in the columns of struct tasks. A scope is a task without a body: it only owns other tasks.
  *
  * A scene is a scope that also owns the enemies, sprites and lines spawned by the code running in it: its tasks, the
- * tasks of its enemies, sprites, bullets and shots, and its enemies' own handlers. Ending a scene removes them, and it
- * gets no new ones.
+ * tasks of its enemies, sprites, bullets and shots, and its enemies' own handlers. Ending a scene removes these
+ * entities, and none can be added to it afterwards.
  */
 #ifndef SCRIPT_TASKS_H
 #define SCRIPT_TASKS_H
@@ -19,22 +19,24 @@
 /* Initializes an empty task list, at power-on. */
 void tasks_empty(struct tasks *t);
 
-/* Starts the function and n arguments on top of L's stack (popped) as a task. Returns its handle, a dead one if the
- * pool is full. */
+/* tasks_start starts a task from the function and its n arguments on top of L's stack (popped). tasks_scope creates a
+ * scope or, with `scene`, a scene. Both return the handle, which is dead if the pool is full; that of a scope is also
+ * dead if its owner is. */
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n);
 int64_t tasks_scope(struct board *b, int64_t owner, bool scene);
 
-/* Gives every task its turn. For vm_call: a task's error becomes a fault. */
+/* Gives every task its turn. Called through vm_call: a task's error becomes a fault. */
 int tasks_run(lua_State *L);
 
 /* Gives a task a turn at once, within the running task's turn, which continues afterwards. */
 void tasks_turn(struct board *b, lua_State *L, uint32_t slot);
 
-/* Stops a task or scope: it is dead from now on and is closed at its next turn. Entities of a scene are removed at
- * once. */
+/* Stops a task or scope: it is dead from now on and is closed at its next turn. If it is a scene, removes its entities
+ * immediately. */
 void tasks_stop(struct board *b, uint32_t slot);
 
-/* Returns whether the task gets no turn because the game is paused and the task is not part of the pause. */
+/* Returns whether the task gets no turn because the game is paused and the task does not belong to the pause's
+ * scope. */
 bool tasks_frozen(const struct board *b, uint32_t slot);
 
 /* Returns whether the running task is skipping ahead to a practice mark. */

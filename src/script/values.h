@@ -19,8 +19,9 @@ struct values {
     int count;
 };
 
-/* Serializes the whole stack: nil, booleans, numbers, strings, and tables of these; any other value as the string
- * that print shows for it. Raises an error for tables nested deeper than VALUES_DEEP and for more than `room` bytes. */
+/* Serializes the whole stack: nil, booleans, numbers, strings, and tables of these. Any other value, and a table with
+ * __tostring or __name, is stored as the string that print shows for it. Raises an error for tables nested deeper than
+ * VALUES_DEEP and for more than `room` bytes. */
 void values_put(lua_State *L, struct values *v);
 
 /* Pushes all stored values. Returns their count. */

@@ -13,10 +13,11 @@
 #include "../machine/machine.h"
 #include "std.h"
 
-enum { DEEP = 3000 /* nested calls; this many when memory runs out suggest infinite recursion */ };
+enum { DEEP = 3000 /* nested calls; a stack this deep when memory runs out suggests infinite recursion */ };
 
-/* After a failed allocation, before Lua collects garbage and retries: notes the place, because an error that follows
- * has lost its stack. Charges for the collection, because with memory nearly full each allocation may need one. */
+/* Called after a failed allocation, before Lua collects garbage and retries. Records the place, because the stack is
+ * gone by the time an out-of-memory error is reported. Charges for the collection, because with memory nearly full each
+ * allocation may need one. */
 static void note_shortage(struct board *b)
 {
     struct output *o = b->output;
@@ -29,7 +30,7 @@ static void note_shortage(struct board *b)
     o->deep = lua_getstack(b->vm.running, DEEP, &ar);
 }
 
-/* Returns whether a string's block is too large, and notes the string's size for the message. */
+/* Returns whether a string's block is too large. If so, records the string's size for the message. */
 static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
@@ -51,8 +52,8 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
     return q;
 }
 
-/* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. A turn is one step,
- * and one more for each STEP_FOR bytes allocated since the last turn. After a cycle that leaves U bytes in use, the
+/* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. vm_collect takes one
+ * step, plus one for each STEP_FOR bytes allocated since its last call. After a cycle that leaves U bytes in use, the
  * next one starts when REST_BYTES + U / REST_PART more are in use, or 1 / REST_OF_ROOM of the free bytes if that is
  * less. */
 enum { STEP_PERCENT = 100, STEP_SHIFT = 8, STEP_FOR = 4096, REST_BYTES = 16384, REST_PART = 16, REST_OF_ROOM = 4 };
@@ -120,7 +121,7 @@ int vm_print(lua_State *L)
     return 0;
 }
 
-/* ---- opening ---- */
+/* ---- opening the VM ---- */
 
 static int undeclared(lua_State *L)
 {
@@ -203,7 +204,8 @@ int vm_boot(lua_State *L)
     vm_open_scripts(L, sys);
     for (int i = 0; i < STD_MODULES; i++)
         vm_load_std(L, i, sys);
-    lua_gc(L, LUA_GCCOLLECT); /* frees what only loading needed, for the game's scripts */
+    /* Free the garbage left by loading the library, so that the game's scripts get that memory. */
+    lua_gc(L, LUA_GCCOLLECT);
     api_reserved_install(L);
     seal_globals(L);
     vm_load(L, b->cart.m.entry);
@@ -238,7 +240,7 @@ static void find_place(struct board *b, char *place, size_t size)
         vm_where(b->vm.running, place, size);
 }
 
-static const char emits_key = 0; /* registry: the queue of emits */
+static const char emits_key = 0; /* registry: the memory of the emit queue */
 
 static void *emit_room(const struct board *b, const void *had, size_t *size)
 {

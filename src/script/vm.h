@@ -1,8 +1,8 @@
 /*
  * vm.h - the Lua VM in RAM: its memory, sandbox, faults and guards.
  *
- * Every byte of Lua lives in the heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board:
- * it becomes a fault, which ends the run; the board's state is no longer valid.
+ * All memory of Lua is in a heap inside RAM. Scripts run only inside vm_call, so an error never leaves the board: it
+ * becomes a fault, which ends the run and leaves the board's state invalid.
  */
 #ifndef SCRIPT_VM_H
 #define SCRIPT_VM_H
@@ -14,7 +14,8 @@
 #include "../base/heap.h"
 #include "../machine/vm_state.h"
 
-/* Opens a Lua state in the given block, the board's Lua heap. Returns false if even that does not fit. */
+/* Opens a Lua state and makes the given block its heap. Returns false if the block is too small for the state
+ * itself. */
 bool vm_open(struct board *b, void *block, size_t size);
 
 /* Runs f(L) in a protected call. Returns false on a fault, which is stored in the board's output. */
@@ -26,39 +27,43 @@ static inline struct board *vm_board(lua_State *L)
     return *(struct board **)lua_getextraspace(L);
 }
 
-/* Raises a fault that no pcall catches. The message is prefixed with "FILE:LINE: " as vm_where finds it. */
+/* Raises a fault that no pcall catches. Prefixes the message with the "FILE:LINE: " that vm_where writes. */
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...);
 
 /* Raises FAULT_SCRIPT with the given place ("FILE:LINE: ") as prefix. */
 int vm_fault_at(lua_State *L, const char *place, const char *format, ...);
 
-/* Notes that a script read a property of a despawned thing, for the hint of a fault that this may cause. */
+/* Records that a script read a property of a despawned thing. If using the nil result causes a fault, its message says
+ * so. */
 void vm_note_dead(lua_State *L, const char *field);
 
-/* Writes "FILE:LINE: " of the nearest caller outside @std; otherwise of the author's line that started the library's
- * task; otherwise of the nearest caller; otherwise "". Does not change L. */
+/* Writes the current place as "FILE:LINE: ": the nearest caller outside @std or, if there is none, the author's line
+ * that started the library's task or, if that is unknown, the nearest caller. Writes "" without any caller. Does not
+ * change L. */
 void vm_where(lua_State *L, char *place, size_t size);
 
 /* Prefixes the message on top of the stack with the author's "FILE:LINE: " unless it has one. */
 void vm_place(lua_State *L);
 
-/* Resets the work counter at the start of a tick, of power-on or of a console line. More than `limit` is FAULT_LOOP. */
+/* Resets the work counter at the start of a tick, of power-on or of a console line. Work beyond `limit` raises
+ * FAULT_LOOP. */
 void vm_begin(struct board *b, uint64_t limit);
 
-/* Adds work (1: about one VM instruction) to the counter. Raises FAULT_LOOP over the limit. */
+/* Adds work, in units of about one VM instruction, to the counter. Raises FAULT_LOOP if the counter exceeds the
+ * limit. */
 void vm_charge(lua_State *L, uint64_t work);
 
 /* Makes L the running thread and counts its instructions. Returns a value for vm_leave. */
 uint32_t vm_enter(struct board *b, lua_State *L);
 
-/* Makes L, which called vm_enter for another thread, the running thread again; `left` is what vm_enter returned. */
+/* Makes L the running thread again, after vm_enter for another thread; `left` is the value vm_enter returned. */
 void vm_leave(struct board *b, lua_State *L, uint32_t left);
 
-/* Weighs the function running in L, charges for it, and schedules the next look. */
+/* Takes a look (vm_count.c): weighs the function running in L, charges for it, and schedules the next look. */
 void vm_look(lua_State *L, lua_Debug *ar);
 
-/* While profiling (profile.h): vm_profile_turn starts a thread's turn, vm_profile_begin precedes a reset of the work
- * counter. */
+/* Called only while profiling (profile.h): vm_profile_turn when a thread's turn starts, vm_profile_begin before the
+ * work counter is reset. */
 void vm_profile_turn(struct vm *vm, lua_State *L);
 void vm_profile_begin(struct vm *vm);
 
@@ -71,7 +76,7 @@ void vm_report(struct board *b, lua_State *from, int status);
 /* Adds the traceback of `from` to the fault, unless it has one. */
 void vm_trace(struct board *b, lua_State *L, lua_State *from);
 
-/* Runs the garbage collector for its share of a frame. Only between frames; for vm_call. */
+/* Runs the garbage collector for its share of a frame. Called between frames only, through vm_call. */
 int vm_collect(lua_State *L);
 
 /* Appends n bytes to the frame's log; cuts off what does not fit. */
@@ -91,13 +96,14 @@ void vm_load(lua_State *L, const char *name);
 int vm_require(lua_State *L);
 
 /* Runs module i of the library (std.h) with the sys table at `sys`, if the ROM has it and the table it adds to is
- * enabled, and binds its result as a global: each entry of the prelude, otherwise the table under the module's name. */
+ * enabled, and binds its result: the prelude's entries as one global each, another module's table as the global with
+ * the module's name. */
 void vm_load_std(lua_State *L, int i, int sys);
 
-/* Prepares for loading scripts; called before the first one. */
+/* Prepares for loading scripts; called before the first vm_load. sys: stack index of the sys table. */
 void vm_open_scripts(lua_State *L, int sys);
 
-/* Loads the standard library, then runs the entry script. For vm_call. */
+/* Loads the standard library, then runs the entry script. Called through vm_call. */
 int vm_boot(lua_State *L);
 
 #endif

@@ -23,29 +23,28 @@
 enum {
     STEP = 1024,       /* instructions between two looks, on average */
     DEEP_CHAIN = 2000, /* the longest chain Lua follows */
-    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that force one */
+    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that force another one */
 };
 
-/* A look itself costs one unit per N ... */
+/* The work of a look itself. */
 enum {
-    A_LOOK = 64 /* bytes of a string */
+    A_LOOK = 64 /* one unit per this many bytes of a string */
 };
-/* ... and N units per ... */
 enum {
-    A_VALUE = 2,       /* register or upvalue */
-    A_LOOK_AT_LINK = 8 /* table in a chain */
+    A_VALUE = 2,       /* units per register or upvalue */
+    A_LOOK_AT_LINK = 8 /* units per table in a chain */
 };
 
-/* Each instruction counts as one unit, and one more per N ... */
+/* Each instruction counts as one unit, plus the extra units of the heaviest value in scope. */
 enum {
-    A_TEXT = 1024, /* bytes of a string */
-    A_ZERO = 2,    /* zero bytes in it: `<` compares the parts between them one by one */
-    A_NUMERAL = 64,
-    A_LINK = 4, /* tables linked by __index or __newindex */
-    AN_ARGUMENT = 128,
-    AN_ALLOCATION = 4, /* bytes allocated; added once per look, not per instruction */
-    AN_EXTREME = 64,   /* units added for a number beyond 2^256 or below 2^-256: `%` divides it bit by bit */
-    A_FRACTION = 16    /* units added for a float: `..` formats it */
+    A_TEXT = 1024,     /* one unit per this many bytes of a string */
+    A_ZERO = 2,        /* one per this many zero bytes in a string: `<` compares the parts between them one by one */
+    A_NUMERAL = 64,    /* one per this many bytes of a numeral */
+    A_LINK = 4,        /* one per this many tables linked by __index or __newindex */
+    AN_ARGUMENT = 128, /* one per this many values in `...` */
+    AN_ALLOCATION = 4, /* one per this many bytes allocated; added once per look, not per instruction */
+    AN_EXTREME = 64,   /* units for a number beyond 2^256 or below 2^-256: `%` divides it bit by bit */
+    A_FRACTION = 16    /* units for a float: `..` formats it */
 };
 
 /* Returns how many bytes of a string Lua reads to convert it to a number. */
@@ -115,7 +114,8 @@ static struct vm_weight table_weight(lua_State *L, uint64_t *looking)
     return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
 }
 
-/* Sets *w to the weight of the value on top if that is heavier, and pops the value. Returns the work of weighing it. */
+/* Raises *w to the weight of the value on top if that is greater, and pops the value. Returns the work of weighing the
+ * value. */
 static uint64_t weigh(lua_State *L, struct vm_weight *w)
 {
     struct vm_weight one = { 0 };
@@ -166,8 +166,8 @@ static int count_arguments(lua_State *L, lua_Debug *ar)
     return least;
 }
 
-/* Returns the extra weight, above one, that the heaviest instruction of the running function may have. Adds the work
- * of finding it to *looking. */
+/* Returns the extra weight, above one, that the heaviest instruction of the running function may have. Adds the work of
+ * determining this weight to *looking. */
 static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *looking)
 {
     int arguments = count_arguments(L, ar);
@@ -187,8 +187,8 @@ static void on_count(lua_State *L, lua_Debug *ar)
     vm_look(L, ar);
 }
 
-/* Schedules the next look at thread L, before its n-th instruction from here. A profile counts down itself, because
- * its hook runs before each instruction. */
+/* Schedules the next look, before the n-th instruction of thread L from now. While profiling, only sets the countdown:
+ * the profiler's hook, which runs before each instruction, decrements it. */
 static void look_after(struct vm *vm, lua_State *L, uint32_t n)
 {
     vm->left = n;
@@ -208,7 +208,8 @@ void vm_look(lua_State *L, lua_Debug *ar)
     uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
     struct vm_weight w = weigh_function(L, ar, &looking);
 
-    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION) /* nearly every loop has floats in scope */
+    /* Floats are not reported, because nearly every loop has some in scope. */
+    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION)
         vm->heaviest = w;
     vm->looked += allocated;
     vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
@@ -253,7 +254,7 @@ void vm_charge(lua_State *L, uint64_t work)
         over_limit(L, vm);
 }
 
-/* ---- when ---- */
+/* ---- resetting the counter, switching threads ---- */
 
 void vm_begin(struct board *b, uint64_t limit)
 {

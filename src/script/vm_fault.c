@@ -41,7 +41,8 @@ static bool has_place(const char *message)
     return false;
 }
 
-/* Writes the author's place for a message that has none or only the library's, which then follows it; otherwise "". */
+/* Writes the author's place to prefix the message with, if the message has no place or the library's. Writes "" if the
+ * message has the author's place already, or if the author's place is unknown and the message has the library's. */
 static void missing_place(lua_State *L, const char *message, char *place, size_t size)
 {
     bool std = strncmp(message, "@std/", 5) == 0;
@@ -117,7 +118,7 @@ static void copy_text(char *to, size_t size, const char *from)
     snprintf(to, size, "%s", from);
 }
 
-/* Returns whether a task is running, which could have waited. False while loading, in a handler and in a console
+/* Returns whether the running code can wait, i.e. is a task: false while loading, in a handler and in a console
  * line. */
 static bool waits(const struct board *b)
 {
@@ -155,7 +156,7 @@ static bool nil_field(const char *message, char *name, size_t size)
     return true;
 }
 
-/* Writes a hint, to follow Lua's own message, about why a field may be nil here; "" if there is none. */
+/* Writes a hint, to be appended to Lua's own message, about why a field may be nil here, or "" if there is none. */
 static void hint(lua_State *L, const char *message, char *out, size_t size)
 {
     const struct output *o = vm_board(L)->output;
@@ -226,14 +227,14 @@ void vm_trace(struct board *b, lua_State *L, lua_State *from)
 {
     if (b->output->fault.trace[0])
         return;
-    lualib_trace(L); /* of a fault that passed through a pcall */
+    lualib_trace(L); /* the traceback of a fault that passed through a pcall, or nil */
     if (!lua_isstring(L, -1))
         luaL_traceback(L, from, NULL, 0);
     copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }
 
-/* The message handler of vm_call. It takes the traceback, because the stack still exists here. */
+/* The message handler of vm_call. Takes the traceback here because the stack still exists. */
 static int on_error(lua_State *L)
 {
     struct board *b = vm_board(L);

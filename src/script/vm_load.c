@@ -10,7 +10,7 @@
 #include "std.h"
 #include "vm.h"
 
-/* Registry: the results of require by name; the sys table. */
+/* Registry keys. modules_key: the table of require's results by script name; sys_key: the sys table. */
 static const char modules_key = 0, sys_key = 0;
 
 void vm_load(lua_State *L, const char *name)

@@ -1,6 +1,6 @@
 /*
  * adpcm.c - see adpcm.h. Differences are decoded as (2n + 1) * step >> 3, as in ffmpeg; the standard's three separate
- * shifts lose up to 3.
+ * shifts round down by up to 3 in total.
  */
 #include "adpcm.h"
 
@@ -90,7 +90,7 @@ static void read_exact(const uint8_t *data, int n, int16_t *out)
         out[i] = (int16_t)bytes_get16(data + 2 * (size_t)i);
 }
 
-/* Reads n samples, starting at `from`; all must exist. */
+/* Reads n samples, starting at index `from`; all n must be in the recording. */
 static void read_run(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
     if (s->coding == SAMPLE_EXACT) {

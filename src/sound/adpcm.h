@@ -2,9 +2,9 @@
  * adpcm.h - sampled sounds: 16 bits per sample, or IMA ADPCM in blocks that can be decoded independently.
  *
  * A recording in a ROM is a header of SAMPLE_HEADER bytes (u32 sample rate in Hz, u32 number of samples, u32 index of
- * the first sample of the loop or SAMPLE_ENDS, u8 coding, three zero bytes), followed by its data. SAMPLE_EXACT: an i16
- * per sample. SAMPLE_PACKED: blocks of ADPCM_BYTES: i16 first sample, u8 step index, a zero byte, then two samples per
- * byte, low half first, as in WAV files. A loop always ends at the last sample.
+ * the first sample of the loop or SAMPLE_ENDS, u8 coding, three zero bytes), followed by the samples. SAMPLE_EXACT: an
+ * i16 per sample. SAMPLE_PACKED: blocks of ADPCM_BYTES: i16 first sample, u8 step index, a zero byte, then two samples
+ * per byte, low half first, as in WAV files. A loop always ends at the last sample.
  */
 #ifndef SOUND_ADPCM_H
 #define SOUND_ADPCM_H
@@ -16,7 +16,7 @@
 enum {
     SAMPLE_HEADER = 16,
     SAMPLE_RATE = 4000,    /* minimum, Hz; the maximum is SND_RATE */
-    SAMPLE_MOST = 1 << 25, /* samples */
+    SAMPLE_MOST = 1 << 25, /* maximum number of samples */
     ADPCM_BYTES = 256,
     ADPCM_SAMPLES = 505,
     ADPCM_STEPS = 89
@@ -31,20 +31,20 @@ struct sample {
     const uint8_t *data;
 };
 
-/* Checks a recording of `size` bytes and reads its header into s. Returns false if it is not a valid recording. */
+/* Checks a recording of `size` bytes and stores its header in *s. Returns false if it is not a valid recording. */
 bool sample_open(const uint8_t *data, size_t size, struct sample *s);
 
-/* Returns whether data is exactly n valid recordings in a row, all with the same length, rate and loop. */
+/* Returns whether data is exactly n valid recordings, one after another, all with the same length, rate and loop. */
 bool samples_open(const uint8_t *data, size_t size, int n);
 
-/* Returns the header of a recording that was checked. */
+/* Returns the header of a recording that sample_open has accepted. */
 struct sample sample_of(const uint8_t *data);
 
-/* Reads n samples, starting at index `from`. Indices before the first sample are silence; those after the last one are
- * the loop, or silence if there is none. */
+/* Reads n samples, starting at index `from`. Negative indices read silence. Indices after the last sample repeat the
+ * loop, or read silence if the recording has none. */
 void sample_read(const struct sample *s, int64_t from, int n, int16_t *out);
 
-/* Returns the bytes that n samples take, with their header. */
+/* Returns the size in bytes of a recording of n samples, including its header. */
 size_t sample_size(uint32_t n, enum sample_coding coding);
 
 /* ---- decoding ADPCM ---- */

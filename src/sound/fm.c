@@ -1,14 +1,14 @@
 /*
- * fm.c - see fm.h. Sines are computed in 16-bit lanes. Within a quarter turn of a crest they are a polynomial in w, the
- * square of the distance from the crest: cos = 1 - w - w (a - w (b - c w)), with a, b, c fitted to 2^-16. Compilers do
- * not emit the instruction for the high half of a product, so SSE2 builds call it directly, with bit-identical results.
- * Compilers can vectorise all other loops for any width.
+ * fm.c - see fm.h. Sines are computed in 16-bit lanes. Within a quarter turn of a crest, a sine is a polynomial in w,
+ * the square of the distance from the crest: cos = 1 - w - w (a - w (b - c w)), with a, b, c fitted to 2^-16. Compilers
+ * do not emit the instruction for the high half of a product, so SSE2 builds use its builtin, with bit-identical
+ * results. Compilers can vectorise all other loops for any width.
  */
 #include "fm.h"
 
 #include <string.h>
 
-/* Vectorise in the same way with -O2 and -O3. */
+/* Makes GCC vectorise this file in the same way with -O2 and -O3. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
 #endif
@@ -76,7 +76,7 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 
 #endif
 
-/* Interpolates between two rows and two columns of the table. */
+/* Interpolates between two rows and two columns of the feedback table. rows: as for fm_block. */
 static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t rows[2],
                            int16_t out[FM_BLOCK])
 {
@@ -100,7 +100,7 @@ static void make_phases(const struct fm_op *op, const int32_t bend[FM_BLOCK], ui
         out[n] = phase + n * step + (uint32_t)bend[n];
 }
 
-/* Adds a sine times its gain to the phase modulation of an operator. */
+/* Adds the output of operator op, `sine` times its gain, to the phase modulation of another operator. */
 static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32_t bend[FM_BLOCK])
 {
     const int scale = op->scale;
@@ -143,17 +143,19 @@ void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct f
 
 enum { STRENGTHS = 8, OCTAVES = 7 /* from note 24 up */ };
 
-/* The b of the closed form whose harmonics are nearest to those of the recursion y = sin(p + b (y' + y'') / 2) at 48
- * kHz, in 4096ths of a radian; for b from 1.5 / 8 to 1.5 (rows) and the C of seven octaves (columns). */
+/* For each b of the recursion y = sin(p + b (y' + y'') / 2) at 48 kHz, where y' and y'' are the last two samples: the b
+ * of the closed form y = sin(p + b y) with the nearest harmonics, in 4096ths of a radian. Rows: the recursion's b, from
+ * 1.5 / 8 to 1.5 radians; columns: the C of seven octaves. */
 static const int16_t nearest[STRENGTHS][OCTAVES] = {
     { 778, 778, 758, 758, 758, 758, 737 },        { 1536, 1536, 1536, 1536, 1516, 1475, 1393 },
     { 2294, 2294, 2294, 2273, 2212, 2109, 1987 }, { 3072, 3052, 3011, 2929, 2785, 2601, 2540 },
     { 3789, 3748, 3645, 3482, 3236, 3031, 2826 }, { 4424, 4301, 4116, 3891, 3604, 3400, 3359 },
     { 5018, 4813, 4526, 4198, 3891, 3707, 3645 }, { 5632, 5284, 4895, 4485, 4116, 3953, 3891 },
 };
-static const uint64_t note_24 = 49094033266598; /* its phase step, 2^-56 turns */
+static const uint64_t note_24 = 49094033266598; /* phase step of note 24, 2^-56 turns per sample */
 
-/* Returns the octaves above note 24, in 256ths, interpolated linearly within an octave. */
+/* Returns the number of octaves above note 24, in 256ths, interpolated linearly in `step` within an octave. It is at
+ * least 0 and at most 256 * (OCTAVES - 1). */
 static int32_t octaves(uint64_t step)
 {
     int32_t octave = 0;
@@ -186,7 +188,7 @@ int32_t fm_strength(int32_t b, uint64_t step)
 
 /* ---- notes ---- */
 
-/* Returns the release age of an operator; NOTE_HELD if it ignores the release. */
+/* Returns the age at which an operator is released; NOTE_HELD if it ignores the note's release at age `off`. */
 static int32_t off_of(const struct op *o, int32_t off)
 {
     return o->env.release ? off : NOTE_HELD;
@@ -217,7 +219,8 @@ static int32_t gain_of(int32_t unit, int32_t level)
     return gain > 32767 ? 32767 : (int32_t)gain;
 }
 
-/* Computes the gains of an operator, scaled by its own level. level: its envelope's at `age` and at the block's end. */
+/* Computes an operator's gains in a block: its own level times its envelope. level: the envelope's level at `age` and
+ * at the block's end. */
 static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
                        struct fm_op *out)
 {

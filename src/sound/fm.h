@@ -1,9 +1,9 @@
 /*
  * fm.h - FM notes: operators, which are sines that modulate each other's phase, each with its own envelope.
  *
- * A block is a function of phases and gains only, and so is feedback: y = sin(p + b y) is looked up in a table, in
- * which b selects the row and p the column. Chips compute y from the last two samples instead; at higher notes this
- * sounds like a smaller b (fm_strength).
+ * A block depends only on phases and gains, not on earlier samples. This includes feedback: y = sin(p + b y) is looked
+ * up in a table, in which b selects the row and p the column. FM chips compute y from the last two samples instead; at
+ * higher notes, their feedback sounds like a smaller b (fm_strength).
  */
 #ifndef SOUND_FM_H
 #define SOUND_FM_H
@@ -12,31 +12,31 @@
 
 enum { FM_BLOCK = SND_BLOCK };
 
-/* phase: at the block's first sample; step: phase per sample, both in 2^-32 turns. gain: of an audible operator, Q15;
- * of a modulator, in units of 2^(scale - 2) turns, Q15. */
+/* An operator during a block. phase: at the block's first sample; step: phase per sample, both in 2^-32 turns. gain:
+ * Q15; for a modulator, in units of 2^(scale - 2) turns. */
 struct fm_op {
     uint32_t phase, step;
     int scale; /* 0 to 4 */
     int16_t gain[FM_BLOCK];
 };
 
-/* Computes a block of `ops` operators, 2 or 4. rows: the first operator's feedback at the start and end of the block,
- * FEEDBACK_ROW per table row; 0: none. */
+/* Computes a block of a note with `ops` operators, 2 or 4. rows: the first operator's feedback at the start and end of
+ * the block, FEEDBACK_ROW units per row of the feedback table; 0: none. */
 void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
               int16_t out[FM_BLOCK]);
 
-/* Computes the sines of phases in 2^-32 turns, of which the upper 16 bits count, to within two units.
- * fm_sines_plain has the same results without processor-specific instructions. */
+/* Computes the sines, Q15, of phases in 2^-32 turns, to within two units. The lower 16 bits of a phase are ignored.
+ * fm_sines_plain gives the same results without processor-specific instructions. */
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 
-/* Returns the feedback, FEEDBACK_ROW per table row, that sounds like a chip's feedback of b 4096ths of a radian for a
- * phase step of `step` 2^-56 turns per sample. */
+/* Returns the feedback, FEEDBACK_ROW units per row of the feedback table, that sounds like an FM chip's feedback of b
+ * (4096ths of a radian) at a phase step of `step` (2^-56 turns per sample). */
 int32_t fm_strength(int32_t b, uint64_t step);
 
 /* State of an FM note that is computed block by block. */
 struct fm_note {
-    int ops, algorithm, at; /* at: the age that `level` is for, the end of the last block */
+    int ops, algorithm, at; /* at: the age for which `level` was computed, which is the end of the last block */
     int32_t feedback;
     struct op op[FM_OPS];
     int32_t level[FM_OPS]; /* envelope levels at age `at`, Q15 */

@@ -1,12 +1,12 @@
 /*
- * inst.c - see inst.h. The algorithms are those of four-operator FM chips; a bit set lists the operators that each
- * operator modulates.
+ * inst.c - see inst.h. The algorithms are those of four-operator FM chips; each operator has a bit set of the operators
+ * that it modulates.
  */
 #include "inst.h"
 
 #include <string.h>
 
-/* ---- bytes ---- */
+/* ---- reading and writing ---- */
 
 struct op inst_op(const uint8_t *bytes, int k)
 {
@@ -116,7 +116,7 @@ bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to)
     return to > 0 && (from < 0 || from / span != (to - 1) / span);
 }
 
-/* A turn of the highest harmonic has at least 128 samples, so the error of linear interpolation is below -84 dB. */
+/* A period of the highest harmonic has at least 128 samples, so the error of linear interpolation is below -84 dB. */
 int inst_wave_bits(int version)
 {
     static const uint8_t bits[WAVE_VERSIONS] = { 8, 8, 9, 9, 10, 10, 11, 11, 12, 12 };

@@ -1,15 +1,15 @@
 /*
  * inst.h - instruments: the source of a note's wave, and how its level, pitch and pan change over time.
  *
- * In a tune, an instrument is INST_BYTES bytes, little-endian, the last of which are INST_OP bytes for each operator.
- * Its curves and its wave are elsewhere in the tune; their places are byte offsets from the instrument's first byte,
- * 0: none.
+ * In a tune, an instrument is INST_BYTES bytes, little-endian; the operators, INST_OP bytes each, are at its end. Its
+ * curves and its wave are elsewhere in the tune; their places are byte offsets from the instrument's first byte, 0:
+ * none.
  *
  * A curve: u8 number of values, 1 to CURVE_MOST; u8 index of the value that follows the last one, or CURVE_STAYS; u16
  * frames from one value to the next; then the values, i16 each. Values are interpolated linearly.
  *
  * A wave: u8 number of versions, 1 to WAVE_VERSIONS; a zero byte; then the versions. Version v is 2^inst_wave_bits(v)
- * samples, i16 each, followed by the first sample again; it has as many harmonics as version v in snd_tables.
+ * samples, i16 each, followed by a copy of its first sample; it has as many harmonics as version v in snd_tables.
  */
 #ifndef SOUND_INST_H
 #define SOUND_INST_H
@@ -23,9 +23,9 @@
 enum {
     INST_NAME = 32, /* bytes of a sample's name, with its NUL */
     INST_BYTES = 212,
-    INST_WAVE_AT = 48, /* offset of the field with the wave's place; those of the curves (volume, pitch, pan) follow */
-    INST_CURVES_AT = 52,
-    INST_OPS = 116, /* offset of the operators */
+    INST_WAVE_AT = 48,   /* offset of the wave's place */
+    INST_CURVES_AT = 52, /* offset of the places of the curves: volume, pitch, pan */
+    INST_OPS = 116,      /* offset of the operators */
     INST_OP = 24,
     FM_OPS = 4,
     FM_ALGORITHMS = 8,
@@ -52,15 +52,15 @@ enum inst_kind {
     INST_KINDS
 };
 
-/* Times are in samples. attack is the time of a linear rise; the others are the times in which the level halves. decay
- * or fade 0: it does not fall; release 0: the shortest release (wave.c). */
+/* An envelope. Times are in samples: attack is the length of a linear rise, the other times are half-lives of the
+ * level. decay 0 or fade 0: the level does not fall; release 0: the shortest release (wave.c). */
 struct env {
-    uint16_t sustain;                      /* of 32767 */
+    uint16_t sustain;                      /* level, of 32767 */
     uint32_t attack, decay, fade, release; /* rise from silence, fall to sustain, fall after that, fall once released */
 };
 
-/* A low-frequency oscillator. depth: in the unit of the value it modulates; step: 2^-32 turns per sample; delay:
- * samples until it starts. */
+/* A low-frequency oscillator. depth: in the unit of the value that it modulates; step: 2^-32 turns per sample;
+ * delay: samples until it starts. */
 struct lfo {
     uint16_t depth;
     uint32_t step, delay;
@@ -68,20 +68,20 @@ struct lfo {
 
 struct inst {
     uint8_t kind, algorithm;
-    uint16_t duty;     /* part of a pulse that is high, of 65536 */
-    uint16_t feedback; /* first operator's, in 4096ths of a radian */
+    uint16_t duty;     /* fraction of a pulse's period that is high, of 65536 */
+    uint16_t feedback; /* of the first operator, in 4096ths of a radian */
     struct env env;
-    struct lfo vibrato, tremolo; /* depths: 256ths of a semitone; of 32767 */
+    struct lfo vibrato, tremolo; /* depth of vibrato: 256ths of a semitone; of tremolo: of 32767 */
     int32_t root;                /* pitch at which a sample plays as recorded, 65536ths of a semitone */
-    uint32_t wave, volume_curve, pitch_curve, pan_curve;
-    uint16_t arpeggio_frames; /* frames per pitch */
-    uint8_t arpeggio_n;       /* pitches; 0: no arpeggio */
-    const uint8_t *arpeggio;  /* semitones, as int8_t */
+    uint32_t wave, volume_curve, pitch_curve, pan_curve; /* places; 0: none */
+    uint16_t arpeggio_frames;                            /* frames per pitch */
+    uint8_t arpeggio_n;                                  /* number of pitches; 0: no arpeggio */
+    const uint8_t *arpeggio;                             /* semitones, as int8_t */
 };
 
-/* An operator. ratio: to the note's frequency, in 256ths; detune: added to the phase step, 2^-32 turns per sample.
- * level: of 32767 if the operator is audible; otherwise its modulation depth, 4096ths of a turn. env: fade is 0;
- * release 0: the operator ignores the note's release. */
+/* An operator. ratio: frequency relative to the note's, in 256ths; detune: added to the phase step, 2^-32 turns per
+ * sample. level: of 32767 if the operator is audible; otherwise its modulation depth, 4096ths of a turn. env: fade is
+ * 0; release 0: the operator ignores the note's release. */
 struct op {
     uint16_t ratio, level;
     int32_t detune;
@@ -116,7 +116,7 @@ static inline struct inst inst_of(const uint8_t *p)
 
 struct op inst_op(const uint8_t *bytes, int k);
 
-/* Returns the name of the recording, a sound of rom.lua; "": the tune's own recording. */
+/* Returns the name of the sound in rom.lua whose recording the instrument plays; "": the tune's own recording. */
 static inline const char *inst_sample(const uint8_t *bytes)
 {
     return (const char *)bytes + 84;
@@ -124,13 +124,14 @@ static inline const char *inst_sample(const uint8_t *bytes)
 
 void inst_write(uint8_t bytes[INST_BYTES], const struct inst *i, const struct op ops[FM_OPS], const char *sample);
 
-/* Returns the number of operators of a kind: 0, 2 or 4. */
+/* Returns the number of operators of an instrument of that kind: 0, 2 or 4. */
 static inline int inst_ops(int kind)
 {
     return kind == INST_FM4 ? 4 : kind == INST_FM ? 2 : 0;
 }
 
-/* Returns the set of audible operators, and of those that operator k modulates; bit k is operator k. */
+/* inst_heard returns the set of audible operators, inst_bends the set of operators that operator k modulates. Bit i of
+ * a set is operator i. */
 unsigned inst_heard(int ops, int algorithm);
 unsigned inst_bends(int ops, int algorithm, int k);
 
@@ -143,12 +144,12 @@ static inline size_t inst_curve_size(const uint8_t *curve)
 /* Returns a curve's value at an age in samples. */
 int32_t inst_curve(const uint8_t *curve, int32_t age);
 
-/* Returns whether a curve can change its slope between two ages. */
+/* Returns whether a curve's slope can change between two ages. */
 bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to);
 
-/* inst_wave_bits returns the length of a version of a wave, 2^bits samples; inst_wave_at its byte offset in the wave;
- * inst_wave_size the bytes of a wave with that many versions. */
-enum { WAVE_SHORTEST = 8 /* bits: 256 samples for one harmonic */ };
+/* inst_wave_bits returns the binary logarithm of the number of samples in a version of a wave; inst_wave_at the
+ * version's byte offset in the wave; inst_wave_size the size in bytes of a wave with `versions` versions. */
+enum { WAVE_SHORTEST = 8 /* minimum bits: 256 samples */ };
 int inst_wave_bits(int version);
 size_t inst_wave_at(int version);
 static inline size_t inst_wave_size(int versions)
@@ -156,8 +157,8 @@ static inline size_t inst_wave_size(int versions)
     return inst_wave_at(versions);
 }
 
-/* Returns whether all fields are in range. end: bytes from the instrument's first byte to the limit for its curves and
- * its wave; own_sample: whether its tune contains a recording. */
+/* Returns whether all fields are in range. end: bytes from the instrument's first byte to the end of the area that can
+ * contain its curves and its wave; own_sample: whether the tune is a recording. */
 bool inst_ok(const uint8_t *bytes, size_t end, bool own_sample);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * pitch.c - see pitch.h. A power of two is a product with one factor each for the semitones, sixteenths of a semitone,
- * sixteenths of those, and the remainder, which is so small that a linear approximation is enough. A test checks the
- * results against exp2l.
+ * pitch.c - see pitch.h. A power of two is a product with one factor each for the semitones, the 16ths of a semitone,
+ * the 256ths of a semitone, and the remainder, which is so small that a linear approximation is enough. A test checks
+ * the results against exp2l.
  */
 #include "pitch.h"
 

@@ -9,17 +9,17 @@
 #include <stdint.h>
 
 enum {
-    SND_RATE = 48000,  /* stereo frames a second */
-    SND_FRAME = 800,   /* stereo frames in a tick of the board */
+    SND_RATE = 48000,  /* stereo samples a second */
+    SND_FRAME = 800,   /* stereo samples in a frame of the board */
     PITCH_ONE = 65536, /* a semitone */
     PITCH_MOST = 131 * PITCH_ONE
 };
 
-/* Returns the phase step per sample at SND_RATE, in 2^-56 turns, accurate to 0.0001 cents. The pitch is clamped to 0 ..
- * PITCH_MOST. */
+/* Returns a pitch's phase step per sample at SND_RATE, in 2^-56 turns, accurate to 0.0001 cents. The pitch is clamped
+ * to 0 .. PITCH_MOST. */
 uint64_t pitch_step(int32_t pitch);
 
-/* Returns 2^(semitones / 12) in Q32. The pitch is clamped to eight octaves down and four up. */
+/* Returns the frequency ratio of an interval, 2^(semitones / 12), in Q32. The interval is clamped to -8..4 octaves. */
 uint64_t pitch_ratio(int32_t pitch);
 
 /* Returns 2^-x in Q30, for x in Q32; 0 if x is at least 30. */

@@ -1,6 +1,6 @@
 /*
- * seq.c - see seq.h. A frame in which the conductor changes the tempo is played in sections, so that every track
- * changes tempo at exactly that sample.
+ * seq.c - see seq.h. A frame in which the conductor changes the tempo is played in sections, so that all tracks change
+ * tempo at exactly the same sample.
  */
 #include "seq.h"
 
@@ -53,7 +53,7 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
     }
 }
 
-/* Copies the track cursors of one piece to another's slots; 0: the current piece, 1 + i: the i-th suspended one. */
+/* Copies the track slots of piece `from` to those of piece `to`; 0: the current piece, 1 + i: suspended piece i. */
 static void copy_tracks(struct seq *s, int to, int from)
 {
     const int t = to * SEQ_TRACKS, f = from * SEQ_TRACKS;
@@ -142,9 +142,9 @@ bool seq_over(const struct seq *s)
     return true;
 }
 
-/* Reads the conductor's events from its current position on, ignoring their time, up to the end of its loop and through
- * the loop once more. A loop takes time, so a run of simultaneous events that wraps around stops before the
- * position where it started. */
+/* Reads the conductor's events from the current position on, ignoring their times: up to the end of the loop, then the
+ * whole loop once more. A run of simultaneous events that wraps around stops before the position where it started,
+ * because a loop has a length; so the run passes the loop's end only once. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
     struct tune_at c = { s->at[0], 0 };
@@ -164,7 +164,7 @@ bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *wo
     return found;
 }
 
-/* Stores the setting that an event changes, for a track or for the conductor (slot 0). */
+/* Stores the setting that an event changes. slot: 0: the conductor, 1 + i: track i. */
 static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
 {
     if (e->event == TUNE_INST)
@@ -181,7 +181,7 @@ static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
     }
 }
 
-/* Returns a run over a section of the frame with a constant tempo, for the conductor (slot 0) or a track. */
+/* Returns a run over n samples of the frame, from sample `first` on, at the current tempo. slot: as in keep_setting. */
 static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
     return (struct tune_run){ t, slot - 1, { s->at[slot], s->left[slot] }, s->tempo, first, n, 0 };
@@ -193,8 +193,8 @@ static void keep_place(struct seq *s, int slot, const struct tune_run *r)
     s->left[slot] = r->at.left;
 }
 
-/* Executes the conductor's events that are due at sample `first`. Returns the samples until its next one, from 1 to the
- * rest of the frame. */
+/* Executes the conductor's events that are due at sample `first`. Returns the number of samples until its next event,
+ * at least 1 and at most the rest of the frame. */
 static int until_conductor(struct seq *s, const struct tune *t, int first)
 {
     const uint32_t tempo = s->tempo;
@@ -204,7 +204,7 @@ static int until_conductor(struct seq *s, const struct tune *t, int first)
     while (tune_next(&r, &e))
         keep_setting(s, 0, &e);
     keep_place(s, 0, &r);
-    s->left[0] += tempo; /* what falls into this one sample has happened, but no time has passed */
+    s->left[0] += tempo; /* the events of this one sample are done, but no time has passed */
     const int64_t left = s->at[0] == 0 || s->left[0] <= 0 ? SND_FRAME : (s->left[0] + s->tempo - 1) / s->tempo;
     return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
 }
@@ -217,7 +217,7 @@ void seq_wait(struct seq *s, int beats)
     s->when = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
 }
 
-/* Returns the samples until the next piece starts, at most SND_FRAME. */
+/* Returns the number of samples until the next piece starts, at most SND_FRAME. */
 static int until_next(const struct seq *s)
 {
     const int64_t left = (int64_t)(s->when - s->pos);
@@ -227,7 +227,8 @@ static int until_next(const struct seq *s)
     return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
 }
 
-/* Starts the section at w->first; it ends at the conductor's next event or where the next piece starts. */
+/* Starts the section at w->first, which ends at the conductor's next event, where the next piece starts, or with the
+ * frame. */
 static void begin_part(struct seq_run *w)
 {
     struct seq *s = w->s;
@@ -272,7 +273,7 @@ static void end_cue(struct cues *c, int i)
     c->left[i] = 0;
 }
 
-/* Ends the sound that started in frame `born`. Returns a bit for each of its slots. */
+/* Ends the instance of a sound that started in frame `born`. Returns a bit for each of its slots. */
 static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
 {
     uint32_t ended = 0;
@@ -285,8 +286,8 @@ static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
     return ended;
 }
 
-/* Returns whether the same sound already started in this frame; if so, raises its volume to the cue's if that is
- * louder. */
+/* Returns whether the same sound already started in this frame; if so, raises its volume to cue->loud if that is
+ * higher. */
 static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
 {
     bool there = false;
@@ -300,7 +301,7 @@ static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
     return there;
 }
 
-/* Returns the slot of the oldest playing instance of a sound, or -1, and stores the number of instances in *n. */
+/* Returns the first slot of the oldest playing instance of a sound, or -1. Stores the number of instances in *n. */
 static int oldest_of(const struct cues *c, uint32_t tune, int *n)
 {
     int oldest = -1;
@@ -321,8 +322,9 @@ static int priority_of(const struct cues *c, const uint8_t *rom, int i)
     return tune_of(rom + c->tune[i]).priority;
 }
 
-/* Returns a free slot, preferably one whose voice is silent; otherwise the slot to replace, or -1 if all slots are more
- * important. ringing: a bit for each slot whose voice still sounds. */
+/* Returns a free slot, preferably one whose voice is silent; otherwise the slot to replace, or -1 if every slot's
+ * sound has a higher priority, or the same priority and started in this frame. ringing: a bit for each slot whose voice
+ * still sounds. */
 static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame, uint32_t ringing)
 {
     int least = -1, rings = -1;

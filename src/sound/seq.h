@@ -1,10 +1,11 @@
 /*
  * seq.h - the sequencers: one for the current piece of music, one for the playing sounds.
  *
- * Music is game state: scripts read its beat, bar and markers. It advances a frame per tick, except while paused. The
- * positions of its tracks can be computed from hashed state: the piece and its position. Pieces can be suspended while
- * another one plays; they resume where they stopped, the most recent one first. Scripts cannot read the cues, which are
- * the playing sounds, so cues are outside the combined hash, like voices.
+ * Music is game state: scripts read its beat, bar and markers. Music advances a frame per tick, except while paused.
+ * Track positions are not hashed, because they follow from two hashed values: the piece and the position in the piece.
+ * A piece can be suspended while another one plays; suspended pieces resume where they stopped, the most recently
+ * suspended one first. The playing sounds are the cues. Scripts cannot read cues, so cues are outside the combined
+ * hash, like voices.
  */
 #ifndef SOUND_SEQ_H
 #define SOUND_SEQ_H
@@ -25,87 +26,88 @@ enum {
 
 struct seq {
     struct slots s;
-    uint16_t tune;            /* the current piece: its index in the ROM's music + 1; 0: none */
+    uint16_t tune;            /* the current piece, index in the ROM's music + 1; 0: none */
     uint16_t next;            /* the piece that starts after the fade, index + 1; 0: none */
     uint16_t fade, fade_over; /* frames left of the fade-out, and its length; 0: no fade */
     uint16_t mark;            /* the last marker passed, index + 1; 0: none yet */
     uint32_t marks;           /* number of markers passed */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
-    uint64_t pos;       /* units since the first beat (TUNE_TICK a tick); negative in two's complement before it */
+    uint64_t pos; /* units since the first beat (TUNE_TICK per tick); negative in two's complement before that beat */
     uint8_t next_back;  /* 1: the current piece is suspended when `next` starts */
     uint8_t next_waits; /* 1: `next` starts at the sample where pos reaches `when` */
     uint64_t when;
-    uint16_t level, level_to;       /* volume and target volume, of SEQ_FULL */
-    uint16_t level_over;            /* frames until the target volume is reached */
-    uint8_t passes;                 /* 1: a stage is skipping to a mark, and the music with it */
-    uint32_t ahead, passed;         /* frames skipped beyond the stage's clock; in total */
+    uint16_t level, level_to; /* volume and target volume, of SEQ_FULL */
+    uint16_t level_over;      /* frames until the target volume is reached */
+    uint8_t passes;           /* 1: a stage is skipping to a mark, and the music skips too */
+    uint32_t ahead, passed;   /* frames by which the music is ahead of the stage's clock; frames skipped in total */
     uint64_t heard[SEQ_HEARD / 64]; /* a bit for each piece that has started in this game */
-    uint16_t aside;                 /* number of suspended pieces; their tune, mark, marks, tempo and pos follow */
+    uint16_t aside;                 /* number of suspended pieces; their tune, mark, marks, tempo and pos are below */
     uint16_t kept[SEQ_ASIDE], kept_mark[SEQ_ASIDE];
     uint32_t kept_marks[SEQ_ASIDE], kept_tempo[SEQ_ASIDE];
     uint64_t kept_pos[SEQ_ASIDE];
-    uint32_t *at; /* track cursors: of the current piece, then of the suspended ones */
+    uint32_t *at; /* track positions (struct tune_at): of the current piece, then of the suspended ones */
     int64_t *left;
-    uint8_t *inst, *volume, *pan; /* settings for the next notes */
+    uint8_t *inst, *volume, *pan; /* each track's settings for its next notes */
 };
 
 /* The pool of playing sounds, one cue for each track of a sound. */
 struct cues {
     struct slots s;
     uint32_t *tune; /* place of the sound (cart.h); 0: the slot is free */
-    uint32_t *born; /* the frame in which it started */
+    uint32_t *born; /* the frame in which the sound started */
     uint8_t *track;
     uint32_t *at;
     int64_t *left;
     uint8_t *inst, *volume, *pan;
-    uint16_t *loud;           /* the volume that the caller asked for, of 256 */
-    int16_t *place;           /* pan added to the tune's, of TUNE_PAN; positive: right */
+    uint16_t *loud;           /* volume passed to cues_start, of 256 */
+    int16_t *place;           /* pan added to that of the tune's events, of TUNE_PAN; positive: right */
     int32_t *pitch;           /* transposition, 65536ths of a semitone */
     uint32_t last[CUE_KINDS]; /* frame + 1 in which each automatic sound (enum cart_cue) last played; 0: never */
 };
 
 extern const struct chip seq_chip, cues_chip;
 
-/* Starts a piece from its beginning. index: its index in the ROM's music + 1; 0: stops the music. t is that piece; it
- * is not read if index is 0. */
+/* Starts piece t from its beginning. index: t's index in the ROM's music + 1; 0: stops the music, and t is not used. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 
 /* seq_keep suspends the current piece unless SEQ_ASIDE pieces are suspended already. seq_forget drops the i-th
- * suspended piece and all later ones, seq_drop only the i-th. seq_back resumes the last suspended piece, of which there
+ * suspended piece and all later ones, seq_drop only the i-th. seq_back resumes the last suspended piece; there
  * must be one. */
 void seq_keep(struct seq *s);
 void seq_forget(struct seq *s, int i);
 void seq_drop(struct seq *s, int i);
 void seq_back(struct seq *s);
 
-/* Returns the last suspended piece whose index + 1 is `index`, or -1. */
+/* Returns the position among the suspended pieces of the last one that is a given piece, or -1. index: the piece's
+ * index in the ROM's music + 1. */
 int seq_kept(const struct seq *s, uint16_t index);
 
 /* Returns whether all tracks of the current piece have ended. */
 bool seq_over(const struct seq *s);
 
-/* Returns whether the current piece, tune t, will still pass marker `mark`. Sets *work to the number of events
- * examined. */
+/* Returns whether the current piece, which is tune t, has marker `mark` ahead of its position, including after its loop
+ * restarts. Stores in *work the number of events examined. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
-/* Iterates over the events of tune t in a frame, from sample `first` on. slot and run belong to seq_next; they start
+/* Iterates over the events of tune t in a frame, from sample `first` on. slot and run are private to seq_next and start
  * zeroed. */
 struct seq_run {
     struct seq *s;
     const struct tune *t;
-    int first; /* after the last event: the sample at which `next` must start, or SND_FRAME */
-    int slot;  /* the last event is of track slot - 1 */
+    int first; /* once seq_next has returned false: the sample at which `next` must start, or SND_FRAME */
+    int slot;  /* the last event is from track slot - 1 */
     struct tune_run run;
 };
 
-/* Reads the next event of a track and stores its settings in s. Returns false if there is none left in the frame. */
+/* Reads the next event of any track and stores the settings it changes in w->s. Returns false if no event is left in
+ * the frame. */
 bool seq_next(struct seq_run *w, struct tune_played *e);
 
-/* Makes `next` wait for the next multiple of `beats` beats of the current piece: 1 for a beat, the beats of a bar for a
- * bar. */
+/* Delays the start of `next` to the next multiple of `beats` beats in the current piece: 1 waits for a beat, the number
+ * of beats in a bar waits for a bar. */
 void seq_wait(struct seq *s, int beats);
 
-/* Returns the whole quarter notes since the first beat; 0 before it. */
+/* Returns the number of whole quarter notes since the first beat; 0 before the first beat. */
 static inline uint64_t seq_beats(const struct seq *s)
 {
     return (int64_t)s->pos < 0 ? 0 : s->pos / ((uint64_t)TUNE_QUARTER * TUNE_TICK);
@@ -119,12 +121,13 @@ struct cue {
 };
 
 /* Starts a sound in this frame. If the same sound already started in this frame, only the louder volume counts. If the
- * sound's limit is reached, its oldest instance ends; if no slot is free, the oldest sound of the lowest priority ends,
- * unless that priority is higher than the new sound's. ringing: a bit for each slot whose voice sounds, whether the
- * slot is free or not. Returns a bit for each slot whose voice has to fade. */
+ * sound's limit is reached, its oldest instance ends. Each track needs a slot; if none is free, the oldest sound of the
+ * lowest priority ends, unless its priority is higher than the new sound's, or equal and it also started in this frame;
+ * then the remaining tracks are not played. ringing: a bit for each slot whose voice sounds, whether the slot is free
+ * or not. Returns a bit for each slot whose voice has to fade. */
 uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, uint32_t frame, uint32_t ringing);
 
-/* Ends the sound whose place is tune; 0: all sounds. Returns a bit for each slot that ended. */
+/* Ends all instances of the sound at place `tune`; 0: all sounds. Returns a bit for each slot that ended. */
 uint32_t cues_stop(struct cues *c, uint32_t tune);
 
 /* Iterates over the events of all cues in a frame; starts zeroed. */
@@ -135,7 +138,8 @@ struct cues_run {
     struct tune_run run;
 };
 
-/* Reads the next event of a cue and stores its settings in c. Returns false if there is none left in the frame. */
+/* Reads the next event of any cue and stores the setting it changes in c. Returns false if no event is left in the
+ * frame. */
 bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e);
 
 #endif

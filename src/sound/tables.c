@@ -1,5 +1,5 @@
 /*
- * tables.c - see tables.h. Each version of a wave is the previous one with more harmonics. Half a turn is summed; the
+ * tables.c - see tables.h. Each version of a wave is the previous one with more harmonics. Half a period is summed; the
  * other half follows by symmetry. The sums are integers, so the order of summation does not matter. The interpolation
  * filter is a Kaiser-windowed sinc whose stopband and passband come from research; its SNR is 80 dB at 1 kHz and 67 dB
  * at 10 kHz.
@@ -15,7 +15,7 @@ enum { HALF = WAVE_LONG / 2, STRONG = 2 * SINC_TAPS };
 static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
                                                45, 64, 91, 128, 181, 256, 362, 512, 640 };
 
-/* Adds harmonic h: 1/h of the sine for a saw; +-1/h^2 for a triangle, which has only odd harmonics. */
+/* Adds harmonic h to the sums: sine / h for the saw; +-sine / h^2 for the triangle, which has only odd harmonics. */
 static void add_harmonic(struct snd_tables *t, uint32_t h)
 {
     const int64_t part = ((int64_t)1 << 20) / h;
@@ -28,8 +28,8 @@ static void add_harmonic(struct snd_tables *t, uint32_t h)
     }
 }
 
-/* Stores the current sums as version m. A saw of full amplitude would overshoot to 1.18 between its samples, so its
- * amplitude is 0.84. */
+/* Stores the current sums as version m of the waves. A saw of full amplitude would overshoot to 1.18 between its
+ * samples, so its amplitude is 0.84. */
 static void keep_version(struct snd_tables *t, int m)
 {
     for (int i = 0; i < HALF; i++) {
@@ -59,8 +59,8 @@ static void make_waves(struct snd_tables *t)
     }
 }
 
-/* Returns the Kaiser window, beta 7, at x / 4096 of its half width, times a constant: I0 in Q22, by its power
- * series. */
+/* Returns the Kaiser window with beta 7 at x / 4096 of its half width, not normalised: the Bessel function I0 in Q22,
+ * summed from its power series. */
 static int64_t kaiser(int32_t x)
 {
     const int64_t q = ((int64_t)49 << 20) - ((int64_t)49 * x * x >> 4); /* (7/2)^2 (1 - (x/4096)^2), Q22 */
@@ -81,7 +81,7 @@ static int64_t sinc(int32_t x)
     return (int64_t)trig_sin30((ang)(x * 993) << 11) * ((int64_t)1 << 32) / ((int64_t)x * 993 * 205887 / 16);
 }
 
-/* Computes the eight weights for one phase; their sum is exactly 1. */
+/* Computes the weights for one phase, Q15; their sum is exactly 1. */
 static void make_sinc(int16_t out[SINC_TAPS], int phase)
 {
     int64_t weight[SINC_TAPS], sum = 0;
@@ -102,8 +102,9 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
 
 /* ---- low-pass filters ---- */
 
-/* edges: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops what would fold back
- * below 20 kHz. reach: the largest step for which the previous row, or no filter, is enough, Q32. */
+/* edges: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops the frequencies that
+ * would fold back below 20 kHz. reach: Q32; for each row, the largest step for which the row before it (for row 0, no
+ * filter) is enough. */
 static const uint32_t edges[LOW_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
                                           804553372,  700187608,  607208282,  524373120,  450575381 };
 static const uint64_t reach[LOW_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,  7954141537, 8928222003,
@@ -150,7 +151,8 @@ static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
     return (int32_t)(a + ((b - a) * (phase & ((1u << (32 - WAVE_BITS)) - 1)) >> (32 - WAVE_BITS)));
 }
 
-/* Follows y around the turn from its zero at half a turn, on the stable branch, as a slow recursion would. */
+/* Solves y = sin(p + b y) for the b of a row. p goes around the turn, starting at half a turn, where y is 0; y follows
+ * the stable branch, as a slow recursion would. */
 static void make_feedback(struct snd_tables *t, int row)
 {
     const int64_t bend = (int64_t)row * 500658; /* 1.5 / 32 radians per row, in 2^-26 turns */
@@ -184,7 +186,7 @@ void snd_tables_make(struct snd_tables *t)
     t->music = t->sounds = 100;
 }
 
-/* Allows harmonics up to 28 kHz: they fold back to 20 kHz and above, which is inaudible. */
+/* Allows harmonics up to 28 kHz: above half the sample rate, they fold back to 20 kHz or more, which is inaudible. */
 int snd_mip(const struct snd_tables *t, uint32_t step)
 {
     int m = WAVE_MIPS - 1;

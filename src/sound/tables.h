@@ -1,8 +1,8 @@
 /*
  * tables.h - wave and filter tables for the mixer: computed once by the host, identical on every machine.
  *
- * They are not part of a board's RAM, because no tick reads them. Each wave has WAVE_MIPS versions, each with more
- * harmonics than the one before, so that for every pitch there is a version with all audible harmonics and without
+ * The tables are not part of a board's RAM, because no tick reads them. Each wave has WAVE_MIPS versions, each with
+ * more harmonics than the one before, so that for every pitch there is a version with all audible harmonics and without
  * audible aliasing (snd_mip).
  */
 #ifndef SOUND_TABLES_H
@@ -16,12 +16,12 @@ enum {
     WAVE_MIPS = 19,
     SINC_TAPS = 8,
     SINC_PHASES = 1024,
-    LOW_ROWS = 11, /* low-pass filters for steps up to 7/6 of a sample times 2^(1/6), 2^(2/6) ... */
+    LOW_ROWS = 11, /* low-pass filters for steps up to 7/6 of a sample times 2^(1/6), 2^(2/6), ... */
     LOW_TAPS = 64,
     FEEDBACK_BITS = 10,
     FEEDBACK_LONG = 1 << FEEDBACK_BITS,
     FEEDBACK_ROWS = 33, /* for feedback of 0 to 1.5 radians */
-    FEEDBACK_ROW = 256  /* units from one row to the next */
+    FEEDBACK_ROW = 256  /* units of feedback from one row to the next */
 };
 
 struct snd_tables {
@@ -29,7 +29,7 @@ struct snd_tables {
     int16_t saw[WAVE_MIPS][WAVE_LONG + 1], triangle[WAVE_MIPS][WAVE_LONG + 1];
     int16_t sine[WAVE_LONG + 1];
     int16_t sinc[SINC_PHASES + 1][SINC_TAPS]; /* Q15: interpolates between the 4th and 5th of eight samples */
-    int16_t low[LOW_ROWS][LOW_TAPS]; /* Q14: low-pass for a sample played faster, centred on tap LOW_TAPS / 2 */
+    int16_t low[LOW_ROWS][LOW_TAPS]; /* Q14: low-pass for a recording played faster, centred on tap LOW_TAPS / 2 */
     int16_t feedback[FEEDBACK_ROWS + 1][FEEDBACK_LONG + 1]; /* y = sin(p + b y); the last row is repeated */
     int16_t pan[257];                                       /* equal power: left is pan[256 - p], right pan[p]; Q15 */
     int64_t work[2][WAVE_LONG / 2];                         /* scratch for the sums of harmonics */
@@ -40,11 +40,11 @@ struct snd_tables {
 /* Fills all tables; takes some milliseconds. */
 void snd_tables_make(struct snd_tables *t);
 
-/* Returns the version of a wave for notes with that step (2^-32 turns per sample). */
+/* Returns the version of a wave to use at a phase step of `step` (2^-32 turns per sample). */
 int snd_mip(const struct snd_tables *t, uint32_t step);
 
-/* Returns the row of `low` for a recording played at that step, Q32; -1: no filter is needed, since nothing folds back
- * into the audible range. */
+/* Returns the row of `low` for a recording played at `step` samples per sample, Q32; -1: no filter is needed, because
+ * no frequency folds back into the audible range. */
 int snd_low(uint64_t step);
 
 #endif

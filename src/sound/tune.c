@@ -65,7 +65,8 @@ const uint8_t *tune_inst(const struct tune *t, int i)
     return t->data + insts_at(t) + INST_BYTES * (size_t)i;
 }
 
-/* Return the offset where track i (-1: the conductor) starts, and where its loop starts; 0: no loop. */
+/* begins returns the offset where track i starts (-1: the conductor); loops, the offset where its loop starts, or 0 if
+ * it has none. */
 static uint32_t begins(const struct tune *t, int i)
 {
     return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1));
@@ -94,9 +95,9 @@ bool tune_endless(const struct tune *t)
     return false;
 }
 
-/* ---- time ---- */
+/* ---- reading events ---- */
 
-/* Reads the ticks at *at and advances *at past them. */
+/* Reads the number of ticks at *at and advances *at past it. */
 static uint32_t read_ticks(const uint8_t *data, uint32_t *at)
 {
     uint32_t v = 0;
@@ -118,7 +119,8 @@ struct tune_at tune_begin(const struct tune *t, int i)
     return c;
 }
 
-/* Reads the event at c and advances c. Returns false for the end of a loop, which is not reported as an event. */
+/* Reads the event at c and moves c to the next one. Returns false for the end of a loop, which is not reported as an
+ * event. */
 static bool read_event(const struct tune *t, int track, struct tune_at *c, struct tune_played *e)
 {
     const uint8_t *p = t->data + c->at;

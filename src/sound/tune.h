@@ -3,24 +3,24 @@
  *
  * A tune is TUNE_HEADER bytes, little-endian:
  *
- *      0  u8 TUNE_FORMAT            5  u8 tracks, 1 to TUNE_TRACKS      12  u32 offset of its samples, or 0
+ *      0  u8 TUNE_FORMAT            5  u8 tracks, 1 to TUNE_TRACKS      12  u32 offset of the samples, or 0
  *      1  u8 volume, 0 to 255       6  u8 instruments                   16  u32 total bytes
  *      2  u8 priority, 0 to 7       7  u8 markers
  *      3  u8 limit, 1 to 8          8  u32 tempo at the start,
  *      4  u8 beats a bar               hundredths of a quarter note a minute
- *     20  u8 channels of a recording, or 0    21  u8 duck, of 255; two zero bytes
- *     24  u32 units by which its loops are longer than their ticks    28  u32 samples before its first beat
+ *     20  u8 channels of a recording, 0: no recording    21  u8 duck, of 255; two zero bytes
+ *     24  u32 units added to the ticks of each loop      28  u32 samples before the first beat
  *
- * followed by its title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and then for each track, u32
- * its offset and u32 the offset where its endless loop starts, 0: it ends; its instruments, INST_BYTES each (inst.h);
- * its markers, TUNE_NAME bytes each; waves, curves and the tracks; and, aligned to 4, the samples of a recording
+ * followed by the title, TUNE_TITLE bytes; for the conductor, which has tempo and markers, and then for each track, u32
+ * its offset and u32 the offset where its endless loop starts, 0: it ends; the instruments, INST_BYTES each (inst.h);
+ * the markers, TUNE_NAME bytes each; waves, curves and the tracks; and, aligned to 4, the samples of a recording
  * (adpcm.h): one set or, for left and right, two, which the first and the second instrument play. A stream is a
  * recording used as music; its samples are in a separate lump, wave/NAME, because scripts do not depend on them. The
  * conductor starts at the first beat; the tracks of a recording can start before it.
  *
  * A track is a list of events: the ticks since the previous event (seven bits per byte, low bits first; the eighth bit
- * says that more follow), the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a tick is
- * TUNE_TICK units and a sample is `tempo` units, so nothing is rounded and nothing drifts.
+ * is set if more bytes follow), the event's byte, its values. TUNE_QUARTER ticks are a quarter note. Time is exact: a
+ * tick is TUNE_TICK units and a sample is `tempo` units, so nothing is rounded and nothing drifts.
  */
 #ifndef SOUND_TUNE_H
 #define SOUND_TUNE_H
@@ -33,7 +33,7 @@
 enum {
     TUNE_FORMAT = 2,
     TUNE_HEADER = 32,
-    TUNE_DUCK_AT = 21, /* offset of duck in the header */
+    TUNE_DUCK_AT = 21, /* offset of `duck` in the header */
     TUNE_TITLE = 64,
     TUNE_TRACKS = 16,
     TUNE_INSTS = 64,
@@ -67,11 +67,11 @@ enum tune_event {
     TUNE_EVENTS
 };
 
-/* The header of a tune that was checked. */
+/* The header of a tune that tune_open has accepted. */
 struct tune {
     const uint8_t *data;
     int tracks, insts, marks, volume, priority, limit, bar, sides;
-    int duck;                   /* how much softer music is while it plays, of 255 */
+    int duck;                   /* how much softer music is while the tune plays, of 255 */
     uint32_t tempo, rest, lead; /* rest: units added to a loop; lead: samples before the first beat */
 };
 struct tune tune_of(const uint8_t *data);
@@ -79,38 +79,39 @@ const char *tune_title(const struct tune *t);
 const char *tune_mark(const struct tune *t, int i);
 const uint8_t *tune_inst(const struct tune *t, int i);
 
-/* Return whether a tune is a recording; a recording whose samples are in a separate lump; a tune with a track that
- * never ends. */
+/* tune_recording returns whether a tune is a recording; tune_streams, whether it is a recording whose samples are in a
+ * separate lump; tune_endless, whether any of its tracks loops forever. */
 bool tune_recording(const struct tune *t);
 bool tune_streams(const struct tune *t);
 bool tune_endless(const struct tune *t);
 
-/* Checks every byte that is read later. Returns false, with one sentence in err, if the tune is invalid. */
+/* Checks a tune of `size` bytes, so that the other functions can read it without checks. Returns false, with one
+ * sentence in err, if the tune is invalid. */
 bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size);
 
 /* A position in a track. */
 struct tune_at {
     uint32_t at;  /* byte offset of the next event in the tune; 0: the track has ended */
-    int64_t left; /* units until that event */
+    int64_t left; /* units until the next event */
 };
 
-/* Returns the start of track i; -1: of the conductor. */
+/* Returns the position at the start of track i; -1: the conductor. */
 struct tune_at tune_begin(const struct tune *t, int i);
 
 struct tune_played {
     enum tune_event event;
-    int32_t value, more;
-    int sample; /* index in the frame */
+    int32_t value, more; /* the event's first and second value */
+    int sample;          /* index in the frame */
 };
 
-/* Iterates over a track's events in n samples of a frame, from sample `first` on. */
+/* Iterates over the events of a track in n samples of a frame, from sample `first` on. track: -1: the conductor. */
 struct tune_run {
     const struct tune *t;
     int track;
-    struct tune_at at; /* after the last event: where the next run starts */
+    struct tune_at at; /* current position; once tune_next has returned false, where the next run starts */
     uint32_t tempo;
     int first, n;
-    int events; /* for tune_next: events read so far, since a run has a limit; starts as 0 */
+    int events; /* private to tune_next: number of events read, which is limited; starts as 0 */
 };
 
 /* Reads the next event of the run. Returns false if none is left; r->at is then at the end of the run. */

@@ -1,7 +1,7 @@
 /*
  * voices.c - see voices.h. The state advances a frame at a time; a frame is mixed in SND_BLOCKS blocks of SND_BLOCK
- * samples. Each block starts at its exact phase. Its level is interpolated linearly from its start to its end, unless
- * the level has a corner inside the block; then it is computed for each sample.
+ * samples. Each block starts at its exact phase. The level is interpolated linearly from the block's start to its end,
+ * unless the level's slope jumps inside the block; then the level is computed for each sample.
  */
 #include "voices.h"
 
@@ -37,7 +37,7 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
     return step < most ? step : most;
 }
 
-/* Returns the pitch offset of an arpeggio in a frame that starts at that age. It changes only between frames. */
+/* Returns the pitch offset of an arpeggio in a frame that starts at `age`. The offset is constant during a frame. */
 static int32_t arpeggio(const struct inst *inst, int32_t age)
 {
     const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
@@ -45,7 +45,7 @@ static int32_t arpeggio(const struct inst *inst, int32_t age)
     return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE;
 }
 
-/* Returns an oscillator's value at an age, Q30. It starts at phase `turn` and stays there until its delay is over. */
+/* Returns an oscillator's value at an age, Q30. The oscillator stays at phase `turn` until its delay is over. */
 static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
 {
     const int32_t t = age - (int32_t)l->delay;
@@ -53,7 +53,7 @@ static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
     return t <= 0 ? trig_sin30(turn) : trig_sin30(turn + (uint32_t)t * l->step);
 }
 
-/* Returns the pitch offset of vibrato and pitch curve. */
+/* Returns the pitch offset that vibrato and the pitch curve cause at an age. */
 static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
 {
     int32_t by = 0;
@@ -191,7 +191,7 @@ void voices_bring(struct voices *s, int place)
     }
 }
 
-/* ---- a frame ---- */
+/* ---- advancing by a frame ---- */
 
 /* Advances the pitch by a frame of its slide. */
 static void slide(struct voices *s, int i)
@@ -219,9 +219,10 @@ static bool ended(const struct voices *s, const uint8_t *rom, const struct inst 
     return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples, 6 hours: ages stop here, positions in loops move back by whole loops */ };
+enum { OLDEST = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
 
-/* Returns how far the position in a recording moves back, Q32. Recordings are far shorter than OLDEST. */
+/* Returns how far the position in a recording moves back, Q32: whole loops if the position is OLDEST or more beyond the
+ * end, otherwise 0. Recordings are far shorter than OLDEST. */
 static uint64_t loops_back(const struct sample *s, uint64_t phase)
 {
     const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
@@ -262,16 +263,16 @@ void voices_step(struct voices *s, const uint8_t *rom)
 
 /* ---- the mix ---- */
 
-/* PASSED: maximum samples of a recording that a frame needs for interpolation, a multiple of four. READ: the same with
+/* PASSED: maximum samples of a recording that a frame needs for interpolation, a multiple of four. READ: PASSED plus
  * the samples that the low-pass filters need on both sides. */
 enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
 
-/* A note, with the values that are computed once a frame. */
+/* A note in slot i, with the values that are computed once per frame. */
 struct note {
     const struct voices *s;
     const struct snd_tables *t;
     int i;
-    const uint8_t *bytes; /* bytes of the instrument */
+    const uint8_t *bytes; /* the packed instrument */
     struct inst inst;
     struct fm_note fm;
     int32_t age, off, kill;
@@ -287,7 +288,7 @@ static uint64_t phase_at(const struct note *n, int at)
     return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
 }
 
-/* Reads the samples of a recording that the frame passes, without frequencies that would fold back. */
+/* Reads the samples of the recording that the frame needs, and removes the frequencies that would fold back. */
 static void read_recording(struct note *n, const uint8_t *rom)
 {
     const struct voices *s = n->s;
@@ -346,7 +347,7 @@ static bool has_corner(const struct note *n, int32_t from, int32_t to)
            (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
-/* Computes the levels of a block's samples. Returns false if all are 0. */
+/* Computes the levels of the samples of block b. Returns false if all are 0. */
 static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
 {
     const int32_t from = n->age + b * SND_BLOCK, to = from + SND_BLOCK;

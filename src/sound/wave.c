@@ -1,11 +1,12 @@
 /*
- * wave.c - see wave.h. Within a block, phases are 32 bits and start exactly, so that compilers can vectorise the loops.
+ * wave.c - see wave.h. Within a block, phases have 32 bits, so that compilers can vectorise the loops; each block
+ * starts at its exact phase.
  */
 #include "wave.h"
 
 #include <string.h>
 
-/* Vectorise in the same way with -O2 and -O3; -O3 would unroll the eight taps, which is slower. */
+/* Makes GCC vectorise this file in the same way with -O2 and -O3; -O3 would unroll the eight taps, which is slower. */
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("O2", "tree-vectorize", "vect-cost-model=dynamic")
 #endif
@@ -30,7 +31,7 @@ static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32
         out[n] = (int16_t)((out[n] - other[n]) >> 1);
 }
 
-/* Reads a version of a tune's own wave. */
+/* Reads one version of the wave of an INST_WAVE instrument. */
 static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
 {
     const uint8_t *p = wave + inst_wave_at(version);
@@ -43,7 +44,7 @@ static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t 
     }
 }
 
-/* Reads one version of a wave that has several. */
+/* Reads version mip of the wave of an instrument whose wave has several versions. */
 static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int mip,
                          int16_t out[SND_BLOCK])
 {
@@ -57,7 +58,7 @@ static void read_version(const struct snd_tables *t, const struct inst *inst, co
         read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
 }
 
-/* Reads a wave; if the pitch needs another version at the frame's end, crossfades from one to the other. */
+/* Reads a wave. If the frame's end needs another version than its start, crossfades between the two. */
 static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
                           int16_t out[SND_BLOCK])
 {
@@ -78,7 +79,7 @@ static uint32_t mixed(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* Each value is a hash of its index; the phase is in 2^-44 turns (struct wave_at). */
+/* Each value of the noise is a hash of its index; the phase is in 2^-44 turns (struct wave_at). */
 static void read_noise(const struct wave_at *at, int16_t out[SND_BLOCK])
 {
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
@@ -137,8 +138,9 @@ static inline sums more(sums sum, const int16_t *x, const int16_t *weights)
     return sum + (sums)__builtin_ia32_pmaddwd128(a, b);
 }
 
-/* Computes a group of samples, each the sum of `taps` values of x times their weights. It sums four samples at once,
- * with the same results as the version below; for single samples, compilers add up the lanes each time. */
+/* Computes a group of samples, each the sum of `taps` values of x times their weights, shifted right by `shift` and
+ * rounded. Gives the same results as the version below, but adds up the lanes of four samples together; compilers add
+ * up the lanes of each sample separately. */
 static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
 {
     sums a = { 0 }, b = a, c = a, d = a;
@@ -186,7 +188,7 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
 
 /* ---- low-pass filters ---- */
 
-/* Filters a group of samples, from x[0] on, with a row of `low`; -1: copies them. */
+/* Filters the group of samples that starts at x with a row of `low`; -1: copies the group unchanged. */
 static void pass(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
 {
     if (row < 0) {
@@ -215,7 +217,7 @@ void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step
 
 /* ---- level ---- */
 
-/* Returns what is left of a level after that many samples if it halves every `half` samples; 0: it does not fall. */
+/* Returns the level that is left after `samples` samples, halving every `half` samples; half 0: it does not fall. */
 static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
 {
     if (half == 0)
@@ -233,7 +235,7 @@ static int32_t held(const struct env *e, int32_t age)
     return fallen(sustain + fallen(32767 - sustain, age - attack, e->decay), age - attack, e->fade);
 }
 
-/* A release of 0 would click, so a release is at least 16 samples. */
+/* Returns the half-life of the release, at least 16 samples: a release of 0 would click. */
 static uint32_t release_of(const struct env *e)
 {
     return e->release > 16 ? e->release : 16;

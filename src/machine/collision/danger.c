@@ -1,5 +1,5 @@
 /*
- * danger.c - see danger.h. Leaves out the same entities that hit.c and hit_lasers.c skip.
+ * danger.c - see danger.h. Skips the same entities as hit.c and hit_lasers.c.
  */
 #include "danger.h"
 #include "../lasers_run.h"
@@ -17,7 +17,7 @@ static uint16_t age_of(const struct board *b, uint32_t born)
     return (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
 }
 
-/* Reports the pieces of an entity; `d` holds everything except the shape. */
+/* Calls v->each for each piece of an entity. d: the members that all pieces share. */
 static void tell_pieces(const struct visit *v, struct danger d, const struct body *piece, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {

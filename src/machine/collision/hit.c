@@ -1,24 +1,24 @@
 /*
  * hit.c - see hit.h.
  *
- * Entities move within the frame, so the tests are swept: relative to the first entity, the second travels from d to
- * d + w, and the exact shape test (geom.h) covers that whole path. A kind with swept = false is tested at its final
- * position.
+ * The tests are swept, because entities move during the frame: relative to one entity, the other travels from d to
+ * d + w, and the exact shape test (geom.h) covers that whole path. Bullets and enemies of a kind with swept = false are
+ * tested at their final positions.
  *
- * The broad phase for bullets is in bullets_move, which finds those near a player; players have already moved.
- * hit_player is the narrow phase. `reach` covers the largest radius, the graze ring and the player's movement. Shots
- * against enemies are in hit_shots.c.
+ * The broad phase for bullets is in bullets_move, which finds the bullets near a player; players have already moved.
+ * hit_player is the narrow phase. The search distance, `reach`, covers the largest shape of a bullet, the hitbox or
+ * graze ring, and the player's movement. Shots against enemies are in hit_shots.c.
  *
- * Entities that leave the field are tested too, because they may touch something on the way out: bullets_move holds the
- * bullets near a player, and all shots; hit_run releases the bullets that touch no player, hit_shots the shots that hit
- * nothing, and events_run the others.
+ * Entities that leave the field are tested too, because they may touch something on the way out. bullets_move holds the
+ * bullets that leave near a player, and all shots that leave. hit_run releases the held bullets that touch no player,
+ * hit_shots the held shots that hit nothing, and events_run all others.
  */
 #include "../../base/int.h"
 #include "hit.h"
 #include "hit_parts.h"
 
-/* Returns the farthest from the player that a bullet touching it can end its move, not counting the bullet's own move.
- */
+/* Returns how far from the player, on either axis, a bullet that hits or grazes may be after its move, not counting the
+ * length of that move. */
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct shape_columns shapes = hit_bullet_shapes(&b->bullet_kinds);
@@ -41,8 +41,8 @@ static inline bool within(const struct bullets *s, uint32_t i, const struct body
     return int64_abs(dx) <= reach + fx_abs(s->vx[i]) && int64_abs(dy) <= reach + fx_abs(s->vy[i]);
 }
 
-/* Tests a circular bullet, the usual case: its path relative to the player, against the hitbox and the graze ring.
- * graze: the ring's radius; below 0: no graze test. */
+/* Tests a circular bullet, the usual case, against the hitbox c and the graze ring. radius: the bullet's; graze: the
+ * ring's, below 0: no graze test. */
 static inline enum verdict test_circle(const struct bullets *s, uint32_t i, const struct body *c, fx radius, fx graze,
                                        bool swept)
 {
@@ -86,8 +86,8 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     return test_shape(b, c, i, graze, swept);
 }
 
-/* The narrow phase: of the bullets that bullets_move found near player p, raises the events of those that hit or graze,
- * and clears the `near` bits of the others. */
+/* The narrow phase: tests the bullets that bullets_move found near player p, raises an event for each that hits or
+ * grazes, and clears the `near` bits of the others. */
 static void hit_player(struct board *b, uint32_t p, const struct body *c)
 {
     struct bullets *s = &b->bullets;
@@ -112,7 +112,7 @@ static void hit_player(struct board *b, uint32_t p, const struct body *c)
     }
 }
 
-/* Releases bullets that left the field near a player and touched none. */
+/* Releases the held bullets, which left the field near a player, if they touched no player. */
 static void release_missed(struct bullets *s)
 {
     for (uint32_t block = 0; block < s->s.held_top / SLOTS_BLOCK; block++) {
@@ -149,7 +149,7 @@ void hit_queries(struct board *b, struct bullets_query query[PADS])
     }
 }
 
-/* Raises the events of enemies that left, after the events of everything that touched them on the way out. */
+/* Raises an event for each enemy that left the field. Call after the events of all entities that touched it. */
 static void enemies_leave(struct board *b)
 {
     EACH_LIVE (i, &b->enemies.s)

@@ -4,14 +4,15 @@
  *
  * Order:
  *   1. for each player: bullets by slot (hit or graze), then lasers by slot (hit or graze), then enemies by slot;
- *   2. shots by slot, each with the enemy or hittable bullet it touches: of several, the one that was nearest before
- *      both moved; ties go to an enemy, then to the lowest slot. A piercing shot hits several, in this order;
+ *   2. shots by slot, each with the enemy or hittable bullet that it touches: of several, the one that was nearest
+ *      before both moved; ties go to an enemy, then to the lowest slot. A piercing shot hits several, nearest first;
  *   3. players' lasers that touch enemies;
  *   4. live bullets by slot, each with an enemy that blocks it;
  *   5. for each pair of tags: bullets of the first tag by slot, each with the bullet of the second tag that it meets;
  *   6. enemies that left the field, by slot;
  *   7. items by slot, each with the player that takes it.
- * Bullets, shots, enemies and items that end this frame's move outside the field and its margin are tested like all
+ *
+ * Bullets, shots, enemies and items that this frame's move takes outside the field and its margin are tested like all
  * others.
  */
 #ifndef MACHINE_HIT_H
@@ -24,27 +25,27 @@ struct body {
     uint8_t shape;
     fx a, b;
     fx x, y, mx, my;
-    fx c; /* of a capsule returned as a piece: (b, c) leads from its middle to one end of its segment */
+    fx c; /* in a piece that is a capsule: (b, c) is the vector from its middle to one end of its segment */
 };
 
-/* Splits the body of bullet or enemy i into circles, boxes and capsules, in its present rotation; returns their number.
- * trig_polar gives the ends of a bullet's capsule; the offset of each circle is rotated as the sum of two of its
- * vectors. */
+/* Splits the body of bullet or enemy i, in its present rotation, into circles, boxes and capsules; returns the number
+ * of pieces. The ends of a bullet's capsule are computed by one trig_polar, the position of a rotated circle by the sum
+ * of two. */
 uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
                            struct body piece[SHAPE_PARTS]);
 uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS]);
 
-/* Stores the queries for the broad phase, in which bullets_move finds the bullets near each player. The players have
- * already moved. */
+/* Stores the queries by which bullets_move, the broad phase, finds the bullets near each player. Call when the players
+ * have moved. */
 void hit_queries(struct board *b, struct bullets_query query[PADS]);
 
 /* Returns whether any shot of this frame can hit a bullet. If so, the moves must hold bullets that leave the field. */
 bool hit_solid_possible(const struct board *b);
 
-/* Returns how far from its line laser i hits at this age; below 0: it hits nothing. */
+/* Returns the distance from the laser's line within which laser i hits at this age, or -1 if it hits nothing. */
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age);
 
-/* Counts the work of one call of hit_laser_enemy. */
+/* Counts the work of one call of hit_laser_enemy with the same arguments. */
 void hit_laser_work(struct board *b, uint32_t i, uint32_t foe);
 
 /* Returns whether laser i, in its present state, touches enemy `foe` in this frame. */

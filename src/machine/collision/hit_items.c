@@ -1,6 +1,6 @@
 /*
- * hit_items.c - players against items, as swept circles. An item is taken by one player: the one that was nearer before
- * both moved; ties go to player 1.
+ * hit_items.c - players against items, as swept circles. If both players touch an item, the one that was nearer to it
+ * before the move takes it; ties go to player 1.
  */
 #include "hit_parts.h"
 
@@ -16,7 +16,7 @@ static struct body item_body(const struct board *b, uint32_t i)
                           .my = fx_sub(s->y[i], s->was_y[i]) };
 }
 
-/* Returns the squared distance between the two before they moved. */
+/* Returns the squared distance between p and q before they moved. */
 static uint64_t were_apart(const struct body *p, const struct body *q)
 {
     uint64_t dx = geom_gap(p->x - p->mx, q->x - q->mx), dy = geom_gap(p->y - p->my, q->y - q->my);

@@ -1,9 +1,9 @@
 /*
  * hit_lasers.c - lasers against players, and players' lasers against enemies. See hit_parts.h.
  *
- * A laser hits everything within half of its hitting width of its line: the width as drawn, times the share that its
- * kind sets. Within the frame, the player and both ends of each segment of the line move independently
- * (geom_swept_bar).
+ * A laser hits everything within half its hitting width of its line. The hitting width is the width as drawn, times the
+ * share that the laser's kind sets. During the frame, the player and both ends of each segment of the line move
+ * independently (geom_swept_bar).
  */
 #include "hit_parts.h"
 #include "../lasers_run.h"
@@ -26,7 +26,8 @@ static int64_t reach_of(const struct board *b, uint32_t i)
     return hit_laser_reach(b, i, lasers_age(b, i));
 }
 
-/* Returns the box in which a body moving along c's path may touch something within `reach` of its edge. */
+/* Returns the box around this frame's movement of circle c, grown by `reach`: a laser line that never enters the box is
+ * never within `reach` of the circle. */
 static struct box way_of(const struct body *c, int64_t reach)
 {
     const int64_t far = reach + c->a;
@@ -40,7 +41,7 @@ struct spot {
     fx x, y;
 };
 
-/* Returns whether all n points are beyond the same side of the box; then everything between them is, too. */
+/* Returns whether all n points are beyond the same side of the box; then so is their convex hull. */
 static bool beyond(const struct box *w, const struct spot *p, int n)
 {
     int left = 0, right = 0, above = 0, below = 0;
@@ -54,7 +55,7 @@ static bool beyond(const struct box *w, const struct spot *p, int n)
     return left == n || right == n || above == n || below == n;
 }
 
-/* Returns whether curve i may touch box w, using the box around its points and the point it dropped last. */
+/* Returns whether the box around curve i's points, including the point dropped last, touches box w. */
 static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w)
 {
     struct box box;
@@ -72,7 +73,7 @@ static bool piece_is_near(const struct board *b, uint32_t i, uint32_t k, const s
     lasers_corner(b, i, next, &p[1].x, &p[1].y);
     lasers_corner_was(b, i, next, &p[2].x, &p[2].y);
     if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_STILL))
-        return !beyond(w, p, 3); /* corner k was where the next corner is now, p[1] */
+        return !beyond(w, p, 3); /* corner k moved here from p[1], where the next corner is now */
     lasers_corner_was(b, i, k, &p[3].x, &p[3].y);
     return !beyond(w, p, 4);
 }
@@ -109,7 +110,7 @@ bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, i
     return false;
 }
 
-/* Returns whether laser i touches e, a box or capsule, with both at their positions at the end of the frame. */
+/* Returns whether laser i touches e, a box or capsule, both at their final positions of the frame. */
 static bool touches_where_it_is(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
 {
     const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
@@ -163,7 +164,7 @@ void hit_laser_work(struct board *b, uint32_t i, uint32_t foe)
         too_much(b, "enemies", b->enemies.s.live);
 }
 
-/* Raises the event of laser i and player p: a hit or, if there is none, a graze. */
+/* Raises the event of laser i hitting player p or, if it does not hit, of grazing the player. */
 static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_t i)
 {
     const struct laser_kinds *k = &b->laser_kinds;

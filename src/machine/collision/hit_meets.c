@@ -1,10 +1,11 @@
 /*
  * hit_meets.c - see hit_parts.h: bullets against bullets, for the pairs of tags that a game declares.
  *
- * The bullets of a pair's second tag are sorted into the cells of a grid by their positions before the move. A cell is
- * a list linked by the column `next`. A bullet of the first tag searches the cells of a box: its path, grown by its
- * extent and by the largest extent and move of the bullets in the grid. Bullets that reach further than FAR cells are
- * in a separate list, which every search includes, so that a few large or fast bullets do not widen every search.
+ * The bullets of a pair's second tag are sorted into the cells of a grid by their positions before the move. The
+ * bullets of a cell are linked by the column `next`. A bullet of the first tag searches the cells of a box: the box
+ * around its path, grown by its extent and by the largest sum of extent and move of a bullet in the grid. Bullets of
+ * the second tag for which this sum exceeds FAR cells are in a separate list, which every search includes, so that a
+ * few large or fast bullets do not widen every search.
  *
  * Each bullet is tested along its path of the frame or, if its kind is not swept, at its final position.
  */
@@ -17,27 +18,27 @@
 enum {
     SIDE = 64,  /* most columns, and most rows, of cells */
     SHIFT = 19, /* log2 of the least cell size: 2^19 is 8 px */
-    FAR = 2,    /* most cells that the move and extent of a bullet in the grid may span */
+    FAR = 2,    /* most cells that the sum of move and extent of a bullet in the grid may span */
     LISTS = SIDE * SIDE + 1,
-    A_PUT = 2, /* work per bullet added to a list, per bullet examined there, and per pair of pieces tested */
+    A_PUT = 2, /* work per bullet added to a list, per bullet examined in a list, per pair of pieces tested */
     A_LOOK = 3,
     A_TEST = 4
 };
 static const uint32_t LAST = UINT32_MAX; /* the end of a list */
 
-/* The bullets of the second tag. */
+/* The bullets of a pair's second tag, sorted into the grid. */
 struct crowd {
     struct board *b;
     const struct bullets *s;
     const struct bullet_kinds *k;
-    uint16_t first, tag;
-    bool alone;         /* both tags of the pair are the same */
-    int64_t left, top;  /* the grid's corner */
-    int64_t wide, high; /* size of the box around their positions */
-    int shift;          /* log2 of a cell's side */
+    uint16_t first, tag; /* the pair's first and second tag */
+    bool alone;          /* both tags of the pair are the same */
+    int64_t left, top;   /* the grid's top left corner */
+    int64_t wide, high;  /* size of the box around the bullets' positions before the move */
+    int shift;           /* log2 of a cell's side */
     int64_t cols, rows;
-    int64_t reach_x, reach_y; /* farthest that a bullet in a cell reaches from its position before the move */
-    uint32_t list[LISTS];     /* per cell, row by row; the last one is of bullets that reach far: a slot, or LAST */
+    int64_t reach_x, reach_y; /* farthest that a bullet in a cell extends from its position before the move */
+    uint32_t list[LISTS];     /* first slot of each cell, row by row, or LAST; at the end, of the far bullets */
 };
 
 /* A search by a bullet of the first tag. */
@@ -46,9 +47,9 @@ struct search {
     uint32_t slot; /* of the searching bullet */
     uint32_t n;    /* number of pieces */
     struct body piece[SHAPE_PARTS];
-    int64_t x, y;           /* its position before its move */
-    int64_t x0, y0, x1, y1; /* box of the positions, before the move, of bullets it may touch */
-    uint64_t best;          /* squared distance of the bullet found */
+    int64_t x, y;           /* position of the searching bullet before the move */
+    int64_t x0, y0, x1, y1; /* bullets that were outside this box before the move are skipped */
+    uint64_t best;          /* squared distance of the bullet found, before the move */
     uint32_t found;         /* slot of the bullet found, or LAST */
     uint32_t tested;        /* number of bullets tested */
 };
@@ -95,7 +96,7 @@ static struct extent extent(const struct bullets *s, const struct bullet_kinds *
     return hit_extent(&shapes, s->kind[i]);
 }
 
-/* Sets the box around the bullets of the second tag. Returns false if there are none. */
+/* Measures the box around the bullets of the second tag. Returns false if there are none. */
 static bool measure(struct crowd *c)
 {
     int64_t left = INT64_MAX, top = INT64_MAX, right = INT64_MIN, bottom = INT64_MIN;
@@ -137,7 +138,7 @@ static void too_much(const struct crowd *c)
                    board_name(c->b, N_TAG, c->tag));
 }
 
-/* Adds bullet i to its list. */
+/* Adds bullet i to the list of its cell or, if its move and extent are too large, to the separate list. */
 static void put(struct crowd *c, uint32_t i)
 {
     const struct extent e = extent(c->s, c->k, i);
@@ -177,7 +178,7 @@ static bool gather(struct crowd *c)
     return true;
 }
 
-/* Splits bullet i into pieces; returns their number. */
+/* Splits bullet i into pieces, which do not move if its kind is not swept; returns the number of pieces. */
 static uint32_t pieces_of(const struct crowd *c, uint32_t i, struct body piece[SHAPE_PARTS])
 {
     uint32_t n = hit_bullet_pieces(c->s, c->k, i, piece);
@@ -198,7 +199,7 @@ static inline void add(uint64_t *words, uint32_t i)
     words[i / SLOTS_BLOCK] |= (uint64_t)1 << (i % SLOTS_BLOCK);
 }
 
-/* Searches the list that starts at i. Positions in the world keep the sum of the squares below 2^64. */
+/* Searches the list that starts at slot i. The sum of the squares is below 2^64, because positions are in the world. */
 static void search_list(struct search *q, uint32_t i)
 {
     const struct crowd *c = q->c;
@@ -229,7 +230,7 @@ static void search_list(struct search *q, uint32_t i)
         too_much(c);
 }
 
-/* Searches the cells of the box. */
+/* Searches the cells that q's box overlaps. */
 static void search_cells(struct search *q)
 {
     const struct crowd *c = q->c;
@@ -271,7 +272,7 @@ static bool takes(const struct crowd *c, uint32_t p, uint8_t side, uint32_t i)
     return flags & side && (flags & MEET_ALL || !(c->k->flags[c->s->kind[i]] & KIND_FIXED));
 }
 
-/* Raises the event of two bullets of pair p that meet. */
+/* Raises the event of two bullets that meet as pair p; records that they met and which of them the pair removes. */
 static void raise_meet(struct board *b, const struct crowd *c, uint32_t p, uint32_t first, uint32_t second)
 {
     const struct bullets *s = c->s;
@@ -299,7 +300,7 @@ static void meet(struct board *b, struct crowd *c, uint32_t p)
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         for (uint64_t m = ready(s, c->k, block, s->meet_first[p]) & ~s->met[block]; m; m &= m - 1) {
             uint32_t i = block * SLOTS_BLOCK + bits_lowest(m), other;
-            if (has(s->taken, i) || has(s->met, i)) /* changed since the block was read */
+            if (has(s->taken, i) || has(s->met, i)) /* set since the block was read */
                 continue;
             other = partner(b, c, i);
             if (other != LAST)

@@ -1,5 +1,5 @@
 /*
- * hit_parts.h - shared by the hit tests: bodies, and tests whether two of them touch.
+ * hit_parts.h - shared by the hit tests: bodies, and tests whether two bodies touch.
  */
 #ifndef MACHINE_HIT_PARTS_H
 #define MACHINE_HIT_PARTS_H
@@ -7,7 +7,8 @@
 #include "../../base/geom.h"
 #include "hit.h"
 
-/* Returns whether two circles or boxes touch: along their paths of the frame if `swept`, otherwise where they end. */
+/* Returns whether two circles or boxes touch: at any time during this frame's movement if `swept` is set, otherwise at
+ * their final positions. */
 static inline bool hit_touches(const struct body *p, const struct body *q, bool swept)
 {
     int64_t wx = swept ? (int64_t)p->mx - q->mx : 0, wy = swept ? (int64_t)p->my - q->my : 0;
@@ -37,7 +38,7 @@ static inline struct body hit_player_body(const struct board *b, uint32_t p)
                           .my = pl->y[p] - pl->was_y[p] };
 }
 
-/* Returns the body of bullet or shot i, not split into pieces; hit_enemy_body does so for enemy i. */
+/* hit_bullet_body returns the body of bullet or shot i, not split into pieces; hit_enemy_body that of enemy i. */
 static inline struct body hit_bullet_body(const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
     uint16_t kind = s->kind[i];
@@ -55,10 +56,10 @@ static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
                           e->y[i] - e->was_y[i], 0 };
 }
 
-/* Returns whether any of n pieces touches any of m. */
+/* Returns whether any of the n pieces p touches any of the m pieces q. swept: as in hit_touches. */
 bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, uint32_t m, bool swept);
 
-/* hit_touches for a bullet of any shape and a circle. */
+/* Returns whether bullet i, of any shape, touches a circle; like hit_touches. */
 static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
                                       const struct body *bullet, const struct body *circle, bool swept)
 {
@@ -69,7 +70,7 @@ static inline bool hit_bullet_touches(const struct bullets *s, const struct bull
     return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
 }
 
-/* hit_touches for an enemy of any shape and a circle. */
+/* Returns whether enemy i, of any shape, touches a circle; like hit_touches. */
 static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const struct body *enemy,
                                      const struct body *circle, bool swept)
 {
@@ -80,7 +81,7 @@ static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const st
     return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
 }
 
-/* hit_touches for bullet or shot i and an enemy, both of any shape. */
+/* Returns whether bullet or shot i touches enemy `foe`, both of any shape; like hit_touches. */
 static inline bool hit_shot_touches(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
                                     uint32_t i, const struct body *shot, uint32_t foe, const struct body *enemy,
                                     bool swept)
@@ -93,9 +94,10 @@ static inline bool hit_shot_touches(const struct board *b, const struct bullets 
 }
 
 /*
- * The farthest that a shape extends from its position on each axis, in any rotation. inner: two shapes touch if their
- * positions are no further apart than the sum of their inner radii. It is the radius of a circle around the position
- * that lies inside the shape or, if negative, minus the distance from the position to the nearest circle of the shape.
+ * x, y: the farthest that a shape extends from its position on each axis, in any rotation. inner: the inner radius,
+ * that of a circle around the position that lies inside the shape or, if negative, minus the distance from the position
+ * to the nearest circle of the shape. Two shapes touch if their positions are no further apart than the sum of their
+ * inner radii.
  */
 struct extent {
     fx x, y, inner;
@@ -130,13 +132,13 @@ struct hit_solids {
 /* Finds the bullets that shots can hit. Returns false if no shot can hit any. */
 bool hit_find_solids(struct board *b, struct hit_solids *f);
 
-/* Targets that a piercing shot cannot hit again in this frame, because it hit them recently or in this frame. */
+/* Handles of the targets that a piercing shot cannot hit again yet, because it hit them recently or in this frame. */
 struct hit_passed {
     int n;
     int64_t thing[PIERCED];
 };
 
-/* Returns whether the entity in this slot is among them. passed may be NULL. */
+/* Returns whether `passed` contains the entity of this kind and slot. A NULL `passed` is empty. */
 static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
 {
     for (int k = 0; passed && k < passed->n; k++)
@@ -145,16 +147,16 @@ static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_k
     return false;
 }
 
-/* Returns the bullet that shot i hits, or NO_SLOT: of those it touches, the one that was nearest before both moved;
- * ties go to the lowest slot. The bullet must be nearer than *apart, a squared distance, which is set to the bullet's.
- */
+/* Returns the bullet that shot i hits, or NO_SLOT: of the bullets it touches, the one that was nearest before both
+ * moved; ties go to the lowest slot. Only bullets whose squared distance from the shot was below *apart count. If there
+ * is one, its squared distance is stored in *apart. */
 int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
                   uint64_t *apart);
 
 /* Tests shots against enemies and bullets: raises an event for each shot that hits. A piercing shot raises one for each
- * target it passes through, nearest first, and for the one that stops it. It remembers at most PIERCED targets that it
- * cannot hit again yet, and while that list is full it hits nothing else. Targets that no longer exist are dropped from
- * the list here. */
+ * target it passes through, nearest first, and one for the target that stops it. It stores at most PIERCED targets that
+ * it cannot hit again yet; while that list is full, the shot hits nothing. Targets that no longer exist are removed
+ * from the list here. */
 void hit_shots(struct board *b);
 
 /* Tests bullets against enemies that block: raises an event for each bullet that touches one. */
@@ -163,19 +165,21 @@ void hit_blocks(struct board *b);
 /*
  * Tests bullets against bullets. For each pair of tags, in the order of declaration, each bullet of the first tag, by
  * slot, meets the bullet of the second tag that it touches: of several, the one that was nearest before both moved;
- * ties go to the lowest slot. In one frame a bullet meets at most one other as the first of a pair; once a pair removes
- * it, it meets no more. Two bullets of the same tag meet once. Delayed bullets and those without a shape meet none.
+ * ties go to the lowest slot. In one frame a bullet meets at most one other as the first bullet of a pair. A bullet
+ * that a pair removes meets no more bullets. For a pair of equal tags, each bullet meets at most one other. Delayed
+ * bullets and bullets without a shape meet none.
  */
 void hit_meets(struct board *b);
 
 /* Tests players against items: raises an event for each item taken, and removes the others that left the field. */
 void hit_items(struct board *b);
 
-/* Returns whether laser i, which hits within `reach` of its line, touches circle c on its path of the frame. */
+/* Returns whether laser i, which hits within `reach` of its line, touches circle c at any time during this frame's
+ * movement. */
 bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
 
-/* hit_lasers tests lasers against player p, whose body is c; hit_lasers_shoot tests players' lasers against enemies.
- * Both raise an event for each laser that touches. */
+/* hit_lasers tests lasers against player p, whose body is c, and raises an event for each laser that hits or grazes.
+ * hit_lasers_shoot tests players' lasers against enemies, and raises an event for each laser that touches one. */
 void hit_lasers(struct board *b, uint32_t p, const struct body *c);
 void hit_lasers_shoot(struct board *b);
 

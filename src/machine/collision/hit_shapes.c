@@ -1,10 +1,10 @@
 /*
- * hit_shapes.c - see hit_parts.h: the shapes that are not circles or boxes.
+ * hit_shapes.c - see hit_parts.h: capsules, and shapes made of several circles.
  */
 #include "hit_parts.h"
 #include "../../base/trig.h"
 
-/* Rotates (x, y) by dir, as the sum of two vectors, each of which is rounded once. */
+/* Rotates (x, y) by dir: adds the rotated vectors (x, 0) and (0, y), each rounded once. */
 static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
 {
     fx across_x, across_y;
@@ -15,7 +15,7 @@ static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
     *ty += across_y;
 }
 
-/* Splits the body in piece[0] into its circles, starting at piece[0]; returns their number. */
+/* Replaces the body in piece[0] by its circles; returns their number. turns: rotate them by dir. */
 static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns, ang dir,
                         struct body piece[SHAPE_PARTS])
 {
@@ -23,7 +23,7 @@ static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns
     uint32_t n = (uint32_t)at.b + 1;
 
     for (uint32_t i = 0; i < n; i++) {
-        const uint32_t row = kind + i; /* ROW_KIND, then ROW_CIRCLES */
+        const uint32_t row = kind + i; /* the first circle is in ROW_KIND, the others from ROW_CIRCLES on */
         fx x = k->x[row], y = k->y[row];
         if (turns)
             turn(x, y, dir, &x, &y);
@@ -66,7 +66,7 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
 
 struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
 {
-    const fx slack = 2; /* rounding error of a rotated position */
+    const fx slack = 2; /* most rounding error of a rotated position */
     struct extent e = { 0, 0, FX_MIN };
 
     if (k->shape[kind] == SHAPE_CAPSULE) {

@@ -1,19 +1,19 @@
 /*
- * hit_shots.c - see hit_parts.h.
+ * hit_shots.c - shots against enemies and bullets, and bullets against enemies that block. See hit_parts.h.
  *
  * Of the enemies it touches, a shot hits the one that was nearest before both moved. The enemies are therefore sorted
  * into the cells of a grid by their positions before the move, and a shot searches the grid in rings around its own
- * cell until the enemy it found is nearer than the next ring, or that ring is out of reach: outside the box of the
- * shot's path, grown by its extent and by the largest extent and move of an enemy.
+ * cell. It stops when the enemy found is nearer than the next ring, or when the next ring is outside the search box:
+ * the box around the shot's path, grown by the shot's extent and by the largest sum of extent and move of an enemy.
  *
- * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as several enemies.
- * So each enemy is listed in its own cell and in the cells above and below it. Three adjacent cells of one row, which
- * are contiguous in memory, then hold the enemies of the nine cells around a shot.
+ * The number of enemies in a few cells is hard to predict, and a branch misprediction costs as much as testing several
+ * enemies. So each enemy is listed in its own cell and in the cells above and below it. Three adjacent cells of one
+ * row, which are contiguous in memory, then list the enemies of the nine cells around a shot.
  *
- * In a dense crowd that box is larger than a cell, most shots touch some enemy, and the nearest enemy is nearly always
- * one that the shot touches. The nearest one is therefore found first, among nine cells in batches of eight places, and
- * only that one is tested. Invariant: the ring search decides every shot that this does not, and would give the same
- * result for the others.
+ * In a dense crowd, where the search box is larger than a cell, most shots touch some enemy, and the enemy nearest to a
+ * shot is nearly always one that the shot touches. There, target_nearest finds the nearest enemy, among nine cells in
+ * batches of eight places, and tests only this enemy. Invariant: if target_nearest finds a hit, the ring search would
+ * find the same one; if not, the ring search decides.
  */
 #include "hit_parts.h"
 #include <assert.h>
@@ -23,19 +23,20 @@
 
 enum {
     GRID_MIN = 4,                     /* with fewer shots, the grid has one cell */
-    SPREAD_MAX = 4,                   /* most enemies per shot for which listing each in three rows pays off */
-    BATCH = 8,                        /* places compared at a time: nearly always more than nine cells hold */
-    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* cells in the box around all enemies: five per four enemies */
+    SPREAD_MAX = 4,                   /* most enemies per shot for which listing each enemy in three rows pays off */
+    BATCH = 8,                        /* places compared at a time; nine cells nearly always hold fewer */
+    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
     MAX_CELLS = 4 * (MAX_FILLED + 3),
     NO_ENEMY = MAX_ENEMIES,
-    A_RUN = 1, /* work: per run of cells searched, per FEW places in it, per test of plain and of other shapes */
+    /* work: A_RUN per run of cells searched and per FEW places in the run, A_TEST and A_LONG_TEST per test of shapes */
+    A_RUN = 1,
     FEW = 2,
     A_TEST = 4,
     A_LONG_TEST = 4 * SHAPE_PARTS * SHAPE_PARTS
 };
 
-/* The position of an enemy before its move, relative to the grid's corner. square: its squared distance from that
- * corner times 2^bits, with its slot in the low bits. */
+/* The position of an enemy before its move, relative to the grid's top left corner. square: the squared distance from
+ * that corner times 2^bits, with the enemy's slot in the low bits. */
 struct place {
     uint32_t x, y;
     int64_t square;
@@ -44,23 +45,23 @@ struct place {
 /* The enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
 struct grid {
     uint32_t n;
-    int64_t left, top;        /* the grid's corner */
+    int64_t left, top;        /* the grid's top left corner */
     int64_t wide, high;       /* size of the grid */
-    int64_t reach_x, reach_y; /* farthest that an enemy reaches from its position before the move */
-    int64_t inner;            /* a point nearer than this to an enemy's position is inside that enemy */
-    int64_t scale;            /* from fx to 2^-32 of a cell */
+    int64_t reach_x, reach_y; /* farthest that an enemy extends from its position before the move */
+    int64_t inner;            /* a point nearer than this to an enemy's position is inside the enemy */
+    int64_t scale;            /* factor from fx to 2^-32 of a cell */
     int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
-    int64_t spread;    /* cells above and below its own in which an enemy is also listed: 1 or 0 */
-    int bits;          /* bits of a slot number */
-    uint32_t mask;     /* mask of those bits */
-    int64_t minus_two; /* -2 * 2^bits */
-    bool dense;
+    int64_t spread;             /* cells above and below its own in which an enemy is also listed: 1 or 0 */
+    int bits;                   /* number of bits of a slot number */
+    uint32_t mask;              /* mask of a slot number */
+    int64_t minus_two;          /* -2 * 2^bits */
+    bool dense;                 /* use target_nearest */
     uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
     struct place place[MAX_ENEMIES + BATCH];
-    uint16_t begin[MAX_CELLS + 1]; /* index of each cell's first place; the last: their number */
+    uint16_t begin[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
     int64_t sure
-        [MAX_KINDS]; /* if dense; sure hit: a shot of this kind hits any enemy whose squared distance is below this */
+        [MAX_KINDS]; /* if dense: a shot of this kind hits every enemy whose squared distance from it is below this */
 };
 
 /* A search by a shot or bullet. */
@@ -71,13 +72,13 @@ struct search {
     const struct bullet_kinds *kinds;
     struct body shot;
     const struct hit_passed *passed; /* targets to skip; NULL: none */
-    uint32_t slot;                   /* of the shot */
+    uint32_t slot;                   /* of the shot or bullet that searches */
     bool swept;
-    int64_t x, y;           /* its position before its move, in the grid */
-    int64_t x0, y0, x1, y1; /* box of the positions, before the move, of enemies it may touch */
-    uint64_t best;          /* squared distance of the enemy found */
+    int64_t x, y;           /* position of the shot before its move, relative to the grid's corner */
+    int64_t x0, y0, x1, y1; /* the search box: enemies that were outside it before the move are skipped */
+    uint64_t best;          /* squared distance of the enemy found, before the move */
     uint32_t found;         /* slot of the enemy found, or NO_ENEMY */
-    uint64_t work;          /* done by the search */
+    uint64_t work;          /* work done by the search */
 };
 
 static inline uint64_t squares(int64_t dx, int64_t dy)
@@ -92,7 +93,7 @@ static inline uint32_t slot_of(const struct grid *g, int64_t square)
 
 /* ---- the grid ---- */
 
-/* Returns the column or row of a coordinate in the grid. */
+/* Returns the column of an x, or the row of a y, relative to the grid's corner. */
 static inline int64_t cell_of(const struct grid *g, int64_t v)
 {
     return v * g->scale >> 32;
@@ -104,8 +105,8 @@ static inline int64_t length(const struct grid *g, int64_t share)
     return (share >> 16) * g->cell >> 16;
 }
 
-/* Lists the enemies that can be hit and whose kinds have these flags, and measures the box around their positions
- * before the move and how far they extend. */
+/* Lists the enemies that can be hit and whose kinds have all of `flags`. Measures the box around the enemies' positions
+ * before the move, and their largest reach and smallest inner radius. */
 static void gather(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
@@ -143,7 +144,7 @@ static void gather(struct grid *g, const struct board *b, uint8_t flags)
     g->inner = inner;
 }
 
-/* Makes the cells as small as their maximum number allows. */
+/* Makes the cells as small as the maximum number of cells allows. slots: all enemies' slots are below this. */
 static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
 {
     const uint32_t cells = shots < GRID_MIN ? 1 : g->n * 5 / 4;
@@ -205,14 +206,14 @@ static void sort(struct grid *g, const struct enemies *e)
             g->place[--begin[cell[i] + cols]] = p;
         }
     }
-    /* a batch may read past the last place */
+    /* a batch may read past the last place: these places are never the nearest */
     for (size_t i = sum; i < sum + BATCH; i++)
         g->place[i] = (struct place){ 0, 0, INT64_MAX };
 }
 
-/* ---- the search by rings ---- */
+/* ---- the ring search ---- */
 
-/* Searches a run of cells for the nearest enemy that is touched; ties go to the lower slot. */
+/* Searches the cells from..to of a row for the nearest enemy that the shot touches; ties go to the lower slot. */
 static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->g->begin + row * s->g->cols;
@@ -236,7 +237,7 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
     }
 }
 
-/* Sets the box of the search. Returns false if no enemy can be in it. */
+/* Sets the search box. Returns false if no enemy can be in the box. */
 static bool set_bounds(struct search *s)
 {
     const struct grid *g = s->g;
@@ -256,9 +257,10 @@ static bool set_bounds(struct search *s)
 }
 
 /*
- * Searches rings of cells around the shot's cell, or around the nearest cell of the box. After each ring, computes how
- * near an enemy in the box but outside the rings could be. If the shot is outside the box, a gap separates it from
- * everything inside. Positions in the world and moves of at most MAX_SPEED keep every distance here below 2^32.
+ * Searches rings of cells around the shot's cell or, if that is outside the search box, around the nearest cell of the
+ * box. After each ring, computes how near an enemy in the box but outside the searched rings could be; gap_x and gap_y
+ * are the distances of the shot from the box on each axis. Every distance here is below 2^32, because positions are in
+ * the world and moves are at most MAX_SPEED.
  */
 static void search_rings(struct search *s)
 {
@@ -330,17 +332,18 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
 /* ---- the search of a dense crowd ---- */
 
 /*
- * Returns the key of an enemy for a shot; the nearest enemy has the lowest key. It is the squared distance between the
- * two minus the squared distance of the shot from the grid's corner, times 2^bits, with the slot in the low bits. The
- * shot is at (x, y) / -2^(bits + 1).
+ * Returns the key of an enemy for a shot; the nearest enemy has the lowest key. The key is the squared distance between
+ * enemy and shot, minus the squared distance between the shot and the grid's corner, times 2^bits, with the enemy's
+ * slot in the low bits. (x, y): the shot's position relative to the corner, times -2^(bits + 1). The
+ * sum fits in an int64_t; its terms may not.
  */
 static inline int64_t key(const struct place *p, int64_t x, int64_t y)
 {
-    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y); /* the sum fits; terms may not */
+    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y);
 }
 
-/* Returns the lowest key of BATCH places. There are two chains of comparisons, because each waits for the previous one.
- */
+/* Returns the lowest key of BATCH places. Two independent chains of comparisons run in parallel, because within a chain
+ * each comparison waits for the previous one. */
 static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
 {
     int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
@@ -353,9 +356,9 @@ static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t 
 }
 
 /*
- * Returns the lowest of `best` and the keys of the places from i up to, but not including, end; some places after that
- * may be included. Usually there is one batch, which branch prediction learns, unlike the number of enemies in a few
- * cells.
+ * Returns the lowest of `best` and the keys of the places i to end - 1, and possibly of some places after these, which
+ * complete the last batch. There is usually one batch, so the loop's branch is predicted well, unlike a loop over the
+ * enemies of a few cells.
  */
 static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
@@ -364,8 +367,8 @@ static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int
     return best;
 }
 
-/* Positions of a block of shots before their moves, relative to the corner of a dense crowd's grid, modulo 2^32: those
- * far outside wrap around. */
+/* Positions of a block of shots before their moves, relative to the corner of a dense crowd's grid, modulo 2^32:
+ * positions far outside the grid wrap around. */
 struct starts {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
@@ -380,7 +383,8 @@ static void locate(struct starts *f, const struct bullets *s, uint32_t first, ui
     }
 }
 
-/* Returns the slot of the nearest enemy if the shot hits it; otherwise, or if the nearest is not known, NO_ENEMY. */
+/* Returns the slot of the enemy nearest to shot i if the shot hits that enemy. Returns NO_ENEMY if not, or if the
+ * nearest enemy may be outside the cells searched. (x, y): the shot's position, from struct starts. */
 static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
 {
     const int64_t in_x = x * g->scale, in_y = y * g->scale, one = (int64_t)1 << 32;
@@ -395,7 +399,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
     const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
     int64_t best = lowest(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
     const int64_t here = x * x + y * y;
-    int64_t d = (best >> g->bits) + here; /* squared distance of the enemy */
+    int64_t d = (best >> g->bits) + here; /* squared distance between shot and enemy */
     if (d >= edge * edge) {
         const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
         best = lowest(g, begin[a - cols], begin[z - cols], kx, ky, best);
@@ -414,7 +418,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
                : NO_ENEMY;
 }
 
-/* Sets `sure`, from the inner radii: a swept shot hits every enemy that it touched before the move. */
+/* Sets `sure` from the inner radii: a swept shot hits every enemy that it touches before both move. */
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
@@ -426,7 +430,7 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
     }
 }
 
-/* Raises EV_SHOT. Same as board_event, which is called only if the list is full. */
+/* Inlined board_event for EV_SHOT; calls board_event itself only if the event list is full. */
 static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 {
     int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
@@ -443,7 +447,8 @@ static inline uint32_t target(struct board *b, const struct grid *g, const struc
     return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
-/* Returns the bullet that shot i hits if it was nearer than enemy foe (NO_ENEMY: any bullet), otherwise NO_SLOT. */
+/* Returns the bullet that shot i hits if that bullet was nearer than enemy `foe`, otherwise NO_SLOT. foe: NO_ENEMY if
+ * the shot hits no enemy. */
 static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
                             const struct hit_passed *passed)
 {
@@ -456,7 +461,7 @@ static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_
     return hit_solid(b, f, i, passed, &apart);
 }
 
-/* Raises the event of a bullet that shot i hits instead of enemy foe. Returns whether there is one. */
+/* If shot i hits a bullet that was nearer than enemy `foe` (see nearer_solid), raises the event and returns true. */
 static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
 {
     int32_t bullet = nearer_solid(b, f, i, foe, NULL);
@@ -468,7 +473,7 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 
 /* ---- shots that pierce ---- */
 
-/* Lists the targets that shot i cannot hit again yet, and drops the others from its memory. */
+/* Lists in *passed the targets that shot i cannot hit again yet, and removes the others from its `pierced` list. */
 static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 {
     int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
@@ -502,7 +507,7 @@ static bool stops_all(const struct board *b, int64_t thing)
     return handle_kind(thing) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(thing)] == HP_FOREVER;
 }
 
-/* Raises the events of a piercing shot. Returns false if it hits nothing. */
+/* Raises the events of piercing shot i. Returns false if the shot hits nothing. */
 static bool raise_through(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
 {
     const int32_t through = b->shots.pierce[i];
@@ -528,8 +533,8 @@ static bool pierces(const struct board *b, uint32_t i)
     return b->shot_kinds.pierce && b->shot_kinds.pierce[b->shots.kind[i]];
 }
 
-/* Finds what each shot hits, and releases the shots that left the field and hit nothing. solids: NULL if shots can hit
- * no bullet. */
+/* Raises the events of all shots, and releases the shots that left the field and hit nothing. solids: NULL if shots can
+ * hit no bullet. */
 static void target_all(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;
@@ -582,7 +587,7 @@ void hit_shots(struct board *b)
     target_all(b, &g, some ? &solids : NULL);
 }
 
-/* ---- blockers ---- */
+/* ---- enemies that block bullets ---- */
 
 static bool some_block(const struct board *b)
 {

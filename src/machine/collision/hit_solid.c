@@ -1,16 +1,16 @@
 /*
- * hit_solid.c - shots against bullets: shots hit bullets with hp; shots that cancel hit all clearable bullets, too. See
- * hit_parts.h.
+ * hit_solid.c - shots against bullets: all shots hit bullets with hp; shots that cancel also hit all clearable bullets.
+ * See hit_parts.h.
  *
- * There is no grid: each shot checks, a block at a time, which bullets ended their move near its path, and tests those.
- * The cost is the number of shots times the number of blocks that have such bullets (docs/guide/21-capacities.md),
- * and it is counted as work.
+ * There is no grid: each shot searches the pool, a block at a time, for bullets whose final position is near the shot's
+ * path, and tests these bullets. The cost is the number of shots times the number of blocks with bullets to search
+ * (docs/guide/21-capacities.md); it is counted as work.
  */
 #include "hit_parts.h"
 #include "../../base/int.h"
 #include "hit.h"
 
-enum { A_BLOCK = 4, A_TEST = 4 /* work per block checked, and per pair of pieces tested */ };
+enum { A_BLOCK = 4, A_TEST = 4 /* work per block searched; per pair of pieces tested */ };
 
 static bool any_cancels(const struct bullet_kinds *k)
 {
@@ -70,7 +70,8 @@ bool hit_find_solids(struct board *b, struct hit_solids *f)
     return f->some || any_cancels(&b->shot_kinds);
 }
 
-/* Returns which of the bullets `near` of a block are of a kind and state that the shot can hit. */
+/* Returns which of the bullets `near`, bits of a block, a shot can hit in their kind and state. some: as in struct
+ * hit_solids; cancels: the shot cancels bullets. */
 static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, bool some, bool cancels, uint32_t block,
                          uint64_t near)
 {

@@ -1,7 +1,7 @@
 /*
  * contrast.c - see contrast.h. A bullet is compared pixel by pixel with the picture without bullets. Many bullets have
- * a core or a rim in the colour of the background but stand out by their other pixels. So the measure is the share of
- * the pixels that stand out, and a small share is enough.
+ * a core or a rim in the colour of the background, but their other pixels stand out. So the measure is the share of
+ * pixels that stand out, and a small share is enough.
  */
 #include "contrast.h"
 #include "../machine.h"
@@ -31,7 +31,8 @@ static struct image image_of(const struct board *b, uint32_t i)
                        (along ? s->dir[i] : 0) + k->spin[kind] * age);
 }
 
-/* Returns the percent of bullet i's pixels inside the clip that stand out; -1: no pixel is inside. */
+/* Returns the percent of bullet i's pixels inside the clip that stand out; -1: the bullet has no pixel inside the
+ * clip. */
 static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[256], const struct cart_look *look,
                  uint32_t i)
 {

@@ -12,10 +12,10 @@ struct board;
 
 /* A bullet with a hitbox, at least partly inside the field. */
 struct contrast_bullet {
-    const char *kind; /* name of its kind, valid until the next tick */
+    const char *kind; /* name of the bullet's kind, valid until the next tick */
     int bank;
     int x, y;  /* in the field, px */
-    int share; /* percent of its pixels that stand out; up to CONTRAST_FAINT: it is hardly visible */
+    int share; /* percent of the bullet's pixels that stand out; at most CONTRAST_FAINT: the bullet is hardly visible */
 };
 typedef void contrast_visit(void *context, const struct contrast_bullet *bullet);
 
@@ -23,8 +23,8 @@ typedef void contrast_visit(void *context, const struct contrast_bullet *bullet)
  * CONTRAST_STEP, out of 6 * 255. */
 enum { CONTRAST_STEP = 6 * 40, CONTRAST_FAINT = 10, CONTRAST_BULLETS = 512 /* most visited per picture */ };
 
-/* Draws the picture behind the bullets into fb, then visits up to CONTRAST_BULLETS bullets, in slot order. scratch:
- * board_scratch bytes. */
+/* Draws the picture behind the bullets into fb, then calls visit for up to CONTRAST_BULLETS bullets, in slot order.
+ * scratch: board_scratch bytes. */
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context);
 
 #endif

@@ -107,7 +107,7 @@ static void step_fade(struct pal *p, int i)
         p->over[i] = 0;
 }
 
-enum { ASIDE = 64 }; /* colours skipped at once if none of them fades, as is usual */
+enum { ASIDE = 64 }; /* entries that are skipped together if none of them is fading, the usual case */
 
 static bool some_fade(const uint16_t *restrict over)
 {

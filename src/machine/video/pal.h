@@ -11,8 +11,8 @@ enum { COLOURS = 256, CYCLES = 8 };
 struct pal {
     struct slots s;      /* a list of COLOURS entries */
     uint32_t *rgb;       /* 0xRRGGBB, as shown */
-    uint32_t *from, *to; /* first and last colour of a fade */
-    uint16_t *at, *over; /* frames done, and in all; over 0: no fade */
+    uint32_t *from, *to; /* start and end colours of a fade */
+    uint16_t *at, *over; /* frames of the fade done, and its length in frames; over 0: no fade */
     uint8_t cycle_first[CYCLES], cycle_last[CYCLES];
     uint16_t cycle_every[CYCLES], cycle_count[CYCLES]; /* every 0: unused */
 };
@@ -36,9 +36,9 @@ bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every);
 /* Ends all fades and cycles. */
 void pal_stop(struct pal *p);
 
-/* Scores how much p resembles the palette rgb (256 x R G B): 2 for each entry that has or is fading to the palette's
- * colour, otherwise 1 if the entry's last fade started from it. So entries faded to black or white still count for
- * their palette. */
+/* Returns a score for how much p resembles the palette rgb (256 x R G B): 2 for each entry that has or is fading to the
+ * palette's colour, otherwise 1 if the entry's last fade started from it. Entries that were faded to black or white
+ * therefore still count for the palette they had before. */
 int pal_likeness(const struct pal *p, const uint8_t *rgb);
 
 /* Advances fades and cycles by one frame. */

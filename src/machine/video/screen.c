@@ -31,8 +31,9 @@ void screen_bars_to(struct screen *s, uint32_t clock, int32_t h, uint32_t n)
     s->bars_at = clock;
 }
 
-/* Returns how much of `most` is left at that clock. The tick that starts an effect is its frame 1. By the time that
- * frame is drawn the clock has advanced, unless the game is stopped, so one frame is taken off the age. */
+/* Returns the strength at `clock` of an effect that started with strength `most` at clock `at` and lasts `over` frames.
+ * The tick that starts an effect is its frame 1. By the time that frame is drawn the clock has advanced, unless the
+ * game is stopped, so the age is reduced by one frame. */
 static fx left(fx most, uint32_t over, uint32_t at, uint32_t clock)
 {
     uint32_t age = clock - at;
@@ -68,7 +69,7 @@ fx screen_flash(const struct screen *s, uint32_t clock)
     return left(s->flash_share, s->flash_over, s->flash_at, clock);
 }
 
-/* Interpolates from `from` to `to`, after `age` of n frames. */
+/* Returns the value after `age` of n frames, interpolated linearly from `from` to `to`. */
 static int32_t between(int32_t from, int32_t to, uint32_t age, uint32_t n)
 {
     return age >= n ? to : from + (int32_t)((int64_t)(to - from) * age / n);

@@ -23,9 +23,9 @@ struct screen {
     uint32_t flash;       /* 0xRRGGBB */
     fx flash_share;       /* initial strength, 0 to 1 */
     uint32_t flash_over, flash_at;
-    int32_t bars_from, bars; /* first and last height, px */
+    int32_t bars_from, bars; /* height at the start and at the end, px */
     uint32_t bars_over, bars_at;
-    fx dim_from, dim; /* first and last share of black, 0 to 1 */
+    fx dim_from, dim; /* share of black at the start and at the end, 0 to 1 */
     uint32_t dim_over, dim_at;
 };
 
@@ -37,20 +37,21 @@ void screen_empty(struct screen *s);
 /* Moves the bars from their current height to h px over n frames, starting now. */
 void screen_bars_to(struct screen *s, uint32_t clock, int32_t h, uint32_t n);
 
-/* Sets *dx and *dy to the px by which the field's picture is offset. In frame k of n, from 1, the amplitude is size *
- * (n - k + 1) / n px. An aimed shake repeats every four frames (forward, centre, backward, centre); otherwise the
+/* Sets *dx and *dy to the px by which the field's picture is offset. In frame k of n, k from 1, the amplitude is shake
+ * * (n - k + 1) / n px. An aimed shake repeats every four frames (forward, centre, backward, centre); otherwise the
  * direction advances by the golden angle each frame. */
 void screen_shake(const struct screen *s, uint32_t clock, int *dx, int *dy);
 
-/* Returns the share of the flash's colour in every colour, 0 to 1: in frame k of n, from 1, share * (n - k + 1) / n. */
+/* Returns the share of the flash's colour to mix into every palette entry, 0 to 1. In frame k of n, k from 1, it is
+ * flash_share * (n - k + 1) / n. */
 fx screen_flash(const struct screen *s, uint32_t clock);
 
-/* Returns the height of each bar, px: after k of n frames, from + (to - from) * k / n, the change truncated towards 0.
- * */
+/* Returns the height of each bar, px. After k of n frames it is from + (to - from) * k / n, where the quotient is
+ * truncated towards 0. */
 int screen_bars(const struct screen *s, uint32_t clock);
 
 /* screen_dim_to changes the dim from its current share of black to `share` over n frames, starting now. screen_dim
- * returns the current share, interpolated like the bars' height. frame: since power-on. */
+ * returns the current share, interpolated like the bars' height. frame: frames since power-on. */
 void screen_dim_to(struct screen *s, uint32_t frame, fx share, uint32_t n);
 fx screen_dim(const struct screen *s, uint32_t frame);
 

@@ -1,15 +1,15 @@
 /*
  * video.c - draws the picture from const RAM into a framebuffer, in a fixed order:
  *
- *     background, back sprites, items, enemies, shots, players' lasers, sparks of the layer middle, middle sprites,
- *     players, bullets, lasers, sparks, front sprites, the background's layers in front, bars, the dim, plates, sprites
+ *     background, back sprites, items, enemies, shots, players' lasers, sparks of the middle layer, middle sprites,
+ *     players, bullets, lasers, sparks, front sprites, the background's front layers, bars, the dim, plates, sprites
  *     over the dim, front plates, text, lines
  *
  * Options are drawn over the sprites of their layer. A view (view.h) may dim backgrounds and back sprites before
  * anything else is drawn over them.
  *
- * Bullets are drawn by kind, then by slot. Kinds with a lower `order` are drawn first; among these, those with larger
- * pictures, and among equals those declared first (video_bullets.c).
+ * Bullets are drawn by kind, then by slot. Kinds with a lower `order` are drawn first; if `order` is equal, kinds with
+ * larger pictures; if the pictures' areas are equal too, kinds declared first (video_bullets.c).
  */
 #include <assert.h>
 #include <string.h>
@@ -87,7 +87,7 @@ static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y
     c->drawn++;
 }
 
-/* Does the same as put, through a batch. */
+/* Like put, but through a batch. */
 static void put_later(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                       unsigned blend)
 {
@@ -178,7 +178,7 @@ static void draw_items(struct draw_target *c)
     video_batch_end(&q);
 }
 
-/* Returns the brightest or the darkest palette entry, the first among equals. */
+/* Returns the brightest or the darkest palette entry; of several equal ones, the first. */
 static uint8_t extreme(const struct board *b, bool bright)
 {
     uint32_t best = bright ? 0 : UINT32_MAX;
@@ -203,8 +203,8 @@ static void put_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigne
                extreme(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
-/* Draws enemy i in white, shifted by 1 px in each direction. Its picture is drawn over that, so only an outline stays
- * white. */
+/* Draws enemy i in white four times, shifted by 1 px in each direction. The caller draws the enemy's picture over that,
+ * so only an outline stays white. */
 static void put_white_rim(struct draw_target *c, uint32_t i)
 {
     put_white(c, i, -1, 0, 0);
@@ -247,7 +247,7 @@ static void draw_players(struct draw_target *c)
                 p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
-/* Draws the sparks of the layer over the bullets, or those under the players. */
+/* Draws the sparks under the players (under), or those over the bullets (!under). */
 static void draw_sparks(struct draw_target *c, bool under)
 {
     const struct sparks *s = &c->b->sparks;
@@ -288,7 +288,8 @@ static bool some_page(const uint16_t *restrict page)
     return any;
 }
 
-/* Returns how many cells from i can be skipped because they are empty: MANY_CELLS, FEW_CELLS or 1. Cell i is empty. */
+/* Returns how many cells from i can be skipped because they are empty: MANY_CELLS, FEW_CELLS or 1. Cell i must be
+ * empty. */
 static uint32_t empty_cells(const struct fix *f, uint32_t i)
 {
     const uint16_t *page = f->page ? f->page + i : NULL;
@@ -309,7 +310,7 @@ static uint32_t next_cell(const struct fix *f, uint32_t i)
     return i;
 }
 
-/* Draws all rims, from cell `first`. This happens before any letter is drawn, so that no rim covers a letter. */
+/* Draws the rims of all cells from cell `first`. Call before any letter is drawn, so that no rim covers a letter. */
 static void draw_rims(struct draw_target *c, const struct font *font, uint32_t first)
 {
     const struct fix *f = &c->b->fix;
@@ -359,7 +360,7 @@ static void clear_sides(struct draw_target *c)
 
 /* Fills the empty pixels of a strip n px wide, outside the field's shaken edge, with the mirror image of the pixels
  * inside the edge. from: first pixel of the strip, next to the edge. step: offset of the next pixel away from the edge.
- * lines, along: length of the strip, and offset of its next line. */
+ * lines: length of the strip. along: offset of the next pixel along the edge. */
 static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t along)
 {
     for (int i = 0; i < lines; i++, from += along)
@@ -446,7 +447,7 @@ static const uint8_t *shade_of(const struct cart_look *look, const struct view *
     return view->dim && shades ? shades + (view->dim - 1) * COLOURS : NULL;
 }
 
-/* Returns the draw target of this frame; *shaken: whether a shake moves it. */
+/* Returns the draw target of this frame. Sets *shaken to whether a shake moves the field's picture. */
 static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
 {
     const struct manifest *m = &b->cart.m;
@@ -460,7 +461,7 @@ static struct draw_target target(const struct board *b, struct fb *fb, void *scr
     c.x += dx;
     c.y += dy;
     if (*shaken)
-        c.overdraw = VIDEO_NO_LAYERS; /* a layer is as large as the field */
+        c.overdraw = VIDEO_NO_LAYERS; /* a layer covers only the field, not the edges that a shake exposes */
     return c;
 }
 
@@ -478,7 +479,7 @@ static void draw_behind(struct draw_target *c, bool shaken)
     video_clip_field(c);
     video_bg(c, false);
     draw_sprites(c, LAYER_BACK);
-    if (!c->shade) /* options are the ship's: no view dims them */
+    if (!c->shade) /* options belong to the ship, so a view does not dim them */
         draw_options(c, LAYER_BACK);
     if (shaken && !covered)
         fill_edges(c);

@@ -7,35 +7,39 @@
 #include "../../../fb/stamp.h"
 #include "../machine.h"
 
-/* What is drawn, where, and how: passed to everything that draws a part of the picture. */
+/* The board to draw, the surface to draw on, and how to draw. Passed to every function that draws a part of the
+ * picture. */
 struct draw_target {
     const struct board *b;
     struct fb *fb;
     int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
     void *scratch;
-    int overdraw;           /* overdraw at which bullets are drawn front to back */
-    uint64_t drawn, hidden; /* pictures drawn; those among them skipped because others cover them */
+    int overdraw;           /* overdraw from which bullets are drawn front to back; VIDEO_NO_LAYERS: never */
+    uint64_t drawn, hidden; /* pictures drawn, including `hidden`; pictures skipped because others cover them */
     unsigned layers;        /* sprite layers that are not empty, 1 << layer */
-    const uint8_t *shade;   /* backgrounds: the entry to show for each of 256; NULL: they are not dimmed */
+    const uint8_t *shade;   /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
     struct cart_look look;  /* tables of the loaded palette */
     bool soft;              /* hurt enemies blink softly */
 };
 
-/* Overdraw is how many times bullets would cover the field. From VIDEO_OVERDRAW on they are drawn front to back.
- * Measurements: docs/measured/speed.md. */
+/* Overdraw is how many times the bullets' opaque pixels would cover the field. From VIDEO_OVERDRAW on, bullets are
+ * drawn front to back. Measurements: docs/measured/speed.md. */
 enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 
-/* Draws like board_draw, with another overdraw limit; the picture is the same. VIDEO_NO_LAYERS: never front to back. */
+/* Draws the same picture as board_draw, but draws bullets front to back from another overdraw on (VIDEO_NO_LAYERS:
+ * never). Returns the target, with its counts of pictures. */
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
                               void *scratch, int overdraw);
 
-/* Draws only what is behind the bullets, without a flash. Leaves the clip set to the field. */
+/* Draws only what is behind the bullets, and sets rgb to the colours without a flash. Leaves the clip set to the
+ * field. */
 void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
 
 /* Returns the tables of the ROM palette that is loaded (board_palette). */
 struct cart_look video_look(const struct board *b);
 
-/* Returns the image of a sprite that has been shown for `age` frames; turns: the rotated copy nearest to dir. */
+/* Returns the picture of a sprite that has been shown for `age` frames. turns: selects the rotated copy nearest to
+ * dir. */
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
 
 /* Sets the clip to the field. A shake does not move the clip. */
@@ -45,21 +49,21 @@ void video_clip_field(const struct draw_target *c);
 void video_paint(struct draw_target *c, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                  unsigned blend);
 
-/* A queue of pictures that are painted in order; consecutive pictures of one size are painted together. */
+/* A queue of pictures that are painted in order; consecutive pictures of the same size and mix are painted together. */
 enum { VIDEO_BATCH = 64 };
 struct video_batch {
     struct draw_target *c;
     struct image size;         /* size of the queued pictures; pix is not used */
     enum blit_mix mix;         /* mix of the queued pictures */
-    struct stamp_corners safe; /* where a picture of that size needs no clipping */
+    struct stamp_corners safe; /* positions at which a picture of that size needs no clipping */
     size_t n;
     struct blit_item items[VIDEO_BATCH];
 };
 
-/* Empties the queue; items is not written. The clip must not change while pictures are queued. */
+/* Starts an empty queue, without writing `items`. The clip must not change while pictures are queued. */
 void video_batch_begin(struct video_batch *q, struct draw_target *c);
 
-/* Does the same as video_paint, but may delay it until video_batch_end. */
+/* Like video_paint, but may defer the painting until video_batch_end. */
 void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
                      unsigned blend);
 
@@ -76,7 +80,7 @@ void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank
 void video_shade(const struct draw_target *c);
 
 /* Darkens everything drawn so far by moving its colours to separate palette entries. over: the entries, of 256, that
- * must not change because they are drawn with afterwards. share: of black, 0 to FX_ONE. */
+ * must not change because they are used by what is drawn afterwards. share: of black, 0 to FX_ONE. */
 void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool over[256], fx share);
 
 /* Draws all lines of text. */
@@ -88,24 +92,24 @@ void video_cell(struct draw_target *c, uint32_t i);
 /* Draws the rim of cell i in colour `rim`. All rims must be drawn before all cells. */
 void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim);
 
-/* Draws the background's layers behind everything, or those in front of all sprites. */
+/* Draws the background's layers in front of all sprites (front), or those behind everything (!front). */
 void video_bg(struct draw_target *c, bool front);
 
 /* Returns whether the background covers the whole field, so that the field need not be cleared. */
 bool video_bg_covers(const struct board *b);
 
-/* Draws the lasers that hurt enemies, or the others, in slot order. */
+/* Draws, in slot order, the lasers that hurt enemies (shoot) or all other lasers (!shoot). */
 void video_lasers(struct draw_target *c, bool shoot);
 
-/* The work of drawing the picture, the part that takes the most, and how to reduce it. All 0 if an upper bound was low
- * enough and nothing was counted. video_fits returns whether the work is at most `most`. */
+/* The work of drawing the picture, what takes the largest share of it, and how to reduce that share. All 0 if an upper
+ * bound was low enough, so that nothing was counted. video_fits returns whether the work is at most `most`. */
 struct video_work {
     uint64_t work;
     const char *what, *instead;
 };
 bool video_fits(const struct board *b, uint64_t most, struct video_work *out);
 
-/* Returns the bytes of scratch that video_bullets needs. */
+/* Returns the bytes of scratch memory that video_bullets needs. */
 size_t video_bullets_scratch(const struct manifest *m);
 
 #endif

@@ -1,16 +1,17 @@
 /*
- * video_bg.c - draws the background (bg.h), back to front: layer 1, the plane, layers 2 to 4. Those marked as front are
- * drawn over all sprites.
+ * video_bg.c - draws the background (bg.h), back to front: layer 1, the plane, layers 2 to 4. A layer or plane marked
+ * as front is drawn over all sprites.
  *
- * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map,
- * which repeats if it wraps. Consecutive rows with the same x offset and in the same row of tiles are drawn together,
- * tile by tile: empty tiles are skipped, solid ones are copied. With line scroll each row may have its own offset and
- * is then drawn alone. Rows that are blended with the picture under them are first assembled in a buffer, one at a
- * time.
+ * Pixel (x, y) of the field shows pixel (x - floor(layer.x + line y's offset), y - floor(layer.y)) of the layer's map;
+ * the map repeats if the layer wraps. Consecutive rows with the same x offset and in the same row of tiles are drawn
+ * together, tile by tile: empty tiles are skipped, solid ones are copied. With line scroll each row may have its own
+ * offset and is then drawn alone. Rows that are blended with the picture under them are first assembled in a buffer,
+ * one at a time.
  *
  * The plane: if `height` is h and the middle of a row is k rows from the horizon (k counts in halves), then a pixel of
- * the row is s = h / k px of the plane wide and the row is f * s px away, where f is the field's width. Positions are
- * Q32. Each column is s further along the row than the previous one, and rounding happens only at the start of a row.
+ * the row is s = h / k px of the plane wide, and the row is f * s px away, where f is the field's width. Positions are
+ * Q32. Each column is s px further along the row than the previous one, and rounding happens only at the start of a
+ * row.
  */
 #include "../../../fb/row.h"
 #include "../../../fb/tiles.h"
@@ -82,7 +83,7 @@ static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_
         memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
 }
 
-/* Returns a table that applies `first`, then `then`; a NULL table changes nothing. May use `both` to store it. */
+/* Returns a table that applies `first`, then `then`; a NULL table changes nothing. May store the result in `both`. */
 static const uint8_t *chain(const uint8_t *first, const uint8_t *then, uint8_t both[256])
 {
     if (!first || !then)
@@ -103,7 +104,8 @@ static struct brush brush_of(const struct draw_target *c, uint32_t i)
     return brush;
 }
 
-/* Return a shake's offset, px. A shake moves the maps within the field, so that they still reach its edges. */
+/* Return the shake's offset, px. A shake moves the maps within the field, so that the maps still reach the field's
+ * edges. */
 static int shaken_x(const struct draw_target *c)
 {
     return c->x - c->b->cart.m.field_x;
@@ -114,15 +116,16 @@ static int shaken_y(const struct draw_target *c)
     return c->y - c->b->cart.m.field_y;
 }
 
-/* What rows of the field show of a layer: columns [from, to) of the field show the map from pixel (x, my). */
+/* The part of a layer's map that rows of the field show. Columns [from, to) of the field show the map's pixels from
+ * column x, row my on. */
 struct shown_rows {
-    int64_t aside; /* the map's left edge, px from the field's */
+    int64_t aside; /* the map's left edge, px to the right of the field's left edge */
     int64_t from, to, x, my;
     int y, n; /* first row, and number of rows: all have the same `aside` and the same row of tiles */
 };
 
-/* Finds the columns to show of a map that wraps; the division is skipped if `aside` is that of the last rows. Always
- * returns true. */
+/* Finds the columns to show of a map that wraps; skips the division if `aside` has not changed since the previous rows.
+ * Always returns true. */
 static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh)
 {
     if (r->aside != aside)
@@ -132,7 +135,7 @@ static bool columns_wrap(struct shown_rows *r, int64_t aside, int64_t mw, int64_
     return true;
 }
 
-/* Finds the columns to show of a map that does not wrap. Returns false if these rows show nothing. */
+/* Finds the columns to show of a map that does not wrap. Returns false if the rows show no pixel of the map. */
 static bool columns_once(struct shown_rows *r, int64_t aside, int64_t mw, int64_t mh, int w)
 {
     r->from = aside > 0 ? aside : 0;
@@ -150,7 +153,7 @@ static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, 
     return ((g->x[i] + bg_line(g, &c->b->bg_lines, i, line)) >> 16) + dx;
 }
 
-/* Draws columns [from, to) of tile k, which the clip cuts off. */
+/* Draws columns [from, to) of tile k, which is not wholly inside the safe area (fb.h). */
 static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
                     int rows, int from, int to, uint8_t add)
 {
@@ -160,7 +163,8 @@ static void lay_cut(const struct draw_target *c, const struct tiles *t, const st
         row_cover(d + from, s + from, to - from, add);
 }
 
-/* Draws rows tile by tile. A tile at an edge may extend into the surface's band, if there is one. */
+/* Draws rows tile by tile. A tile at an edge of the field may extend into the surface's band, if the edge is next to
+ * the band. */
 static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
                       const struct shown_rows *r)
 {
@@ -278,7 +282,7 @@ static struct walk skipped(struct walk a, const struct map *m, int n)
     return a;
 }
 
-/* Returns the fog table of a row, 1 to BG_SHADES; 0: no fog. */
+/* Returns which fog table applies to a row, 1 to BG_SHADES; 0: no fog. s: as in walk_of. */
 static int fog_at(const struct bg *g, int field_w, int64_t s)
 {
     if (g->fog[BG_PLANE] == BG_NO_FOG)
@@ -287,8 +291,8 @@ static int fog_at(const struct bg *g, int field_w, int64_t s)
     return depth / g->far[BG_PLANE] < BG_SHADES ? (int)(depth / g->far[BG_PLANE]) : BG_SHADES;
 }
 
-/* Returns a table that applies fog, then the fade to black, then the shade; NULL: none of them. two and three store it.
- * */
+/* Returns a table that applies fog, then the fade to black, then the shade; NULL: none of them applies. May store the
+ * result in `two` or `three`. */
 static const uint8_t *plane_table(const struct draw_target *c, int fog, const uint8_t *shade, uint8_t two[256],
                                   uint8_t three[256])
 {
@@ -356,7 +360,7 @@ bool video_bg_covers(const struct board *b)
 void video_bg(struct draw_target *c, bool front)
 {
     const struct bg *g = &c->b->bg;
-    const uint8_t *shade = front ? c->shade : NULL; /* layers behind are shaded later, together with back sprites */
+    const uint8_t *shade = front ? c->shade : NULL; /* the other layers are shaded later, with the back sprites */
     const int first = front ? 0 : covering(c->b);
 
     for (int i = first < 0 ? 0 : first; i + 1 < (int)g->s.live; i++) {

@@ -15,22 +15,24 @@
 
 enum {
     BATCH = 64,       /* pictures per batch */
-    MANY_BANKS = 512, /* bullets of a kind from which all banks are assumed to be in use */
-    TOP_OVERDRAW = 10 /* overdraw of the topmost kinds, which are drawn without a visibility test */
+    MANY_BANKS = 512, /* with this many bullets of a kind, all banks are assumed to be in use */
+
+    /* The topmost kinds are drawn without a visibility test until their opaque pixels reach this many field areas. */
+    TOP_OVERDRAW = 10
 };
 
 /* How a kind is drawn this frame. */
 struct style {
     const struct sprite *pic;
-    bool turns;      /* shows one of several rotated copies */
-    bool along;      /* the copy follows dir */
+    bool turns;      /* each bullet shows one of several rotated copies */
+    bool along;      /* the copy depends on the bullet's dir */
     ang spin;        /* rotation per frame */
     int order, area; /* area: px of its picture */
     bool cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
-    bool alike;    /* all bullets show one picture, opaque or blended by a rule */
-    bool singly;   /* bullets are drawn one by one: blended through a table, or clouds, whose ages are stretched */
+    bool alike;    /* all bullets show the same picture, opaque or blended by a rule */
+    bool singly;   /* bullets are drawn one by one: blended through a table, or clouds whose ages are stretched */
     uint32_t n;    /* live bullets */
     size_t pixels; /* opaque px of the picture; set for layered kinds */
     uint32_t list; /* index in lists.list of the kind's first entry */
@@ -42,7 +44,7 @@ struct lists {
     uint32_t next[MAX_KINDS];    /* index in `list` for the kind's next bullet */
     uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; used only for layers */
     uint8_t by_slot[MAX_KINDS];  /* 1: all the kind's bullets are listed by slot */
-    bool some_by_slot, some_own; /* some kind has by_slot set; some kind is not alike */
+    bool some_by_slot, some_own; /* whether any kind has `by_slot` set; whether any kind's style has `alike` unset */
     uint16_t order[MAX_KINDS];   /* kinds that have bullets, in draw order */
     uint32_t kinds;
     struct stamp stamp;
@@ -50,16 +52,16 @@ struct lists {
     uint8_t *layer, *cells;
 };
 
-/* The surface for which bullets are listed, the field's corner on it, and the pixels of the field at which a bullet of
- * any kind needs no clipping and so is listed as a destination. */
+/* The surface on which the listed bullets will be drawn, the field's corner on that surface, and the range of field
+ * pixels at which a bullet of any kind needs no clipping and so is listed as a destination. */
 struct window {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
     uint32_t from;      /* added to the offset of a bullet's pixel to get its list entry */
 
-    /* Bullets listed by slot are clipped when they are drawn, so any bullet may be listed by slot, and bullets of kinds
-     * that are not alike may also be listed as destinations. False for a layer. */
+    /* Whether bullets listed by slot are clipped when they are drawn. If so, any bullet may be listed by slot, and
+     * bullets of kinds that are not alike may also be listed as destinations. False for a layer. */
     bool clips;
 };
 
@@ -91,7 +93,7 @@ static struct lists *open_lists(const struct draw_target *c)
     return l;
 }
 
-/* ---- the kinds that have bullets ---- */
+/* ---- draw order, and lists of bullets ---- */
 
 static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
@@ -116,7 +118,8 @@ static void find_style(const struct draw_target *c, const struct bullet_kinds *k
     style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
 }
 
-/* Returns whether kind a is drawn below kind b, which was declared earlier: a lower `order`, or the larger picture. */
+/* Returns whether kind a is drawn below kind b, which was declared before a: a has the lower `order` or, if they are
+ * equal, the larger picture. */
 static bool is_lower(const struct style *a, const struct style *b)
 {
     if (a->order != b->order)
@@ -171,7 +174,7 @@ static uint32_t picture_age(const struct style *style, const struct bullets *s, 
 
     if (!style->cloud)
         return bullets_age(s, i, clock);
-    stood -= stood > 0; /* it is drawn after the frame in which it was fired */
+    stood -= stood > 0; /* the clock has already advanced past the frame that is drawn */
     return (uint32_t)((uint64_t)(stood < delay ? stood : delay - 1) * all / delay);
 }
 
@@ -187,7 +190,10 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 /* The positions at which bullets with pictures of one size and anchor need no clipping. */
 struct fit {
     struct stamp_corners c;
-    int dx, dy, from; /* from a bullet's pixel to its picture's corner minus (c.x0, c.y0); as an offset */
+
+    /* From a bullet's pixel to its picture's corner, minus (c.x0, c.y0): in px (dx, dy), and as an offset in bytes
+     * (from). */
+    int dx, dy, from;
 };
 
 static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
@@ -205,7 +211,8 @@ static bool are_alike(const struct sprite *a, const struct sprite *b)
     return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
 }
 
-/* Narrows the window to positions that also need no clipping by f. */
+/* Narrows the window to positions at which pictures of fit f need no clipping either, and raises *from to f->from if
+ * that is larger. */
 static void narrow_window(struct window *t, int *from, const struct fit *f)
 {
     const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
@@ -217,12 +224,13 @@ static void narrow_window(struct window *t, int *from, const struct fit *f)
     *from = f->from > *from ? f->from : *from;
 }
 
-/* Opens the lists of order[first .. to - 1]. Most kinds have pictures of the same size and anchor. */
+/* Empties the lists of kinds order[first .. to - 1] and returns their window. Consecutive kinds whose pictures have the
+ * same size and anchor, as most do, share a fit. */
 static struct window open_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
                                  bool clips)
 {
     struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
-    const struct sprite *seen = NULL; /* the sprite of fit f, which has narrowed the window */
+    const struct sprite *seen = NULL; /* sprite of fit f if f has narrowed the window, otherwise NULL */
     struct fit f = { 0 };
     int from = INT32_MIN;
 
@@ -249,7 +257,7 @@ static struct window open_window(struct lists *l, uint32_t first, uint32_t to, c
     for (uint32_t o = first; o < to; o++)
         l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
     t.from = (uint32_t)from;
-    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position fits all */
+    if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position is unclipped for all kinds */
         t.x0 = t.y0 = 1;
         t.x1 = t.y1 = 0;
     }
@@ -261,8 +269,9 @@ static uint32_t listed(const struct lists *l, uint16_t kind)
     return l->next[kind] - l->style[kind].list;
 }
 
-/* Computes the list entry of each bullet in a block, without its bank. Returns whether none of them needs clipping,
- * whatever its kind. Each axis is range-checked with one signed comparison, as in bullets.c. */
+/* Computes the list entry of each bullet in a block, without its bank. Returns whether all bullets are in the window,
+ * so that none needs clipping, whatever its kind. Each axis is range-checked with one signed comparison, as in
+ * bullets.c. */
 static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct window *t)
 {
     const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->from;
@@ -301,8 +310,9 @@ static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i
     l->list[next] = dest;
 }
 
-/* Lists bullet i, whose position would need clipping for some kind: as a destination if its own kind needs none, or by
- * its slot if part of its picture is inside the clip. */
+/* Lists bullet i, which is outside the window or of a kind that is listed by slot: as a destination if its kind is not
+ * listed by slot and its own picture needs no clipping; otherwise by its slot, if part of its picture is inside the
+ * clip. */
 static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
@@ -334,8 +344,8 @@ static void list_some(struct lists *l, const struct bullets *s, const struct win
 
 enum { RUN = 8 };
 
-/* Returns whether RUN bullets are of one kind, as in rings. They can be listed together, without waiting for the kind's
- * counter after each. */
+/* Returns whether RUN bullets are of one kind, as in rings. Such bullets are listed together, with one update of the
+ * kind's counter, because waiting for an update per bullet is slow. */
 static bool is_run(const uint16_t *kinds)
 {
     uint64_t a, b;
@@ -353,7 +363,7 @@ static inline void list_slots(uint32_t *restrict slots, uint32_t first)
         slots[k] = first + k;
 }
 
-/* Lists a block in which no bullet needs clipping. own: lists the slots as well; a constant at each call. */
+/* Lists a block in which no bullet needs clipping. own: whether to list the slots as well, a constant at each call. */
 __attribute__((always_inline)) static inline void list_whole(struct lists *l, const uint16_t *kinds,
                                                              const uint32_t at[SLOTS_BLOCK], uint32_t first, bool own)
 {
@@ -378,7 +388,8 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
     }
 }
 
-/* Lists a block if all its slots are live and need no clipping, the usual case. Returns false if it listed nothing. */
+/* Lists a block if all its slots are live and none of its bullets needs clipping, the usual case. Otherwise lists
+ * nothing and returns false. */
 static bool list_block(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
@@ -431,15 +442,15 @@ static void draw_other(struct draw_target *c, const struct bullets *s, const str
 }
 
 /* Selects the pictures of a rotated or animated kind, with multiplications instead of divisions. age * every >>
- * AGE_BITS is the exact quotient, because the reciprocal is too large by less than 1 in 2^AGE_BITS / 2^16, and ages are
- * below YOUNG. */
+ * AGE_BITS is the exact quotient age / slow: `every` exceeds 2^AGE_BITS / slow by at most 1, so the error is at most
+ * age / 2^AGE_BITS, which is below 1 / slow because age < YOUNG and slow < 2^16. */
 struct picker {
     uint32_t size;                         /* bytes of a picture */
     uint32_t rotations, all, frames, slow; /* all: copies per animation frame; slow: ticks per animation frame */
     uint64_t every, round;                 /* reciprocals of `slow` and of `frames` */
     ang along, spin;                       /* along: mask for dir, all bits or none */
-    bool ages;                             /* the picture depends on the age */
-    unsigned shift;                        /* the copies number 2^(32 - shift); 0: not a power of 2 */
+    bool ages;                             /* the picture depends on the bullet's age */
+    unsigned shift;                        /* there are 2^(32 - shift) copies; 0: their number is not a power of 2 */
     ang half;                              /* half the angle between two copies */
 };
 
@@ -488,7 +499,8 @@ static inline uint32_t picked(const struct picker *p, const struct bullets *s, u
     return (frame * p->all + stamp_turn((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
 }
 
-/* Finds the offsets in bytes of the pictures of n bullets. Those listed by slot are included but not used. */
+/* Finds the offsets in bytes of the pictures of n bullets. Bullets listed by slot are included, but their offsets are
+ * not used. */
 static void pick(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
                  const uint32_t *restrict slots, uint32_t n, uint32_t *restrict at)
 {
@@ -506,8 +518,9 @@ static void pick(const struct draw_target *c, const struct bullets *s, const str
             at[k] = stamp_turn(dir[slots[k]], p.rotations) * p.size;
 }
 
-/* Draws rotated pictures up to 8 px wide, as most bullets are. Their rows are limited by stores, so selecting each copy
- * in the meantime is free. For wider pictures it is faster to select the copies beforehand. */
+/* Draws a kind with rotated pictures up to 8 px wide, the usual size of bullets. The speed of drawing them is limited
+ * by stores, so selecting each copy in the meantime costs nothing. For wider pictures it is faster to select the copies
+ * beforehand. */
 static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, const struct picker *p, uint32_t n)
 {
@@ -524,7 +537,7 @@ static void draw_turned(struct draw_target *c, const struct bullets *s, const st
     }
 }
 
-/* Draws a kind whose bullets show different pictures. */
+/* Draws a kind whose bullets show different pictures, with a selected picture for each. */
 static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                      const struct style *style, uint32_t n)
 {
@@ -614,7 +627,7 @@ static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 }
 
 /* Draws the listed bullets of a kind on the layer. The layer's band has space for every picture that reaches into the
- * field, so all bullets of a kind that is alike are listed as destinations. */
+ * field, so all bullets of a kind with `alike` set are listed as destinations. */
 static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
                        const struct window *t, uint16_t kind)
 {
@@ -727,8 +740,9 @@ static size_t opaque_pixels(const struct image *image)
     return n;
 }
 
-/* Returns whether to draw on a layer: the bullets' opaque pixels number at least `enough`, no picture is too large for
- * a layer's band, and none is blended. Opaque pixels are counted only if the pictures' sizes do not rule it out. */
+/* Returns whether to draw on a layer: the bullets have at least `enough` opaque pixels in total, no picture is too
+ * large for a layer's band, and none is blended. Opaque pixels are counted only if the pictures' sizes do not already
+ * rule out a layer. */
 static bool is_layered(struct lists *l, uint64_t enough)
 {
     uint64_t most = 0, sum = 0;

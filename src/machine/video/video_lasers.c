@@ -47,14 +47,15 @@ static int32_t on_surface(fx v, int corner)
 
 enum { RUN = 12, SLACK = 65536 / 4 };
 
-/* Returns whether all corners between two lie within SLACK (Q16 px) of the segment between those two. The larger of
- * |dx| and |dy| is used as the segment's length; it is never longer than that, so the test errs towards false. */
+/* Returns whether all corners between corners `from` and `to` lie within SLACK (Q16 px) of the segment from one to the
+ * other. The larger of |dx| and |dy| is used as the segment's length; it never exceeds the true length, so the test
+ * errs towards false. */
 static bool is_straight(const struct strip_corner *c, int from, int to)
 {
     const int64_t dx = (int64_t)c[to].x - c[from].x, dy = (int64_t)c[to].y - c[from].y;
     const int64_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy, most = (ax > ay ? ax : ay) * SLACK;
 
-    if (ax > 1 << 29 || ay > 1 << 29) /* keeps the products below 2^62 */
+    if (ax > 1 << 29 || ay > 1 << 29) /* so that the products stay below 2^62 */
         return false;
     for (int k = from + 1; k < to; k++) {
         const int64_t ex = (int64_t)c[k].x - c[from].x, ey = (int64_t)c[k].y - c[from].y, out = dx * ey - dy * ex;
@@ -64,8 +65,8 @@ static bool is_straight(const struct strip_corner *c, int from, int to)
     return true;
 }
 
-/* Removes corners along nearly straight runs of up to RUN segments: a curve has a corner per frame, far more than are
- * needed to draw it. Returns the number of corners left. */
+/* Removes corners along nearly straight runs of up to RUN segments, because a curve has a corner per frame, far more
+ * than are needed to draw it. Returns the number of corners left. */
 static uint32_t thin_out(struct strip_corner *c, uint32_t n)
 {
     uint32_t kept = 0, from = 0;
@@ -80,7 +81,8 @@ static uint32_t thin_out(struct strip_corner *c, uint32_t n)
     return kept + 1;
 }
 
-/* Draws the line of laser i. The strip's picture faces the way a beam points, or the way another laser flies. */
+/* Draws the line of laser i. The strip's picture is oriented along a beam's direction, or along the flight of any other
+ * laser. */
 static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool dashed)
 {
     const struct laser_kinds *k = &c->b->laser_kinds;
@@ -113,7 +115,7 @@ void video_lasers(struct draw_target *c, bool shoot)
 
     if (!b->lasers.s.live)
         return;
-    host_enter(&host); /* square roots and angles start from a guess in doubles */
+    host_enter(&host); /* square roots and angles start from an estimate in doubles */
     EACH_LIVE (i, &b->lasers.s) {
         const uint32_t age = lasers_age_seen(b, i);
         if (!(b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS) == shoot)

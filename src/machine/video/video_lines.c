@@ -40,8 +40,9 @@ static bool cell_picture(const struct font *font, uint32_t code, struct face_gly
     return true;
 }
 
-/* Finds the glyph of a code in the page's font. If that has none and the code is not blank, falls back to the first of
- * `fonts` that has one, then to the cell font, aligned with the bottom of the row. Returns false if there is none. */
+/* Finds the glyph of a code in the page's font. If that font has no glyph and the code is not blank, falls back to the
+ * first of `fonts` that has one, then to the cell font; such a glyph is aligned with the bottom of the row. Returns
+ * false if no font has a glyph. */
 static bool find(const struct page *p, uint32_t code, struct face_glyph *g)
 {
     const int side = p->face.data ? p->face.height : TEXT_SIDE;
@@ -120,7 +121,7 @@ static void draw_code(struct draw_target *c, const struct page *p, uint32_t code
     }
 }
 
-/* Returns the number of rows of the whole text; *widest: width of the widest row, px. */
+/* Returns the number of rows of the whole text. Sets *widest to the width of the widest row, px. */
 static int measure(const struct page *p, int *widest)
 {
     int rows = 0;
@@ -205,7 +206,8 @@ static void enlarge(const uint8_t *from, int quarter, uint8_t out[CART_GLYPH])
         }
 }
 
-/* Returns the glyph's pixels as 8 x 8 px, cropped to the cell; `room` holds them if they have to be copied. */
+/* Returns the glyph's pixels as 8 x 8 px, cropped to the cell. If they have to be copied, the copy is stored in
+ * `room`. */
 static const uint8_t *fitted(const struct face_glyph *g, uint8_t room[CART_GLYPH])
 {
     if (g->w == FIX_CELL && g->h == FIX_CELL && g->pitch == FIX_CELL && g->x == 0 && g->y == 0)
@@ -220,8 +222,8 @@ static const uint8_t *fitted(const struct face_glyph *g, uint8_t room[CART_GLYPH
     return room;
 }
 
-/* Finds the glyph that cell i shows. For a large character it is the cell's quarter, made in `room`. Returns false if
- * there is none: the cell is blank, or shows a box. */
+/* Finds the glyph that cell i shows; for a large character, the cell's quarter of its glyph, stored in `room`. Returns
+ * false if there is no glyph: the cell is blank, or shows a box. */
 static bool cell_glyph(const struct page *p, const struct fix *f, uint32_t i, uint8_t room[CART_GLYPH],
                        struct face_glyph *g)
 {

@@ -1,6 +1,6 @@
 /*
- * video_look.c - finds the ROM palette that is loaded, and its tables. RAM stores colours but not the palette they came
- * from, so the palette that matches the most colours counts as loaded.
+ * video_look.c - finds the ROM palette that is loaded, and its tables. RAM stores colours but not which palette they
+ * came from, so the palette that matches the most colours counts as loaded.
  */
 #include "video.h"
 

@@ -6,8 +6,8 @@
  * over it afterwards still find the colours they expect. A dim is exact, but is applied when the whole picture has been
  * drawn. Pixels are indices into 256 shared colours, so darkening the picture's colours would darken text as well. But
  * a frame uses only some of the 256 entries: a colour that the picture shares with text or a portrait is moved to an
- * unused entry, so that each entry belongs either to the dark picture or to what is drawn over it. Only when no entry
- * is free is a dark colour replaced by the nearest one available.
+ * unused entry, so that each entry belongs either to the dark picture or to what is drawn over it. If no entry is free,
+ * the dark colour is replaced by the nearest one available.
  */
 #include <string.h>
 #include "../../../fb/fb.h"
@@ -28,7 +28,7 @@ static int squared(uint32_t a, uint32_t b, int shift)
     return d * d;
 }
 
-/* Returns the entry nearest to a colour, the first among equals. */
+/* Returns the entry nearest to a colour; of several equally near ones, the first. */
 static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
 {
     int best = 0, off = 3 * 256 * 256;
@@ -41,7 +41,7 @@ static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
     return (uint8_t)best;
 }
 
-/* Returns the first entry from i that is not drawn with, or COLOURS. */
+/* Returns the first entry from i that is neither in the picture nor used by what is drawn over it, or COLOURS. */
 static int next_free(const bool drawn[COLOURS], const bool over[COLOURS], int i)
 {
     while (i < COLOURS && (drawn[i] || over[i]))

@@ -2,17 +2,19 @@
  * video_work.c - estimates the work of drawing a picture (vm_state.h) without drawing it.
  *
  * Drawing happens outside the tick, so the tick counts the work of drawing its frame in advance, and ends in a fault if
- * that is too much. The number of entities nearly always shows that the work is small; otherwise each one is counted.
+ * there is too much. Nearly always an upper bound computed from the number of entities is low enough; otherwise the
+ * work of each entity is counted.
  */
 #include "../../base/int.h"
 #include "../lasers_run.h"
 #include "video.h"
 
-/* Pixels per unit of work: of an opaque picture, a blended picture, a plate, a laser's line; ROW_PX: rows per unit of a
- * laser's segment. */
+/* Pixels drawn per unit of work, for opaque pictures, blended pictures, plates and lasers' lines. ROW_PX: rows per unit
+ * of work, for a segment of a laser. */
 enum { SOLID_PX = 64, BLEND_PX = 8, PLATE_PX = 16, LINE_PX = 3, ROW_PX = 2 };
 
-/* Units of work: for a pixel of a laser's round end, which takes a square root, a segment of its line, a letter. */
+/* Units of work for each pixel of a laser's round end, which takes a square root; for each segment of its line; for
+ * each letter. */
 enum { AN_END_PX = 1, A_PIECE = 20, A_LETTER = 30 };
 
 enum { RIM = 5 /* times an enemy with a white rim is drawn */ };
@@ -22,7 +24,7 @@ static uint64_t screen_px(const struct board *b)
     return (uint64_t)b->cart.m.screen_w * (uint64_t)b->cart.m.screen_h;
 }
 
-/* Returns the work of n pictures of that sprite. */
+/* Returns the work of n pictures of one sprite. */
 static uint64_t pictures(const struct board *b, uint64_t n, uint32_t sprite, bool blend)
 {
     const struct sprite *s = &b->pictures[sprite];
@@ -90,7 +92,7 @@ static uint64_t sprites(const struct board *b)
     return work;
 }
 
-/* Returns the work of a line of text with that many letters and a box. */
+/* Returns the work of a line of text with a box and the given number of letters. */
 static uint64_t text(const struct board *b, uint64_t letters)
 {
     uint64_t side = 8;
@@ -134,8 +136,8 @@ static struct way way_at(const struct board *b, uint32_t i, uint32_t k)
     return (struct way){ ((int64_t)bx - ax) / FX_ONE, ((int64_t)by - ay) / FX_ONE };
 }
 
-/* Returns whether the line may turn by 45 degrees or more between two segments, and so have round ends there. Drawing
- * merges short segments, so it may turn less often. */
+/* Returns whether the line turns by 45 degrees or more from segment a to segment b, and so may have round ends there.
+ * Drawing merges short segments, so the drawn line may turn less often. */
 static bool is_sharp(struct way a, struct way b)
 {
     return a.x * b.x + a.y * b.y <= int64_abs(a.x * b.y - a.y * b.x);

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* A view is passed to board_draw together with RAM. No tick sees it, so it is in no RAM, hash or demo. */
+/* A view is passed to board_draw together with RAM. No tick reads it, and it is not part of RAM, hashes or demos. */
 
 /* How much backgrounds and back sprites are darkened: not at all, by a quarter, a half or three quarters. */
 enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, VIEW_DIMS };
@@ -16,7 +16,7 @@ enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, V
  * wavelengths (tritanopia). */
 enum view_colours { VIEW_ALL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
 
-enum { VIEW_SOFT = 4 /* divides the share of a soft flash */ };
+enum { VIEW_SOFT = 4 /* the share of a soft flash is divided by this */ };
 
 /* All zero: the picture is not changed. */
 struct view {

@@ -17,14 +17,15 @@
  * the eye does see and that contributes little to brightness: blue, and for tritanopia red, where half of the lost blue
  * is also subtracted from green. So red and green differ along the blue-yellow axis, blue and yellow along the
  * red-green axis, and light colours stay light: the contrast of bullets with backgrounds hardly changes. Adding all of
- * the lost colour instead of half would separate confused colours little further, and would make more distinct colours
- * alike. Each row of `added` is what is added to one channel. Its sum is 0, so greys do not change.
+ * the lost colour instead of half would hardly separate the confused colours further, and would make more pairs of
+ * distinct colours look alike. Each row of `added` holds the amounts added to one channel. Their sum is 0, so greys do
+ * not change.
  */
 #include "view.h"
 
 enum { LEVELS = 256, ONE = 65536 };
 
-/* Linear light of each level of sRGB (IEC 61966-2-1), in 65535ths, to the nearest. */
+/* Linear light of each level of sRGB (IEC 61966-2-1), in 65535ths, rounded to the nearest. */
 static const uint16_t linear[LEVELS] = {
     0,     20,    40,    60,    80,    99,    119,   139,   159,   179,   199,   219,   241,   264,   288,   313,
     340,   367,   396,   427,   458,   491,   526,   562,   599,   637,   677,   718,   761,   805,   851,   898,
@@ -44,14 +45,15 @@ static const uint16_t linear[LEVELS] = {
     57105, 57646, 58190, 58737, 59287, 59840, 60396, 60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952, 65535
 };
 
-/* What is added to red, green and blue (rows), in 65536ths of red, green and blue (columns). */
+/* The amounts added to red, green and blue (rows), in 65536ths of red, green and blue (columns). */
 static const int32_t added[VIEW_COLOURS][3][3] = {
     [VIEW_PROTAN] = { [2] = { 27905, -32914, 5009 } },
     [VIEW_DEUTAN] = { [2] = { 21119, -29609, 8490 } },
     [VIEW_TRITAN] = { { -8528, -20140, 28668 }, { 155, 22655, -22810 } },
 };
 
-/* Returns the sRGB level nearest to a linear light, the darker one of a tie. Out of range: 0 or LEVELS - 1. */
+/* Returns the sRGB level nearest to a linear light; of two equally near levels, the darker. For a light out of range,
+ * returns 0 or LEVELS - 1. */
 static uint32_t level_of(int32_t light)
 {
     int lo = 0, hi = LEVELS - 1;

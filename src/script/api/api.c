@@ -1,8 +1,8 @@
 /*
- * api.c - see api.h. Every API function is a C closure, `call`, bound to its entry: it checks the arguments, folds them
- * into the digest, and runs the entry. Functions are created when a script first reads their names, so a game has only
- * those it uses. The tables of the API share a metatable for this; pairs creates the remaining functions of a table
- * first, so scripts cannot see the difference.
+ * api.c - see api.h. Every API function is the C function `call` as a closure bound to an entry. `call` checks the
+ * arguments, folds them into the digest, and runs the entry. A function is created when a script first reads its name,
+ * so unused functions take no memory. The API tables share a metatable for this; pairs first creates the remaining
+ * functions of a table, so scripts cannot see the difference.
  */
 #include "api.h"
 #include <string.h>
@@ -48,7 +48,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
     int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
     for (int i = 0; i < all; i++)
         fields += v[i].given || (i < e->count && e->params[i].def);
-    lua_createtable(L, 0, fields); /* exact size: the table is iterated for each bullet of a figure */
+    lua_createtable(L, 0, fields); /* exact size, because patterns iterate over the table for each bullet */
     for (int i = n; i < all; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);
@@ -59,7 +59,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
         bool own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);
-        else if (!own || !p->def || p->type == A_FIRE) /* older library modules pass on every argument they receive */
+        else if (!own || !p->def || p->type == A_FIRE) /* omit: older library modules pass on every argument */
             continue;
         else if (p->type == A_BOOL)
             lua_pushboolean(L, (int)v[i].i);

@@ -15,23 +15,24 @@
 #include "../tasks.h"
 #include "../vm.h"
 
-/* The value under a motion's name when its program did not fit: bullets with that motion fly straight. */
+/* The index declared for a motion's name when a pool was too full for its program. Bullets with such a motion fly
+ * straight. */
 enum { NO_MOTION = 0x7fffffff };
 
-/* An argument, filled in by the check. */
+/* An argument of a call, filled in when it is checked. */
 struct api_value {
     bool given;
     bool whole;   /* true for a Lua integer */
     int8_t type;  /* Lua type, LUA_T... */
     int at;       /* stack index */
-    int64_t bits; /* of a number: the integer itself, or the bits of the double */
-    int64_t i;    /* integer, handle, index of a kind, or 0/1 */
+    int64_t bits; /* for a number: the integer itself, or the bits of the double */
+    int64_t i;    /* integer, handle, index of a declared name, or 0/1 for a boolean */
     double n;
     fx f;
     ang a;
 };
 
-/* The error when board.nvram is full; %d is its size in KiB. */
+/* The error message when the nvram is full; %d is the size of the nvram in KiB. */
 #define NO_NVRAM "nvram full (%d KiB); raise `board.nvram` in rom.lua"
 
 enum { NVRAM_STEP = 32 /* bytes of nvram scanned or moved per VM instruction charged */ };
@@ -42,20 +43,21 @@ enum { NVRAM_STEP = 32 /* bytes of nvram scanned or moved per VM instruction cha
 /* Sets the globals of the API and leaves the sys table on the stack. */
 void api_open(lua_State *L);
 
-/* Pushes the API table `name` if it is one of those created on first use, otherwise false. */
+/* If `name` is an API table that is created on first use, pushes it and returns true. Otherwise returns false and
+ * pushes nothing. */
 bool api_open_late(lua_State *L, const char *name);
 
-/* Creates all functions of the table at `at` if it is an API table; call it before iterating over the table. */
+/* If the table at `at` is an API table, creates all of its functions. Call this before iterating over a table. */
 void api_fill(lua_State *L, int at);
 
 /* Raises "FILE:LINE: entry: message". */
 int api_error(lua_State *L, const char *entry, const char *format, ...);
 
-/* Checks the value at `at` against p and fills v; raises the standard error if it does not match. */
+/* Checks the value at `at` against p and fills v; raises the standard error if the value does not match. */
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
-/* Declared names: declare binds a name to an index (an error if the name is taken), find returns the index or NO_SLOT,
- * push pushes the name of an index. */
+/* Declared names. api_names_declare binds a name to an index and raises an error if the name is taken. api_names_find
+ * returns the index of a name, or NO_SLOT. api_names_push pushes the name of an index. */
 void api_names_declare(lua_State *L, enum name_kind what, const char *entry, const char *name, int index);
 int api_names_find(lua_State *L, enum name_kind what, const char *name);
 void api_names_push(lua_State *L, enum name_kind what, int index);
@@ -63,30 +65,34 @@ void api_names_push(lua_State *L, enum name_kind what, int index);
 /* Pushes the declared name nearest to a misspelt one, or nil. */
 void api_names_suggest(lua_State *L, enum name_kind what, const char *name);
 
-/* Makes every later read of a reserved field a fault; all tables must exist already. */
+/* Makes every later read of a reserved field a fault. Call this after all tables have been created. */
 void api_reserved_install(lua_State *L);
 
-/* Returns the number of the tag at `at`, adding a new one; raises an error when all 4,095 are used. */
+/* api_tag returns the number of the tag whose name is at stack index `at`, and assigns a number to a new tag; raises an
+ * error when all 4,095 are used. api_push_tag pushes a tag's name, or nil for 0. */
 uint16_t api_tag(lua_State *L, const char *entry, int at);
 void api_push_tag(lua_State *L, uint16_t tag);
 
-/* Returns the number of a register of the ship kind of player `slot`, or -1. */
+/* Returns the number of the register `name` of the ship that player `slot` flies, or -1 if the ship has none of that
+ * name. */
 int api_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name);
 
-/* Returns the number of a register of the run, or -1. */
+/* Returns the number of the run's register `name`, or -1 if there is none. */
 int api_run_register(lua_State *L, const char *name);
 
-/* Raises the bomb stock of player p to the cost of one bomb. */
+/* Raises each of player p's bomb stocks, with and without focus, to the cost of one bomb if it is lower. */
 void api_bomb_afford(lua_State *L, struct board *b, uint32_t p);
 
-/* Starts player p's bomb if its ship has one, the stock pays for it, and none is running. Returns whether it
+/* Starts player p's bomb if the ship has one, the stock covers its cost, and no bomb is running. Returns whether a bomb
  * started. */
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
 
-/* Pops the list of items that api_drops made and drops the items at (x, y); does nothing if it is not such a list. */
+/* Pops a list of items packed by api_drops and drops the items at (x, y). Drops nothing if the popped value is not such
+ * a list. */
 void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
 
-/* The parameters PLACE, in this order in every entry: x, y or from, offset by dx, dy. */
+/* Indices of the parameters PLACE, which are consecutive in every entry: the position x, y or the thing `from`, offset
+ * by dx, dy. */
 enum { PLACE_X, PLACE_Y, PLACE_FROM, PLACE_DX, PLACE_DY, PLACE_PARAMS };
 #define PLACE                                                                                                          \
     PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position in the field; give `x` and `y`, or `from`"), \
@@ -101,20 +107,20 @@ enum {
              1 << H_OPTION,
 };
 
-/* Reads a position from the values of PLACE. Returns false if `from` is dead. */
+/* Reads a position from v, the values of the PLACE parameters. Returns false if the thing `from` is dead. */
 bool api_place(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx *x, fx *y);
 
 enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 
-/* Runs f(L) protected between two frames, then the effects of the events it raised. More than `limit` of work is a
- * fault. Returns false on a fault, which the board's `out` does not report. Printed text is in output->log. */
+/* Between two frames, runs f(L) in protected mode, then handles the events that f raised. Using more work than `limit`
+ * is a fault. Returns false on a fault, which is not reported in the board's `out`. Printed text is in output->log. */
 bool api_between(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* Fills the table rom (api_board.c). */
 void api_rom_open(lua_State *L);
 
-/* Pushes " (did you mean "x"?)" for the name of an unknown global, or "". Suggests a visible local or, if the name is
- * read, a global. */
+/* Pushes " (did you mean "x"?)" for an unknown global name, or "" if no name is near. The suggestion is a visible local
+ * or, if the script reads the name instead of assigning it, a global. */
 const char *api_push_meant(lua_State *L, const char *name, bool read);
 
 #endif

@@ -8,7 +8,7 @@
 #include "api_parts.h"
 
 enum {
-    MOST_LINES = 1024,  /* the highest field, in lines */
+    MOST_LINES = 1024,  /* height of the tallest field, in lines */
     SHADE_WORK = 500000 /* work of building one table of shades, in VM instructions */
 };
 
@@ -217,7 +217,7 @@ static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* Builds the tables of shades, at offset `at`, for fading to the colour `to`. */
+/* Builds the tables of shades at offset `at` for a fade to the colour `to`. */
 static void shade(struct board *b, int at, uint32_t to)
 {
     if (!b->bg_shades.s.live)
@@ -285,7 +285,7 @@ static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const st
 
 const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, get_plane, set_plane };
 
-/* ---- functions ---- */
+/* ---- bg.layer, bg.plane, bg.lines ---- */
 
 enum { ARG_I, ARG_LINES };
 
@@ -320,7 +320,8 @@ static int bg_plane(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Reads the list of px at stack index `at` into px. Returns its length; raises an error if it exceeds room. */
+/* Reads the list of distances at stack index `at` into px. Returns the number of elements; raises an error if it
+ * exceeds `room`. */
 static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
 {
     const lua_Unsigned n = lua_rawlen(L, at);
@@ -384,7 +385,7 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* ---- for bg.lua and boss.lua ---- */
+/* ---- sys: called by bg.lua and boss.lua ---- */
 
 static const struct api_param fade_params[] = { PARAM("n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL, "") };
 static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL, "") };

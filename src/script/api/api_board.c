@@ -9,7 +9,7 @@
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* Index of the only parameter of each entry here. */
+/* Parameter indices: each entry has only one parameter. */
 enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
 
 static const struct api_param name_opt[] = { PARAM(
@@ -92,7 +92,7 @@ static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Returns the slots of the pool named at stack index `at`; raises an error if it is unknown. */
+/* Returns the slots of the pool named at stack index `at`; raises an error if there is no such pool. */
 static const struct slots *slots_at(lua_State *L, struct board *b, const char *entry, int at)
 {
     const struct slots *s = part_named(b, lua_tostring(L, at));
@@ -119,7 +119,7 @@ static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* A pause or a longer stop takes precedence; a task fast-forwarding to a practice mark ignores the stop. */
+/* Has no effect during a pause or a longer stop, or in a task that fast-forwards to a practice mark. */
 static int board_stop(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t until = -v[ARG_FRAMES].i - 1;
@@ -205,7 +205,7 @@ static int read_only(lua_State *L)
     return vm_fault(L, FAULT_SCRIPT, "%s%s%s is read-only", lua_tostring(L, lua_upvalueindex(1)), dot, key ? key : "");
 }
 
-/* Replaces the table on top of the stack by a read-only view of it. */
+/* Replaces the table on top of the stack with a read-only view of that table. */
 static void seal(lua_State *L, const char *name)
 {
     lua_newtable(L);

@@ -37,7 +37,7 @@ static const struct api_entry part_entry = { .name = "enemy.def part", .params =
 struct body_part {
     uint16_t kind, tag;
     fx dx, dy;
-    int32_t share, hp, rate; /* hp 0, rate -1: the kind's own */
+    int32_t share, hp, rate; /* hp 0, rate -1: use the kind's value */
 };
 
 static struct body_part part_at(const uint8_t *p)
@@ -51,8 +51,8 @@ static struct body_part part_at(const uint8_t *p)
                                (int32_t)bytes_get32(p + 20) };
 }
 
-/* Pushes the string with a kind's parts and returns it, or pushes nil and returns NULL if the kind has none. *n is the
- * number of parts. */
+/* Pushes the string with a kind's parts, or nil if the kind has no parts. Returns the string, or NULL if there are no
+ * parts. *n receives the number of parts. */
 static const uint8_t *push_parts(lua_State *L, uint16_t kind, int *n)
 {
     size_t size = 0;
@@ -74,7 +74,7 @@ static int deep(lua_State *L, uint16_t kind)
     return d;
 }
 
-/* Packs the table on the stack, which describes one part, into a string and pushes it. */
+/* Packs the table on the stack, which describes one part, into a string and pushes the string. */
 static int read_part(lua_State *L)
 {
     struct api_value v[P_RATE + 1];

@@ -1,5 +1,6 @@
 /*
- * api_bomb.c - bomb.def, and starting a player's bomb. players_run.c ends bombs and starts them from the button.
+ * api_bomb.c - bomb.def, and starting a player's bomb. players_run.c starts bombs when the button is pressed, and ends
+ * them.
  */
 #include <string.h>
 #include "../../base/edit.h"
@@ -77,7 +78,7 @@ static const struct bomb *push_bomb(lua_State *L, int i)
     push_bombs(L);
     lua_rawgeti(L, -1, i);
     const struct bomb *bomb = lua_touserdata(L, -1);
-    lua_pop(L, 1); /* the list keeps it alive */
+    lua_pop(L, 1); /* the list keeps the bomb alive */
     return bomb;
 }
 
@@ -113,7 +114,7 @@ uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struc
     return (uint8_t)i;
 }
 
-/* Takes the cost from the stock. Returns false if the stock is too low. */
+/* Subtracts the bomb's cost from player p's stock. Returns false if the stock is too low. */
 static bool pay(lua_State *L, struct board *b, uint32_t p, const struct bomb *bomb)
 {
     const int reg = bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;

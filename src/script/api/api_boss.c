@@ -10,14 +10,14 @@
 
 /* ---- boss.def ---- */
 
-/* The state of reading a boss: stack indices, and whether a last phase was found. */
+/* State while reading a boss: stack indices, and whether a phase with `last` was found. */
 struct reading {
     lua_State *L;
-    int boss, cast, ids, phases; /* cast: table of its members' names, 0 if the boss is alone */
+    int boss, cast, ids, phases; /* cast: set of the members' names; 0: no cast */
     bool last;
 };
 
-/* Pushes the field of the table at `at` and returns its type. */
+/* Pushes a field of the table at `at` and returns the Lua type of the value. */
 static int field(lua_State *L, int at, const char *name)
 {
     lua_pushstring(L, name);
@@ -70,7 +70,8 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
     lua_pop(L, 1);
 }
 
-/* A boss without a cast has its own kind and position; with a cast, each member has them instead. */
+/* Requires kind and position of a boss without a cast. With a cast, raises an error if the boss itself has them,
+ * because each member has its own. */
 static void check_alone(lua_State *L, int boss, bool alone)
 {
     static const struct api_param own[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
@@ -86,7 +87,8 @@ static void check_alone(lua_State *L, int boss, bool alone)
             lua_pop(L, 1);
 }
 
-/* Replaces the boss's `cast` with the checked list and pushes it, then the set of members' names (r->cast). */
+/* Replaces the boss's `cast` with the list of checked members. Pushes that list, then the set of the members' names
+ * (r->cast). */
 static void read_cast(struct reading *r, int list)
 {
     lua_State *L = r->L;
@@ -144,8 +146,8 @@ static bool knows_member(lua_State *L, const char *key, const void *of)
     return is;
 }
 
-/* Checks the field of the phase at `at`: a value that matches p or, with a cast, a table of them by member name, which
- * is replaced by a copy. */
+/* Checks the field p of the phase at `at`: a value that matches p or, with a cast, a table of such values by member
+ * name. Replaces the table with a copy. */
 static void each_of_cast(struct reading *r, int at, const char *phase, const struct api_param *p)
 {
     lua_State *L = r->L;
@@ -236,8 +238,8 @@ static void push_leader(struct reading *r, int at)
     lua_settop(L, list);
 }
 
-/* Fills the portraits the phase at `at` omits from its leader, then from the boss. Returns whether it has a
- * portrait. */
+/* Sets the portraits that the phase at `at` omits to those of the phase's leader or, failing that, of the boss. Returns
+ * whether the phase then has a portrait. */
 static bool read_portrait(struct reading *r, int at)
 {
     static const char *const names[] = { "portrait", "portrait_left" };
@@ -255,7 +257,7 @@ static bool read_portrait(struct reading *r, int at)
     return is_true(L, at, "portrait");
 }
 
-/* Sets `cut_in` for a spell with a portrait, unless the phase sets it. */
+/* Sets `cut_in` in a spell with a portrait, unless the phase already has `cut_in`. */
 static void read_cut_in(struct reading *r, int at, const char *id)
 {
     lua_State *L = r->L;
@@ -271,7 +273,7 @@ static void read_cut_in(struct reading *r, int at, const char *id)
     }
 }
 
-/* Replaces the phase on top by the checked one. */
+/* Replaces the phase on top of the stack, element i of `phases`, with the checked phase. */
 static void read_phase(struct reading *r, int i)
 {
     static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL },
@@ -307,7 +309,7 @@ static void read_phase(struct reading *r, int i)
     lua_settop(L, at);
 }
 
-/* Pops the table of talks into the field `talk` of the table at `at`; nil if it is empty. */
+/* Pops the list of talks and stores it in the field `talk` of the table at `at`; stores nil if the list is empty. */
 static void give_talks(lua_State *L, int at)
 {
     if (lua_rawlen(L, -1) == 0) {
@@ -317,8 +319,8 @@ static void give_talks(lua_State *L, int at)
     lua_setfield(L, at, "talk");
 }
 
-/* Replaces the boss's list of phases by the checked phases. Talks are stored in the phase that follows them, those
- * after the last phase in the boss. */
+/* Replaces the boss's list of phases with the checked phases. Talks are stored in the phase that follows them; talks
+ * after the last phase are stored in the boss. */
 static void read_phases(struct reading *r)
 {
     lua_State *L = r->L;
@@ -356,7 +358,8 @@ static void read_phases(struct reading *r)
 
 static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
-/* Turns the checked arguments of boss.def into the boss. Returns whether it has a last phase. */
+/* Converts the table of checked boss.def arguments into the boss, in place. Returns whether the boss has a phase with
+ * `last`. */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
     struct reading r = { .L = L, .boss = v[0].at };
@@ -394,14 +397,14 @@ static uint64_t name_hash(uint64_t h, const char *name)
     return hash_bytes(h, name, strlen(name) + 1);
 }
 
-/* Builds the nvram key of a spell's history: a hash, because the names are too long for a key. The key is one that
- * scripts are unlikely to use. */
+/* Builds the nvram key of a spell's history: a hash, because the names are too long for a key. Scripts are unlikely to
+ * use the same key. */
 static void history_key(char key[NV_KEY + 1], uint64_t of, const char *difficulty, const char *ship)
 {
     snprintf(key, NV_KEY + 1, "spell %016llx", (unsigned long long)name_hash(name_hash(of, difficulty), ship));
 }
 
-/* Returns the tries in the upper 32 bits and the captures in the lower. */
+/* Returns the history stored under the key: tries in the upper 32 bits, captures in the lower; 0 if there is none. */
 static uint64_t kept_at(const struct board *b, const char *key)
 {
     struct nv_value kept = nvram_get(&b->nvram, key);
@@ -431,7 +434,8 @@ static const char *first_ship(const struct board *b)
     return name ? name : "";
 }
 
-/* Adds nothing in practice, where the cabinet counts the tries. */
+/* Returns the tries and captures of a spell, after adding one if asked. Adds nothing in practice, where the cabinet
+ * counts the tries. */
 static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct manifest *m = &b->cart.m;

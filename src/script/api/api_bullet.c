@@ -102,7 +102,7 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
     k->flags[i] |= KIND_CLOUDED;
 }
 
-/* Declares a kind of bullet or shot, except graze and damage; returns its index. */
+/* Declares a kind of bullet or shot from all its arguments except graze and damage; returns the kind's index. */
 static int define(lua_State *L, struct bullet_kinds *k, enum name_kind what, const char *entry, struct api_value *v)
 {
     const struct api_shape shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS);
@@ -167,7 +167,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Sets how a kind of shot pierces what it hits. */
+/* Sets the piercing of a kind of shot (`pierce` and `every`). */
 static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const struct api_value *v)
 {
     enum { USUAL = 6 };
@@ -242,7 +242,7 @@ ang api_aim(struct board *b, bool shot, fx x, fx y)
     return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
 }
 
-/* Returns the number + 1 of the player who fires the shot, or 0. */
+/* Returns the number, 1 or 2, of the player who fires the shot, or 0. */
 static uint8_t shooter(const struct board *b, const struct api_value *v)
 {
     const struct api_value *by = v[FIRE_BY].given ? &v[FIRE_BY] : &v[FIRE_PLACE + PLACE_FROM];
@@ -332,7 +332,8 @@ static int shot_group(lua_State *L, struct board *b, struct api_value *v)
 
 enum { VISIT = 4 /* VM instructions charged per visit, in addition to the function's own */ };
 
-/* Lists the handles of entities with the tag, in a userdata pushed on the stack. */
+/* Pushes a userdata with the handles of the live entities that have the tag. Returns the array and stores the number of
+ * handles in *n. */
 static const int64_t *list_tagged(lua_State *L, const struct board *b, enum handle_kind kind, const struct slots *s,
                                   const uint16_t *tags, uint32_t tag, uint32_t *n)
 {
@@ -446,7 +447,7 @@ static const struct api_prop shot_props[] = {
     { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ }
 };
 
-/* Pushes a Q32 number. Exact, because positions and speeds have 48 bits. */
+/* Pushes a Q32 number as a double. The conversion is exact, because positions and speeds have 48 bits. */
 static void push_q32(lua_State *L, int64_t v)
 {
     lua_pushnumber(L, (double)v / 4294967296.0);
@@ -509,7 +510,7 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
     }
 }
 
-/* Ends the running motion step's control of dir or speed after a script writes it. */
+/* Ends the running motion step's control of a property that a script wrote. */
 void api_override(struct bullets *s, uint32_t i, unsigned what)
 {
     if (s->step_flags[i] & STEP_BEGUN)
@@ -530,7 +531,7 @@ static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
     }
 }
 
-/* Ends the lead of the running motion step after a script writes the position. */
+/* Stops the running motion step, if it leads bullet i, from doing so after a script writes the position. */
 static void let_go(const struct board *b, struct bullets *s, uint32_t i)
 {
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
@@ -591,7 +592,7 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
     }
 }
 
-/* Returns the column hp; a fault if the pool has none. */
+/* Returns the bullets' column hp; raises a fault if the pool has none. */
 static int32_t *hp_of(lua_State *L, struct board *b)
 {
     if (!b->bullets.hp)
@@ -692,7 +693,7 @@ const struct api_thing api_shots_thing = { "shots", shots_props, FLIES_LAST + 1,
 /* ---- verbs of bullets, shots and groups ---- */
 
 enum verb { V_AIM, V_TURN, V_SHIFT, V_REMOVE };
-enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY };
+enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY };
 
 /* Returns a Q32 coordinate moved by `by`, clamped to the world. */
 static int64_t shifted(int64_t at, int64_t by)
@@ -747,7 +748,7 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
     if (!handle_kind_group(handle_kind(h))) {
         if (board_alive(b, h))
             act(b, shot, &targets, handle_slot(h), verb, v);
-        else if (verb == V_REMOVE && board_there(b, h)) /* held: releasing it spares whatever else it touched */
+        else if (verb == V_REMOVE && board_there(b, h)) /* held: release it, so that its pending hits have no effect */
             bullets_release(s, handle_slot(h));
         return 0;
     }
@@ -782,7 +783,7 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
-/* Signals all bullets or shots waiting for the group's tag, which need not have the tag themselves. */
+/* Signals all bullets or shots that wait for the group's tag, whether or not they have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
@@ -803,7 +804,7 @@ static const struct api_param self_shift[] = { SELF_OF(FLYING), SHIFT_DX, SHIFT_
 static const struct api_param self_only[] = { SELF_OF(FLYING) };
 static const struct api_param self_group[] = { SELF_OF(1 << H_GROUP | 1 << H_SHOTS) };
 
-/* Patterns take the parameters of one of these two, or of a laser. */
+/* The entries bullet.fire and shot.fire. Patterns take their parameters through api_fire_bullet and api_fire_shot. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
         "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
@@ -821,7 +822,8 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
 #define CLEAR_GROUP(thing)                                                                                             \
     API_VERB(thing ":clear", api_clear_group, api_clear_group_params, 1, "count",                                      \
              "removes the entire group, or only its members in a circle, a box or a line; returns the number removed")
-/* The verbs of a single entity and of a group; `it` names the target in the help. */
+/* The verbs of a single entity or of a group; the macro parameter `it` is how the help refers to the entity or
+ * group. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
     API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
         API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \

@@ -83,7 +83,7 @@ static bool knows_label(lua_State *L, const char *key, const void *of)
     return false;
 }
 
-/* Raises the error for the key of `kinds` on top of the stack. */
+/* Raises the error for the key on top of the stack, a label in `kinds` that cannot be used. */
 static void refuse_label(lua_State *L, const struct ml *ml)
 {
     const char *label = luakeys_text(L, -1);
@@ -117,7 +117,7 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
     }
 }
 
-/* Reads params = { $1, $2, .. }; returns their number. */
+/* Reads params = { $1, $2, .. } into out; returns how many there are. */
 static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PARAMS])
 {
     static const struct api_param param = { "params", A_NUM, REQ, -1e9, 1e9, NULL, NULL, NULL };
@@ -133,13 +133,13 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
         lua_rawgeti(L, at, (lua_Integer)i + 1);
         api_fold(L, b, -1);
         api_check(L, ENTRY, &param, lua_gettop(L), &v);
-        const int64_t whole = (int64_t)v.n; /* in two parts: a double cannot hold the sum exactly */
+        const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: q32 requires |v| < 2^19 */
         out[i] = whole * ML_ONE + q32(v.n - (double)whole);
     }
     return (int)n;
 }
 
-/* Returns a seed other than 0, random if the argument is 0. */
+/* Returns the seed given as argument or, if it is 0, a random seed other than 0. */
 static uint32_t seed_of(struct board *b, const struct api_value *v)
 {
     return v->i ? (uint32_t)v->i : 1 + (uint32_t)board_chance(b, UINT32_MAX);

@@ -25,8 +25,9 @@ const char *const api_thing_names[HANDLES] = {
     "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document"
 };
 
-/* Handles are integers (handle.h), and Lua cannot refuse arithmetic on them. A handle plus a fraction is a double in
- * the range of handles, which no argument can reach. */
+/* Returns whether v is probably the result of arithmetic on a handle. Handles are integers (handle.h), so Lua cannot
+ * reject arithmetic on them. A handle plus a fraction is a double in the range of handles; no valid argument is that
+ * large. */
 static bool was_handle(double v)
 {
     return v >= 0x1p62 && v < 0x1p63;
@@ -117,7 +118,8 @@ static void check_number(lua_State *L, const char *entry, const struct api_param
         expected_number(L, entry, p, at, "a number");
 }
 
-/* Returns an end of a span; `what` is the expected form in the error. */
+/* Checks and returns one end of the span at `at`: the first (i = 1) or the last (i = 2). `what` is the expected form in
+ * the error. */
 static lua_Integer check_end(lua_State *L, const char *entry, const struct api_param *p, int at, int i,
                              const char *what)
 {
@@ -203,7 +205,7 @@ static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kin
                                           "spark kind",  "item kind", "laser kind", "option kind" };
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
-/* Returns the noun of another sort of kind that has that name, or NULL. */
+/* Returns the noun ("bullet") of the sort of kind that is declared under that name, or NULL. */
 static const char *kind_elsewhere(lua_State *L, const char *name)
 {
     for (int k = 0; k < KIND_NOUNS; k++)
@@ -231,7 +233,7 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     api_hint_begin(&near, lua_tostring(L, at));
     for (uint32_t i = 0; i < vm_board(L)->names[what].n; i++) {
         const char *known = board_name(vm_board(L), what, (int)i);
-        if (known) /* NULL: a row that belongs to another kind, such as its cloud or a picture */
+        if (known) /* NULL: an extra row of another kind, such as a cloud or a picture */
             api_hint_add(&near, known);
     }
     api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "declared"));
@@ -331,7 +333,7 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const downs[] = { "all", "any" },
                          *const asks[] = { "settings", "replays", "practice", "keys" };
 
-/* Word lists by enum api_type. fire_words is by FIRES_. */
+/* Word lists, indexed by enum api_type. fire_words is indexed by FIRES_. */
 
 static const struct word_list {
     const char *const *words;
@@ -550,8 +552,8 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
     return i < e->count ? &e->params[i] : &fire->params[i - e->count];
 }
 
-/* Returns the entry whose parameters a call takes in addition, for a pattern by the field `fire` of the table at `at`.
- * A wrong word is reported when that argument is checked. */
+/* If e is a pattern, returns the entry selected by the field `fire` of the table at `at`. An unknown word selects
+ * bullet.fire here and is reported when the argument `fire` is checked. */
 const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at)
 {
     if (!(e->flags & API_FIRE))
@@ -574,7 +576,7 @@ const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int a
     return api_of(L)->fire[found];
 }
 
-/* The entry's own parameter precedes one of `fire` with the same name, so the own parameter wins. */
+/* Searches e's own parameters first, so they take precedence over parameters of `fire` with the same name. */
 int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name)
 {
     int n = api_param_count(e, fire);
@@ -618,13 +620,13 @@ static void unknown(lua_State *L, const struct api_entry *e, const struct api_en
     api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "arguments"));
 }
 
-/* The parameters and values a call takes. */
+/* The arguments that a call accepts: the parameters of e and fire, and the declared values of list `values`. */
 struct taken {
     const struct api_entry *e, *fire;
     enum name_kind values;
 };
 
-/* Returns the index of the argument, parameters first, then declared values; -1: unknown. */
+/* Returns the index of the argument named `key`: parameters are counted first, then declared values; -1: unknown. */
 static int argument(lua_State *L, const struct taken *t, const char *key)
 {
     const int i = key ? api_search_param(t->e, t->fire, key) : -1;
@@ -675,7 +677,7 @@ static void check_values(lua_State *L, const struct api_entry *e, enum name_kind
     }
 }
 
-/* Returns whether a task calls the library function directly, with no game function on the stack. */
+/* Returns whether a task runs the library function directly: no game function is on the stack. */
 static bool runs_bare(lua_State *L)
 {
     lua_Debug ar;
@@ -688,7 +690,7 @@ static bool runs_bare(lua_State *L)
     return true;
 }
 
-enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments that fit, with working room, in a C function's guaranteed stack */
+enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
 
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
@@ -721,7 +723,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         }
     } else if (top < e->plain)
         lua_settop(L, e->plain);
-    bool lenient = false; /* set once `each` is given: the function may call something other than `fire` */
+    bool lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
     for (int i = 0; i < n; i++) {
         const struct api_param *p = api_param_at(e, fire, i);
         if (i < e->plain)

@@ -21,7 +21,7 @@ int64_t api_named_number(lua_State *L, const char *entry, const char *what, int 
 
 enum { DROP_BYTES = 4 /* bytes per list entry: kind and number, 16 bits each */ };
 
-/* Returns whether the string has the format of a list made by api_drops. */
+/* Returns whether a string of `size` bytes (NULL: none) has the format of a list made by api_drops. */
 static bool is_list(const struct board *b, const uint8_t *list, size_t size)
 {
     if (!list || size % DROP_BYTES || size > MOST_ITEM_NAMES * DROP_BYTES)
@@ -32,7 +32,7 @@ static bool is_list(const struct board *b, const uint8_t *list, size_t size)
     return true;
 }
 
-/* The way enemies, bullets and phases drop a list. */
+/* How the drops of enemies, bullets and boss phases fly. */
 static const struct item_drop usual_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
 
 void api_push_drops(lua_State *L, const char *entry, int at)

@@ -171,7 +171,7 @@ static void start_task(lua_State *L, struct board *b, int64_t h, int n)
     tasks_start(b, L, h, n + 1);
 }
 
-/* Raises `message` in a game without the module path, because it has no routes. */
+/* In a game without the module path, no value can be a route, so `message` is raised. */
 void api_push_routes(lua_State *L, const char *entry, int at, const char *message)
 {
     lua_pushglobaltable(L);
@@ -254,7 +254,7 @@ void api_enemy_run(lua_State *L, struct board *b, uint32_t i)
         start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
-/* Reads the spawn position. Returns false if the thing that places the enemy is dead. */
+/* Reads the spawn position. Returns false if the thing `from` or `follow` is dead. */
 static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     const struct api_value *at = v + S_PLACE;
@@ -391,7 +391,7 @@ enum {
     PROPS = P_BODY + BODY_FOLLOW + 1
 };
 
-/* The last is for groups only. */
+/* The last property exists only for groups. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
             "horizontal position in the field; a write teleports the enemy and ends its move"),
@@ -600,8 +600,8 @@ static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     enemies_shift(&b->enemies, i, v[SHIFT_X].f, v[SHIFT_Y].f);
 }
 
-/* Returns the player, 1 or 2, credited with damage or a kill by a script: the one given, otherwise the nearest living
- * one; 0: none. */
+/* Returns the player, 1 or 2, who is credited when a script damages or kills enemy i: `player` if given, otherwise the
+ * nearest living player; 0: nobody. */
 static uint32_t credit(const struct board *b, uint32_t i, const struct api_value *player)
 {
     struct targets t = board_players(b);
@@ -620,7 +620,8 @@ static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api
 }
 
 /* Applies the verb to each enemy of a group. A death runs on_death, which may remove enemies and spawn others in their
- * slots, so the live enemies are listed first, and each is checked again before its turn. */
+ * slots. Therefore the live enemies are listed first, and the verb is applied only to those still alive when their turn
+ * comes. */
 static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
 {
     int list = lua_gettop(L) + 1;
@@ -679,7 +680,8 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_act(L, b, kill_one, v);
 }
 
-/* Also removes enemies that despawn in this frame; whatever else they touched is spared. */
+/* Also removes enemies that left in this frame but can still be read (board_there), so that their pending hits have no
+ * effect. */
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
@@ -697,7 +699,7 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* The verbs of a single enemy and of a group; `it` names the target in the help. */
+/* The verbs of a single enemy or of a group; the macro parameter `it` is how the help refers to the enemy or group. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
     API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \

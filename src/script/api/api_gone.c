@@ -1,5 +1,6 @@
 /*
- * api_gone.c - standard Lua names that this board lacks, and what to use instead; for `check` and for faults.
+ * api_gone.c - standard Lua names that this board lacks, and what to use instead; for the command `check` and for fault
+ * messages.
  */
 #include <string.h>
 #include "api_parts.h"

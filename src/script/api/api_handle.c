@@ -6,7 +6,8 @@
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* Registry: a table per kind of handle, of names read so far -> method, or false if the name is not a method. */
+/* Registry, by kind of handle: a table that maps every name looked up so far to the method, or to false if there is no
+ * method of that name. */
 static const char methods_key[HANDLES] = { 0 };
 
 bool api_push_method(lua_State *L, int kind, const char *name)
@@ -45,14 +46,15 @@ bool api_property(const struct api_thing *t, const char *name)
     return search_prop(t, name, &unused) != NULL;
 }
 
-/* Returns the property of that name if the guess is right, otherwise NULL. No verb has the name of a property. */
+/* Returns the property of that name if the guess is right, otherwise NULL. A property cannot hide a method, because no
+ * verb has the name of a property. */
 static const struct api_prop *prop_guessed(const struct api_thing *t, const uint8_t *guess, const char *name)
 {
     return *guess < t->n && !strcmp(t->props[*guess].value.name, name) ? &t->props[*guess] : NULL;
 }
 
-/* Returns the guess for a property of that kind of thing. Reads and writes have separate guesses, so that the first
- * read of a name always takes the same path. */
+/* Returns the guess (api_guess) for a property of that kind of thing. Reads and writes have separate guesses, so that a
+ * write cannot change which path the first read of a name takes. */
 static uint8_t *prop_guess(struct board *b, enum handle_kind kind, bool write, const char *name, size_t n)
 {
     return &b->vm.guesses.props[api_guess(name, n, (unsigned)kind + (write ? HANDLES : 0))];
@@ -210,7 +212,7 @@ static const struct {
     { "dy", ENEMIES, GROUP_BODIES, "bodies" },
 };
 
-/* Raises a fault if the property is disabled, even if the thing does not exist. */
+/* Raises a fault if the property is disabled in rom.lua, even if the thing does not exist. */
 static void check_on(lua_State *L, const struct board *b, const struct api_thing *t, enum handle_kind kind,
                      const char *name)
 {
@@ -221,7 +223,8 @@ static void check_on(lua_State *L, const struct board *b, const struct api_thing
                      switched[i].word);
 }
 
-/* Pushes a property of a thing that exists, or one that lasts of a player who is out; otherwise nil. */
+/* Pushes property p of the thing of handle h if it can be read (board_there), or if h is a player who is out and p is
+ * PROP_LASTS. Otherwise pushes nil. */
 static int push_property(lua_State *L, struct board *b, const struct api_thing *t, int64_t h, int p)
 {
     const struct api_prop *prop = &t->props[p];
@@ -233,7 +236,7 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     return 1;
 }
 
-enum { A_READ = 4, A_WRITE = 6 /* work in addition to the VM instruction; the guard compares the sum later */ };
+enum { A_READ = 4, A_WRITE = 6 /* work added to that of the VM instruction; a guard checks the sum later */ };
 
 static int get_property(lua_State *L)
 {
@@ -272,7 +275,7 @@ static int get_property(lua_State *L)
     return push_property(L, b, t, h, p);
 }
 
-/* Sets a register; the value is clamped to its min and max. */
+/* Sets a register and clamps the value to the register's min and max. */
 static int set_register(lua_State *L, struct board *b, uint32_t slot, int reg, const char *name)
 {
     const uint32_t row = board_register_row(b, slot, (uint32_t)reg);

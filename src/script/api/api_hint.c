@@ -1,6 +1,6 @@
 /*
- * api_hint.c - tables with named keys: which key an error reports, and its suggestion: the nearest known name or, if
- * none is near, all known names if there are few.
+ * api_hint.c - errors about unknown names: in tables with named keys, which key is reported; the suggestion is the
+ * nearest known name or, if none is near, a list of the known names if it is short.
  */
 #include <stdio.h>
 #include <string.h>
@@ -35,7 +35,7 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
     return h->long_ ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
 }
 
-/* ---- globals ---- */
+/* ---- suggestions for unknown globals ---- */
 
 enum { SHORT_NAME = 2 /* bytes; a name this short resembles too many others */ };
 

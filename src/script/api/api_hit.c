@@ -37,7 +37,8 @@ static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_who
     return key;
 }
 
-/* Checks element i, px or degrees, of the list on top of the stack, which stays there. */
+/* Checks element i of the list on top of the stack against p (px or degrees) and returns it. The list stays on the
+ * stack. */
 static struct api_value item(lua_State *L, const char *entry, enum hit_whose whose, int i, const struct api_param *p)
 {
     struct api_value v = { 0 };
@@ -62,7 +63,7 @@ static struct api_value item(lua_State *L, const char *entry, enum hit_whose who
         name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL                                                       \
     }
 
-/* Raises an error if a shape reaches further than a radius may. */
+/* Raises an error if a shape reaches further from its centre than MAX_SPEED px, the largest radius. */
 static void check_reach(lua_State *L, const char *entry, int64_t reach)
 {
     if (reach > (int64_t)MAX_SPEED << 16)

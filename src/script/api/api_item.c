@@ -33,7 +33,8 @@ static const struct api_param def[] = {
 
 static const char DEF[] = "item.def";
 
-/* Returns the number of a register among those that items give or fill, adding it if it is new. */
+/* Returns the number of a register in the list of registers that items give or fill; adds a new register to the
+ * list. */
 static int register_number(lua_State *L, const char *name)
 {
     int i = api_names_find(L, N_ITEM_REGISTER, name);
@@ -47,7 +48,7 @@ static int register_number(lua_State *L, const char *name)
     return i;
 }
 
-/* score = n, or { low, high }. */
+/* Reads the argument `score`: n, or { low, high }. */
 static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
 {
     static const struct api_param pair = { "gives.score", A_SPAN, REQ, 0, ITEM_MOST, NULL, NULL, NULL };
@@ -212,7 +213,7 @@ static int item_group(lua_State *L, struct board *b, struct api_value *v)
 
 enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
 
-/* The last is for groups only. */
+/* The last property exists only for groups. */
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position in the field"), PROP_WRITE },
     { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position in the field"), PROP_WRITE },
@@ -300,7 +301,8 @@ static const struct api_param self[] = { SELF };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
 
-/* Pulls item i to the given player, or to the nearest. A player who is dead or not in the game attracts nothing. */
+/* Pulls item i to the given player or, if none is given, to the nearest. A player who is dead or not in the game
+ * attracts nothing. */
 static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct targets t = board_players(b);
@@ -317,7 +319,7 @@ static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
     slots_drop(&b->items.s, i);
 }
 
-/* Applies the verb to the item before the colon, or to each of the group. */
+/* Applies the verb to the item before the colon, or to each item of the group before the colon. */
 static void each_of(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;

@@ -130,7 +130,7 @@ enum {
     F_TAG,
     F_WIDTH,
     F_BY,
-    F_OWN, /* parameters that not all have follow */
+    F_OWN, /* the following parameters differ between beams, bolts and curves */
     F_SPEED = F_OWN,
     F_MOTION,
     F_DELAY,
@@ -205,7 +205,7 @@ static struct bullet_shape head_of(lua_State *L, struct board *b, const char *en
     return s;
 }
 
-/* Returns whether the shooter is a ship that was hit and the laser is one a ship shoots; it is then not fired. */
+/* Returns whether the laser must not be fired: it is a ship's laser (LASER_SHOOTS), and the ship was hit. */
 static bool is_silent(const struct board *b, const struct bullet_shape *s)
 {
     return s->player && b->player.hit[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
@@ -257,7 +257,7 @@ static int curve(lua_State *L, struct board *b, struct api_value *v)
     return fly(L, b, "laser.curve", v, &(struct laser_shape){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
 }
 
-/* Reads the start of a beam. Returns false if the thing that places it is dead. */
+/* Reads the start of a beam. Returns false if the thing `from` or `follow` is dead. */
 static bool beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     struct api_value place[PLACE_PARAMS];
@@ -473,7 +473,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     switch (p) {
     case L_X:
         lasers_place(b, i, v->f, h->y[i]);
-        api_set_flight(L, b, h, NULL, i, p, v); /* sets the bits below an fx */
+        api_set_flight(L, b, h, NULL, i, p, v); /* also sets the fraction bits that an fx lacks */
         return;
     case L_Y:
         lasers_place(b, i, h->x[i], v->f);
@@ -608,7 +608,7 @@ static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
     return verb(L, b, v, V_REMOVE);
 }
 
-/* Signals all lasers waiting for the group's tag, which need not have the tag themselves. */
+/* Signals all lasers that wait for the group's tag, whether or not they have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct motion_world w = board_world(b, false);

@@ -41,7 +41,7 @@ static const struct api_param line_put[] = {
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the line when the boss phase that created it ends"),
 };
 
-/* Returns the text at `at`, a string or a number; raises an error if it is invalid or too long. */
+/* Returns the text at `at`, a string or a number; raises an error if the text is invalid or too long. */
 static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
 {
     if (lua_type(L, at) != LUA_TSTRING && lua_type(L, at) != LUA_TNUMBER)
@@ -78,7 +78,7 @@ static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, f
         (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) | (v[L_BOX].i ? LINE_BOX : 0));
 }
 
-/* Reads the position. Returns false if the thing that places the line, or that it follows, is dead. */
+/* Reads the position of a line. Returns false if the thing `from` or `follow` is dead. */
 static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
 {
     *x = *y = 0;

@@ -91,7 +91,7 @@ void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const stru
     lua_pop(L, 1);
 }
 
-/* Pushes the table of a kind's picture names; returns false if it has none. */
+/* Pushes the table of a kind's picture names; returns false if the kind has none. */
 static bool push_names(lua_State *L, enum name_kind of, int32_t kind)
 {
     return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[of]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;

@@ -19,7 +19,7 @@ const struct api_param api_meet_params[MEET_PARAMS] = {
 
 _Static_assert(MEET_FIRST == 1 && MEET_SECOND == 2, "the words of A_MEET have the values of the MEET_ flags");
 
-/* Raises an error if the arguments do not describe a pair of tags that can be declared. */
+/* Raises an error if a pair of tags cannot be declared with these arguments. */
 static void check_meet(lua_State *L, const struct bullets *s, const struct api_value *v)
 {
     const char *entry = "bullet.meet";

@@ -87,7 +87,7 @@ enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 struct reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
-    int bounces; /* bounces not yet closed */
+    int bounces; /* number of bounces still open */
     bool fine;
     uint32_t brief; /* number of rows up to the last step that takes time, but may end at once */
     const char
@@ -127,7 +127,8 @@ static void unknown_key(lua_State *L, int step, const char *where)
     api_refuse_key(L, where, &step_fields);
 }
 
-/* Returns the number of a step that key k sets, if the name of a value may replace it; otherwise STEP_NUMBERS. */
+/* Returns which number of a step key k sets, if the name of a declared value may replace the number; otherwise
+ * STEP_NUMBERS. */
 static enum step_number step_number(int k)
 {
     switch (k) {
@@ -183,7 +184,8 @@ uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
     return 0;
 }
 
-/* Reads the keys of the step table at `at` into v, but not a loop's list entries. Returns the names of values used. */
+/* Reads the keys of the step table at `at` into v, but not the nested steps of a loop. Returns the NAMED_BITS of all
+ * declared values used in place of numbers. */
 static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
 {
     uint64_t named = 0;
@@ -269,7 +271,7 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
                    "`orbit` requires `at = { x, y }`; to orbit a thing, add `around = true` to `board` in rom.lua");
 }
 
-/* Reads a coordinate, either a number into *out or the name of a value, which is returned as NAMED_BITS. */
+/* Reads a coordinate: stores a number in *out, or returns the NAMED_BITS of a declared value. */
 static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
     struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
@@ -284,7 +286,7 @@ static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum 
     return 0;
 }
 
-/* Reads the { x, y } of go_to or at; returns the names of values used. */
+/* Reads the { x, y } of `go_to` or `at`; returns the NAMED_BITS of the declared values used. */
 static uint64_t read_place(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
 {
     int keys = 0, top = lua_gettop(L);
@@ -303,7 +305,7 @@ static uint64_t read_place(lua_State *L, int step, const struct api_value *v, co
     return named;
 }
 
-/* Sets the fields of a leading step; returns the names of values used. */
+/* Sets the fields of a leading step; returns the NAMED_BITS of the declared values used. */
 static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], int step, bool fine)
 {
     s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
@@ -317,7 +319,7 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
         s->dir = v[M_PHASE].a;
     if (v[M_POLAR].given)
         s->speed = api_units(fine, &v[M_POLAR]);
-    if (s->does & DOES_GO_TO) /* go_to uses speed as its own setting */
+    if (s->does & DOES_GO_TO) /* a go_to has its own speed; the bullet's is not set */
         s->does &= ~(uint32_t)DOES_SPEED;
     return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
 }
@@ -372,8 +374,8 @@ static void untimed(lua_State *L, const struct reader *r, uint32_t open, const c
     step_error(L, step, what);
 }
 
-/* Raises an error if a loop that takes no time does not end, or takes too many steps. Returns the steps it runs in one
- * frame. */
+/* Raises an error if a loop that takes no time does not end, or runs too many steps. Returns how many steps the loop
+ * runs in one frame. */
 static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, bool timed, uint64_t inside,
                           int64_t count, int step)
 {
@@ -386,7 +388,7 @@ static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, b
     return inside * rounds;
 }
 
-/* Notes that the last step read may end at once; `is` is the condition. */
+/* Records that the last step read may end at once, under the condition `is`; returns false. */
 static bool is_brief(struct reader *r, const char *is)
 {
     r->brief = r->n;
@@ -402,7 +404,7 @@ static bool takes_time(struct reader *r, const struct motion_step *s)
     return s->over > 0 || s->how & HOW_SPEED;
 }
 
-/* Raises an error if the step `word` is combined with keys that are not in the mask `may`. */
+/* Raises an error if the key `word` is combined with a key that is not in the mask `may`. */
 static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int word, uint32_t may)
 {
     for (int k = 0; k < M_KEYS; k++)
@@ -486,7 +488,7 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
     return walls;
 }
 
-/* Adds the flight to a wall, inside the loop of bounces that was just opened. */
+/* Adds the step that flies to a wall, inside the loop of bounces whose row was just added. */
 static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
@@ -500,7 +502,8 @@ static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[
     s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
 }
 
-/* Reads a loop or bounces with the nested steps from the table at `at`. Returns the steps it runs in one frame. */
+/* Reads a `loop` or `bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in one
+ * frame. */
 static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
                           bool *timed)
 {
@@ -533,8 +536,8 @@ static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, con
     return loop_work(L, r, open, inner, inside, v[word].i, step);
 }
 
-/* Reads the list of steps in the table at `at`. Returns the largest number of steps it runs without taking time; sets
- * *timed to whether it takes any. */
+/* Reads the list of steps in the table at `at`. Returns an upper bound on the number of steps that the list runs in one
+ * frame; sets *timed to whether the list takes time. */
 static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
 {
     uint64_t work = 1;
@@ -561,7 +564,7 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
 
 enum { HEAD_NAME, HEAD_FINE, HEADS };
 
-/* Reads the arguments next to the steps: name and fine. Returns the name or NULL. */
+/* Initializes r and reads the named arguments of motion.def, `name` and `fine`. Returns the name, or NULL. */
 static const char *read_head(lua_State *L, struct reader *r)
 {
     static const struct api_param head[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
@@ -598,7 +601,7 @@ static int motion_def(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, DEF, "expected at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
         api_error(L, DEF, "too many steps in one frame");
-    uint32_t refused_before = b->steps.s.refused; /* to find out which of the two pools was full */
+    uint32_t refused_before = b->steps.s.refused; /* to find out which pool was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
         board_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);

@@ -7,7 +7,8 @@
 #include "../lua/lualib.h"
 #include "api_parts.h"
 
-/* Registry: name -> index; and the array of a struct name_list, which points to the same strings. */
+/* Registry, by enum name_kind: a table name -> index; and the array of the struct name_list, which points to the
+ * strings of that table. */
 static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
 
 static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
@@ -18,7 +19,7 @@ const char *api_names_off(lua_State *L, enum name_kind what)
     return api_off(&vm_board(L)->cart.m, nouns[what]);
 }
 
-/* A disabled sort of name has no table. */
+/* Creates a table for each sort of name, except those that rom.lua disables. */
 void api_open_names(lua_State *L)
 {
     struct board *b = vm_board(L);

@@ -23,7 +23,7 @@ static int missing_field(lua_State *L)
     return 1;
 }
 
-/* Tables that are created on first use, because few games use them. */
+/* Returns whether the API table is created on first use, because few games use it. */
 static bool is_late(const char *space)
 {
     return !strcmp(space, "bomb");
@@ -49,8 +49,8 @@ bool api_open_late(lua_State *L, const char *name)
     return true;
 }
 
-/* Makes an entry reachable for scripts: "wait" becomes a global, "bullet.fire" needs a global table bullet, unless that
- * table is disabled. */
+/* Makes an entry available to scripts: "wait" becomes a global; for "bullet.fire", creates the global table bullet,
+ * unless that table is disabled or created on first use. */
 static void install(lua_State *L, const struct api_entry *e)
 {
     const char *split = strpbrk(e->name, ".:");

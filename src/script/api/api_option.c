@@ -197,7 +197,8 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
 
 static const char plans_key = 0; /* registry: kind of ship -> struct option_plan */
 
-/* Stores a ship's plan. Both the plans and the array of pointers to them are in Lua's heap. */
+/* Stores the plan on top of the stack as the plan of a ship. The plans and the array of pointers to them are all in
+ * Lua's heap. */
 static void keep_plan(lua_State *L, struct board *b, int32_t ship, struct option_plan *plan)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &plans_key) != LUA_TTABLE) {

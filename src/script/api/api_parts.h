@@ -13,10 +13,10 @@ enum { MAX_PARAMS = 40 };
 /* The upvalue of an API function: a userdata whose user value keeps `plan` alive. */
 struct api_bound {
     const struct api_entry *entry;
-    uint64_t hash;         /* of its name */
+    uint64_t hash;         /* of the entry's name */
     struct api_plan *plan; /* api_plan.c; NULL: none made yet */
-    uint32_t tables;       /* calls that could have made a plan */
-    bool walks;            /* may iterate over a table passed to it */
+    uint32_t tables;       /* number of calls, before the plan was made, that could have used one */
+    bool walks;            /* the function may iterate over a table argument */
 };
 
 /* Pushes f as a function bound to e. */
@@ -36,8 +36,8 @@ static inline struct api_bound *api_bound(lua_State *L)
     return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Reads the type and the number of the value at index `now` into v, once for the check, the digest and the caller. `at`
- * is the stack index the value will have. */
+/* Reads the value at stack index `now` into v: its type and, for a number, its bits. The check, the digest and the
+ * caller then use v instead of asking Lua again. `at` is the stack index the value will be moved to. */
 static inline void api_look(lua_State *L, int at, int now, struct api_value *v)
 {
     v->at = at;
@@ -52,21 +52,22 @@ static inline void api_look(lua_State *L, int at, int now, struct api_value *v)
     }
 }
 
-/* api_note_place records where `entry` is called under a name, for an error found later; api_error_at raises that error
- * with the recorded place. */
+/* api_note_place records the source line of the current call of `entry` that declares `name`. api_error_at raises an
+ * error about that declaration, found later, with the recorded line. */
 void api_note_place(lua_State *L, const char *entry, const char *name);
 int api_error_at(lua_State *L, const char *entry, const char *name, const char *format, ...);
 
 /* Pushes a description of the value at `at` for an error message. */
 const char *api_push_got(lua_State *L, int at);
 
-/* api_check_looked checks a value read by api_look, given or not; api_fill_default sets v to p's default. */
+/* api_check_looked checks a value read by api_look, whether or not it was given. api_fill_default sets v to p's
+ * default. */
 void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
 void api_fill_default(const struct api_param *p, struct api_value *v);
 
-/* Returns the place, below VM_GUESSES, where the last index found for a name of n bytes in list `of` is stored. The
- * hash uses letters, never addresses. The index is only a guess: callers compare the whole name and search if it
- * differs, so the contents of struct vm_guesses cannot change a result. */
+/* Returns the element of a guess array (struct vm_guesses), below VM_GUESSES, that stores the index last found for a
+ * name of n bytes in list `of`. The element depends on the name's bytes, never on addresses. The stored index is only a
+ * guess: callers compare the whole name and search if it differs, so the guesses cannot change a result. */
 static inline unsigned api_guess(const char *name, size_t n, unsigned of)
 {
     const uint8_t *c = (const uint8_t *)name;
@@ -74,7 +75,7 @@ static inline unsigned api_guess(const char *name, size_t n, unsigned of)
     return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + of * 41u) % VM_GUESSES;
 }
 
-/* The entries a pattern can fire with. */
+/* The entries for what a pattern can fire; the pattern also takes their parameters. */
 extern const struct api_entry api_fire_bullet, api_fire_shot, api_fire_bolt, api_fire_curve, api_fire_beam;
 
 /* Indices of the arguments of bullet.fire and shot.fire. */
@@ -89,12 +90,12 @@ enum {
     FIRE_MOTION,
     FIRE_BY,              /* shots only */
     FIRE_DELAY = FIRE_BY, /* bullets only */
-    FIRE_AROUND,          /* both */
+    FIRE_AROUND,          /* shots and bullets */
     FIRE_VALUES
 };
 
-/* Fills s from the arguments of a bullet (or shot), except `aim`. Returns false if `from` is dead or the ship that
- * would fire was hit. */
+/* Fills s from the arguments of bullet.fire (or shot.fire), except `aim`. Returns false if the thing `from` is dead or
+ * the ship that would fire was hit. */
 bool api_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool shot,
                 struct bullet_shape *s);
 
@@ -123,7 +124,7 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
 void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
                     int p, const struct api_value *v);
 
-/* Returns whether the motion (index + 1, 0: none) is fine. */
+/* Returns whether a motion (index + 1; 0: none) runs with 32 fraction bits (BULLET_FINE). */
 static inline bool api_motion_fine(const struct board *b, uint16_t motion)
 {
     return motion && b->motions.fine[motion - 1];
@@ -135,16 +136,17 @@ static inline int64_t api_q32(double v)
     return fx_nearest(v * 4294967296.0);
 }
 
-/* Converts a number to Q32; unless fine, it is rounded to fx first. */
+/* Converts a number to Q32. Unless `fine`, rounds it to fx first. */
 static inline int64_t api_units(bool fine, const struct api_value *v)
 {
     return fine ? api_q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
 }
 
-/* Records that a script wrote a property (OVERRIDE_), which ends the running motion step's control of it. */
+/* Records that a script wrote the property `what` (OVERRIDE_) of bullet i, so that the running motion step stops
+ * controlling that property. */
 void api_override(struct bullets *s, uint32_t i, unsigned what);
 
-/* A search for the known name nearest to a misspelt one. `list` holds the names seen, for api_hint_push. */
+/* A search for the known name nearest to a misspelt word. `list` collects the known names for api_hint_push. */
 struct api_hint {
     const char *word, *found;
     int best, n;
@@ -154,11 +156,11 @@ struct api_hint {
 void api_hint_begin(struct api_hint *h, const char *word);
 void api_hint_add(struct api_hint *h, const char *name);
 
-/* Pushes " (did you mean "x"?)", otherwise " (LABEL: a, b, c)", or "" if the list is too long. */
+/* Pushes " (did you mean "x"?)" or, if no name is near, " (LABEL: a, b, c)"; "" if that list is too long. */
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label);
 
-/* The settings a table may hold: n parameters (the key is the part of the name after the last dot), and declared values
- * (NAME_LISTS: none). */
+/* The settings a table may hold: n parameters (the key is the part of the name after the last dot) and the declared
+ * values of list `values` (NAME_LISTS: none). */
 struct api_fields {
     const struct api_param *params;
     int n;
@@ -169,27 +171,28 @@ bool api_knows_field(lua_State *L, const char *key, const void *of);
 /* Raises the error for the unknown key on top of the stack, suggesting the nearest key in f. */
 void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f);
 
-/* Reads the table at `at` into v, checked in the order of f's parameters, and leaves the values on the stack. `where`
- * ("registers.power") precedes a setting's name in errors; NULL: no prefix. */
+/* Reads the settings in the table at `at` into v, checks them in the order of f's parameters, and leaves their values
+ * on the stack. `where` ("registers.power") precedes a setting's name in errors; NULL: no prefix. */
 void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,
                      struct api_value *v);
 
-/* Collects the keys of the table at `at`, which must be names, in byte order. Returns their number, at most `most`. The
- * strings are valid while the table holds them. */
+/* Stores the keys of the table at `at` in `names`, in byte order, and returns how many there are. Raises an error if a
+ * key is not a name or there are more than `most`. The strings are valid while the table holds them. */
 int api_sorted_names(lua_State *L, const char *entry, const char *what, const char *expected, int at,
                      const char **names, int most);
 
-/* The number of parameters of an entry, and parameter i: the entry's own first, then those of `fire`, for a pattern;
- * fire NULL: none. */
+/* api_param_count returns the number of parameters of a call of e, and api_param_at returns parameter i. If e is a
+ * pattern, `fire` is the entry for what it fires, whose parameters follow e's own; otherwise `fire` is NULL. */
 int api_param_count(const struct api_entry *e, const struct api_entry *fire);
 const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i);
 
-/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v, one element per parameter,
- * followed by the declared values the entry takes. Returns the number of parameters; *fire is the entry whose
+/* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v: one element per parameter,
+ * then one per declared value the entry takes. Returns the number of elements. *fire receives the entry whose
  * parameters e takes in addition, or NULL. */
 int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
-/* As api_arguments, for the running function, but faster if its table has the keys of earlier calls. */
+/* Like api_arguments, for the running function f, but faster if the call's table has the same keys as the tables of
+ * earlier calls. */
 int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire);
 
 /* api_fires returns the entry whose parameters a call of e takes in addition, chosen by the field `fire` of the table
@@ -215,16 +218,17 @@ void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n);
 /* Folds a call: the hash of the entry's name, and the arguments that were given, before defaults. */
 void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n);
 
-/* sys.volley: api_volley.c. */
+/* The entry sys.volley (api_volley.c). */
 int api_volley(lua_State *L, struct board *b, struct api_value *v);
 
-/* Pushes the function of the entry named `of`, `split`, `name`. Returns false and pushes nothing if there is none. */
+/* Pushes the function of the entry whose name is `of`, the character `split` and `name` in sequence ("bullet.fire").
+ * Returns false and pushes nothing if there is none. */
 bool api_push_member(lua_State *L, const char *of, char split, const char *name);
 
-/* Opens the tables of the API; `missing` is their __index. */
+/* Creates the metatable that the API's tables share, with `missing` as __index. Call this before api_add_space. */
 void api_open_spaces(lua_State *L, lua_CFunction missing);
 
-/* Makes the table on top, the global of that name, one of the API's tables. */
+/* Registers the table on top of the stack as the API table of that name. */
 void api_add_space(lua_State *L, const char *name);
 
 /* Pushes and returns the name of the API table at `at`; pushes nil and returns NULL for any other table. */
@@ -237,17 +241,17 @@ void api_no_field(lua_State *L, const char *of, const char *name);
 /* Returns whether the name is a key of a motion step. */
 bool api_step_word(lua_State *L, const char *name);
 
-/* Sets the number type's metatable: handles' properties and methods. */
+/* Sets the metatable of the number type, which implements the properties and methods of handles. */
 void api_open_handles(lua_State *L);
 
-/* Pushes the method of that name, or false. Returns whether there is one. */
+/* Pushes the method `name` of handles of that kind, or false if there is none. Returns whether there is one. */
 bool api_push_method(lua_State *L, int kind, const char *name);
 
-/* Returns the direction `aim` gives at (x, y): towards the nearest player, or for a shot the nearest enemy. Without a
- * target, or exactly on it: down, for a shot up. */
+/* Returns the direction from (x, y) to the nearest player, or for a shot to the nearest enemy. If there is no target,
+ * or it is exactly at (x, y), returns down, or up for a shot. */
 ang api_aim(struct board *b, bool shot, fx x, fx y);
 
-/* A hit shape, in the rows that kinds store (motion.h). */
+/* A hit shape, as the rows that a kind stores (motion.h). */
 struct api_shape {
     uint8_t shape;
     uint32_t rows;
@@ -256,28 +260,28 @@ struct api_shape {
     } row[SHAPE_PARTS];
 };
 
-/* Reads the hit shape at `at`. */
+/* Reads the hit shape at stack index `at`; raises an error if the shape is not accepted by its owner (`whose`). */
 struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose);
 
-/* Declares a kind with that shape; returns its index. */
+/* Declares a kind with hit shape s; returns the kind's index. */
 int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
                  const struct api_shape *s);
 
-/* Returns the list of values declared for what the entry makes (API_VALUES, API_FIRE), or for that kind of thing;
- * NAME_LISTS: none. */
+/* api_value_names returns the list of values declared for the things that entry e creates (API_VALUES, API_FIRE),
+ * api_value_names_of the list for a kind of thing. NAME_LISTS: none. */
 enum name_kind api_value_names(const struct api_entry *e);
 enum name_kind api_value_names_of(enum handle_kind kind);
 
-/* Returns the number of declared values; `names` may be NAME_LISTS. */
+/* Returns the number of values declared in list `names`; 0 for NAME_LISTS. */
 int api_values(const struct board *b, enum name_kind names);
 
-/* Returns the parameter that checks a value of that name. */
+/* Returns the parameter against which the declared value of that name is checked. */
 struct api_param api_value_param(const char *name);
 
-/* Returns the column of value k of a list, one element per slot. */
+/* Returns the column that stores value k of list `names`, one element per slot. */
 fx *api_value_column(struct board *b, enum name_kind names, int k);
 
-/* Sets the values of the new entity in slot i from v, where api_arguments put them. */
+/* Sets the declared values of the new entity in slot i from v, the elements that api_arguments filled for them. */
 void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v);
 
 /* Converts a count (A_COUNT) to the 32 bits a chip stores, -1 for forever, and back. */
@@ -301,11 +305,12 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
     return !tag || tags[i] == tag;
 }
 
-/* Arguments of functions that select by tag only, and of those that call a function for each thing. */
+/* Arguments of the functions that only select by tag (`group`), and of those that call a function for each thing
+ * (`each`). */
 enum { EACH_TAG, EACH_F, EACH_PARAMS, TAG_PARAMS = 1 };
 extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_PARAMS];
 
-/* The table row of a method. */
+/* The table row (struct api_entry) of a method. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \
         name, run, PARAMS(params), plain, API_CHANGES | API_METHOD, returns, HELP(help)                                \
@@ -325,7 +330,7 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
             HELP("calls f(" noun ") for each live " noun " with the given tag, in slot order")                         \
     }
 
-/* Pushes a handle for the group of things with the given tag, or of all. */
+/* Pushes a handle for the group of all things of a kind, or of only those with the given tag. */
 int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
 
 /* Calls the function in v with each live entity of a pool that has the tag in v (none: all), in slot order. Entities
@@ -342,7 +347,7 @@ struct api_region {
     fx to_x, to_y; /* end of a line */
 };
 
-/* Arguments of the verbs of bullets, shots and lasers, single or as groups. */
+/* Arguments of the verbs of bullets, shots, lasers and their groups. */
 #define SELF_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
 
 #define AIM_ADD PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "angle added to the direction towards the target, clockwise")
@@ -371,7 +376,8 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
         PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of the end of the line"),                              \
         PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
 
-/* Reads a region from REGION_PARAMS values. Returns false if the thing that places it is dead, so it is nowhere. */
+/* Reads a region from REGION_PARAMS values. Returns false if the thing `from` is dead, so that the region has no
+ * position. */
 bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);
 
 /* Returns whether the region contains the point, edge included. The test is exact. */
@@ -400,24 +406,25 @@ int api_laser_clear(lua_State *L, struct board *b, struct api_value *v);
 int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v);
 int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v);
 
-/* bullet.meet. */
+/* The parameters and the function of bullet.meet. */
 enum { MEET_PARAMS = 6 };
 extern const struct api_param api_meet_params[MEET_PARAMS];
 int api_meet(lua_State *L, struct board *b, struct api_value *v);
-/* Raises an error if `around` is given and rom.lua has not given the pool the column for it. */
+/* Raises an error if `around` is given but the pool has no column for it, because rom.lua does not enable it. */
 void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *around);
 
-/* Reads the name of a value, at `at`, that a motion step uses in place of a number; returns its NAMED_BITS. */
+/* Reads the name of a declared value, at stack index `at`, that a motion step uses in place of a number. Returns the
+ * value's NAMED_BITS (motion.h). */
 uint64_t api_step_name(lua_State *L, int step, const char *key, int at);
 
-/* Read the tables at `at` of the steps emit and wait_for (api_step.c). */
+/* Read the table of settings, at stack index `at`, of a step emit or wait_for (api_step.c). */
 enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
 extern const struct api_param api_emit_params[EMIT_PARAMS], api_await_params[AWAIT_PARAMS];
 void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e);
 void api_step_await(lua_State *L, int step, int at, struct motion_step *s);
 
-/* Reads the legs of the route at stack index `route`, one per call; the other fields start at 0. Returns false after
- * the last leg. */
+/* State of reading the route at stack index `route`; i, x and y start at 0. Each call of api_step_leg reads the next
+ * leg; returns false after the last one. */
 struct api_leg {
     int route, i;
     bool mirror;
@@ -425,7 +432,7 @@ struct api_leg {
 };
 bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step *leg);
 
-/* Pushes the module path; raises `message` unless the value at `at` is a route. */
+/* Pushes the module path. Raises `message` if the game lacks the module or the value at `at` is not a route. */
 void api_push_routes(lua_State *L, const char *entry, int at, const char *message);
 
 /* The pictures of a kind of enemy or player in addition to its sprite, with their names (api_looks.c). */
@@ -436,12 +443,14 @@ struct api_pictures {
     uint16_t sprite[MOST_PICTURES];
 };
 
-/* Reads at most `most` pictures from the table `pictures`: first the names in `first`, up to its NULL (those omitted
- * use the kind's own sprite), then the others in byte order. Not given: none. */
+/* Reads at most `most` pictures from the table `pictures`: first the names in `first`, which ends with NULL (an
+ * omitted picture uses the kind's own sprite), then the other names in byte order. If the table is not given,
+ * there are none. */
 void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t own,
                        const char *const *first, int most, struct api_pictures *p);
 
-/* api_pictures_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next. */
+/* api_pictures_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next.
+ * api_pictures_keep then stores the pictures' names. */
 void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
                        const struct api_pictures *p);
 void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const struct api_pictures *p);
@@ -452,26 +461,27 @@ unsigned api_picture_named(lua_State *L, enum name_kind of, int32_t kind, const 
                            const struct api_value *name);
 void api_picture_push(lua_State *L, enum name_kind of, int32_t kind, unsigned n);
 
-/* Returns the line rom.lua needs before names of that sort can be declared, or NULL if they already can. */
+/* If rom.lua disables names of that sort, returns the text for the %s of API_OFF, otherwise NULL. */
 const char *api_names_off(lua_State *L, enum name_kind what);
 
-/* Returns whether that kind of thing has the property. */
+/* Returns whether that kind of thing has a property of that name. */
 bool api_property(const struct api_thing *t, const char *name);
 
 /* A table of items or registers: { NAME = n }. */
 enum { MOST_ITEM_NAMES = ITEM_REGISTERS + 2, AN_ITEM = 6 /* work per dropped item */ };
 #define ITEM_NAMES "{ NAME = n }"
 
-/* Returns the integer under `name` in the table at `at`. */
+/* Returns the integer under `name` in the table at `at`; raises an error unless it is from lo to hi. */
 int64_t api_named_number(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
                          double hi);
 
-/* Both pack the items in the table at `at` (drops = { NAME = n }) into a string, in byte order of the names, and push
- * it; api_drops also folds it. */
+/* Both functions pack the items in the table at `at` (drops = { NAME = n }) into a string, in byte order of the names,
+ * and push the string; api_drops also folds the string. */
 void api_push_drops(lua_State *L, const char *entry, int at);
 void api_drops(lua_State *L, const char *entry, int at);
 
-/* Raises an error if an item gives a register that no ship has, or fills one that has no max anywhere. */
+/* Raises an error if an item gives a register that neither a ship nor the run has, or fills a register that has no max
+ * on any ship or in the run. */
 void api_items_check(lua_State *L, struct board *b);
 
 /* Reads the argument `options` of player.def for that kind of ship. */
@@ -480,11 +490,11 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 /* Returns the number of the bomb named by an argument of player.def; 0: not given. */
 uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v);
 
-/* In place of a kind of ship: the registers of the run. */
+/* Passed instead of a kind of ship: the registers of the run. */
 enum { RUN_REGISTERS = -1 };
 
-/* Declares the registers in the table at `at`, { NAME = n or { start = n, .. } }; returns their number. Their rows are
- * consecutive. */
+/* Declares the registers in the table at `at`, { NAME = n or { start = n, .. } }, in consecutive rows; returns how many
+ * there are. */
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 
 /* The settings a register's table may hold. */
@@ -494,14 +504,15 @@ extern const struct api_param api_register_settings[REGISTER_SETTINGS];
 /* Returns the number of the register named by the argument `what`; raises an error if it is unknown. */
 int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
 
-/* Returns the integer at `at`, to be written to a register. Any value is accepted below, because writes clamp to min
- * and max. */
+/* Returns the integer at `at`, to be written to a register. Raises an error for anything but an integer up to
+ * INT32_MAX; integers below the register's min are accepted, because writes clamp to min and max. */
 int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
 
 /* Returns the number of a register of that kind of ship, or -1. */
 int api_ship_register(lua_State *L, int32_t kind, const char *name);
 
-/* Adds to the table on top how register i of a ship kind is displayed: show, at, label, mark, as far as declared. */
+/* Adds to the table on top of the stack how register i of a kind of ship is displayed: show, at, label and mark, if
+ * declared. */
 void api_register_show(lua_State *L, int32_t kind, int i);
 
 /* Pushes the name of the unlock that a kind of ship needs, or nil. */
@@ -513,26 +524,26 @@ bool api_register_declared(lua_State *L, const char *name);
 /* Returns the register name nearest to a misspelt one, or NULL. */
 const char *api_register_near(lua_State *L, const char *name);
 
-/* Fills names with the registers of a kind of ship, by number; returns their number. The strings are valid as long as
- * the board. */
+/* Fills `names` with the names of the registers of a kind of ship, indexed by register number; returns how many there
+ * are. The strings are valid as long as the board is. */
 int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
 
-/* Player i joins with that kind of ship; the kind's run function starts as a task. */
+/* Adds player i to the game with that kind of ship and starts the kind's run function, if any, as a task. */
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 
 /* Counts a wait that the running task skips while fast-forwarding to a practice mark (TASK_SKIPS); does nothing
- * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, also once
- * half of a tick's work is used, so that the others continue. Returns 0 if the caller may continue. */
+ * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, and also once
+ * half of a tick's work limit is used, so that the other tasks continue. Returns 0 if the caller may continue. */
 int api_pass_wait(lua_State *L, struct board *b);
 
-/* Call after loading a palette. If it is another one, rebuilds the tables for the plane's fog and for a fade to
- * black. */
+/* Call after loading a palette. If the palette changed (`other`), rebuilds the tables of shades for the plane's fog and
+ * for a fade to black. */
 void api_bg_shade(lua_State *L, struct board *b, bool other);
 
 /* Creates the tables of declared names. */
 void api_open_names(lua_State *L);
 
-/* Raises an error quoting the line for rom.lua if the game has no bodies. */
+/* If rom.lua does not enable bodies, raises an error that quotes the line to add. */
 void api_body_check(lua_State *L, const char *entry, const char *what);
 
 #endif

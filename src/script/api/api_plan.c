@@ -1,21 +1,21 @@
 /*
- * api_plan.c - faster argument passing for calls whose tables have the same keys as those of earlier calls.
+ * api_plan.c - faster argument passing for calls whose tables have the same keys as the tables of earlier calls.
  *
  * api_arguments (api_check.c) defines the arguments of a call and raises every error about them. A function that is
  * called repeatedly with a table gets a plan: the order of parameters in the last table that was iterated, the Lua
  * strings of the parameters' names, and the values of omitted arguments. Lua interns short strings, so a key that is
  * the plan's own string is that name, and no characters are compared. A key unknown to the plan is looked up and
- * learnt; if it is not a parameter, or not a string, api_arguments processes the call from the start, since the plan
- * has only read so far.
+ * learnt; if it is not a parameter, or not a string, api_arguments processes the call from the start, which is safe
+ * because reading the table has had no other effects.
  *
- * A plan is in Lua's heap; its function keeps it alive, and it keeps its strings alive. It changes no result, because
- * the order of parameters only decides where a search starts.
+ * A plan is in Lua's heap. The plan's function keeps the plan alive, and the plan keeps the strings alive. A plan
+ * changes no result, because the order of parameters only decides where a search starts.
  */
 #include "../../base/bits.h"
 #include "api_parts.h"
 
 enum {
-    WARM = 16,                /* calls before a plan is made */
+    WARM = 16,                /* number of calls before a plan is made */
     ROOMY = LUA_MINSTACK - 3, /* stack slots a C function has above its arguments; odd, as the offsets of values are */
     FURTHER = 16,             /* stack slots an API function may need in addition */
     KEYS = MAX_PARAMS
@@ -26,8 +26,8 @@ struct api_plan {
     enum name_kind names;         /* list of the declared values, which follow the parameters */
     int n, values;
     uint64_t required;        /* mask of required parameters */
-    uint8_t follow[KEYS + 1]; /* the parameter that followed each one; last element: the first one */
-    const void *key[KEYS];    /* the Lua string of each name, or the plan's own address until it is known */
+    uint8_t follow[KEYS + 1]; /* by parameter: the one that followed it; last element: the first */
+    const void *key[KEYS];    /* the Lua string of each name; the plan's address if not yet known */
     struct api_value start[]; /* values of omitted arguments */
 };
 
@@ -44,7 +44,7 @@ static void fill(struct api_plan *p, const struct api_entry *e, const struct api
     }
 }
 
-/* Makes the plan of f, which keeps it alive; the plan's user values keep its names alive. */
+/* Makes the plan of f. f keeps the plan alive, and the plan's user values keep the strings of the names alive. */
 static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api_entry *fire)
 {
     const struct api_entry *e = f->entry;
@@ -59,7 +59,8 @@ static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api
     return p;
 }
 
-/* Returns the plan for this call, whose table must be the last argument, or NULL if there is none. */
+/* Returns the plan for this call, or NULL if there is none. A call has a plan only if its last argument is the table of
+ * named arguments. */
 static struct api_plan *plan_for(lua_State *L, struct api_bound *f, const struct api_entry **fire)
 {
     const struct api_entry *e = f->entry;

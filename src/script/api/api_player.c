@@ -95,8 +95,9 @@ void api_player_needs(lua_State *L, int32_t kind)
     lua_settop(L, top + 1);
 }
 
-/* Returns the number + 1 of the register whose max collects all items, or PLAYER_FULL_RUN + the number for a register
- * of the run; 0: none. The ship's registers come first. */
+/* Returns the register that, when at its max, collects all items: the register's number + 1 in the ship,
+ * PLAYER_FULL_RUN + its number in the run, or 0 for none. If both the ship and the run have a register of that name,
+ * the ship's is used. */
 static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, const struct api_value *full)
 {
     const char *name = full->given ? lua_tostring(L, full->at) : NULL;
@@ -171,7 +172,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* sys.join; in C because it starts the kind's task. */
+/* Implements sys.join; in C because it starts the kind's task. */
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
@@ -182,7 +183,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
         return vm_fault(L, FAULT_SCRIPT, "player %d has joined %d games; restart the board", (int)i + 1,
                         GENERATIONS - 1);
     b->player.in[i] = PLAYER_IN;
-    for (uint32_t p = 0; p <= i; p++) { /* with two players, both start off centre */
+    for (uint32_t p = 0; p <= i; p++) { /* when player 2 joins, player 1 moves off centre too */
         events_player_start(b, p, &x, &y);
         if (b->player.in[p] && p != i)
             player_place(&b->player, p, x, y);
@@ -190,7 +191,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
     registers_start(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
     api_items_check(L, b);
-    options_drop_of(&b->options, i, 0); /* left over from the game before */
+    options_drop_of(&b->options, i, 0); /* left over from the previous game */
     b->core.extended[i] = 0;
     b->core.over = 0;
     input_forget(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not meant for the new ship */
@@ -491,7 +492,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
     vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* the parameter limits its length to that of the field */
+    strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* fits: the parameter limits the length of the name */
     if (v[ENTER_SHIP].given)
         strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
     if (v[ENTER_STAGE].given)

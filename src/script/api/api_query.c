@@ -28,7 +28,7 @@ bool api_place(lua_State *L, struct board *b, const char *entry, const struct ap
     return true;
 }
 
-/* A pool to search: its positions and tags. found() computes the positions of lasers. */
+/* A pool to search: its positions and tags. For lasers, x and y are NULL until found() computes the positions. */
 struct field {
     enum handle_kind kind;
     const struct slots *s;
@@ -108,7 +108,8 @@ static bool in_region(const struct board *b, const struct field *f, const struct
 
 enum { A_CORNER = 3, A_LINE = 3, AN_ENTRY = 12, A_LEVEL = 6 /* work; the last two per sorted entry */ };
 
-/* Sets the position of each laser to the point on it nearest to the region's. Leaves a userdata on the stack. */
+/* Sets f's position of each laser to the point of the laser nearest to the region's position. Leaves the userdata that
+ * holds the positions on the stack. */
 static void place_lasers(lua_State *L, const struct board *b, struct field *f, const struct api_region *r)
 {
     const uint32_t n = f->s->top;
@@ -132,7 +133,8 @@ static uint64_t sort_work(uint64_t n)
     return n * (AN_ENTRY + A_LEVEL * levels);
 }
 
-/* Pushes the list of entities in the region, nearest to its position first; `there` false: an empty list. */
+/* Pushes the list of entities in the region, nearest to the region's position first, or an empty list if `there` is
+ * false. */
 static int found(lua_State *L, struct board *b, struct field *f, uint32_t tag, const struct api_region *r, bool there)
 {
     uint32_t end = there ? f->s->used ? f->s->top : f->s->live : 0;
@@ -193,7 +195,7 @@ static int query_near(lua_State *L, struct board *b, struct api_value *v)
     return query(L, b, "query.near", &v[NEAR_WHAT], &v[NEAR_TAG], place);
 }
 
-/* Parameters of query.box and query.line, before those of the shape. */
+/* Indices of the parameters of query.box and query.line; the parameters of the shape come last. */
 enum { ARG_WHAT, ARG_TAG, ARG_PLACE, ARG_SHAPE = ARG_PLACE + PLACE_PARAMS };
 #define ASKED                                                                                                          \
     PARAM("what", A_STR, REQ, 0, 0, NULL, NULL, "what to look for: bullet, shot, enemy, item, laser or player"),       \

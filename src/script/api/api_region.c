@@ -1,5 +1,6 @@
 /*
- * api_region.c - the regions that place and shape words describe, and clearing bullets, shots and lasers in them.
+ * api_region.c - regions, described by a position and shape arguments, and clearing the bullets, shots and lasers in a
+ * region.
  */
 #include "../../base/geom.h"
 #include "../../entities/sparks.h"
@@ -24,7 +25,8 @@ static bool any_given(const struct api_value *v, int first, int n)
 
 enum { BOX_WORDS = 2, LINE_WORDS = 3 };
 
-/* Returns the shape whose words are given; raises an error for words of several shapes, or only some words of one. */
+/* Returns the shape whose arguments are given; raises an error for arguments of several shapes, or for only some of the
+ * arguments of one shape. */
 static enum api_region_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
 {
     bool circle = v[REGION_RADIUS].given, box = any_given(v, REGION_W, BOX_WORDS),
@@ -100,7 +102,7 @@ static const struct bullet_kinds *kinds_of(const struct board *b, const struct b
     return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
 }
 
-/* Emits the spark of a cleared bullet: the argument `given`, otherwise its kind's. */
+/* Emits the spark of a cleared bullet: the spark `given` or, if not given, the one of the bullet's kind. */
 static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
 {
     if (given->given)
@@ -134,8 +136,8 @@ static bool takes(const struct board *b, const struct bullets *s, const struct c
 
 enum { A_LINE = 3, A_CLEAR = 10 /* work: per bullet tested against a line; per bullet cleared */ };
 
-/* Removes the bullets that match; returns their number. Held ones, which left the field in this frame, are released, so
- * whatever they touched is spared, but are not counted. */
+/* Removes the matching bullets and returns how many. Also releases, without counting them, matching held bullets (those
+ * that left the field this frame), so their pending hits have no effect. */
 static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const struct clearing *c)
 {
     lua_Integer n = 0;
@@ -177,7 +179,7 @@ enum {
     C_EVERY = C_LASERS
 };
 
-/* Parameters of all clears, of bullets and of lasers. */
+/* Parameters that all clears of bullets and of lasers share. */
 #define CLEAR_PARAMS_OF_ALL                                                                                            \
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
         PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,                                                               \
@@ -198,7 +200,7 @@ const struct api_param api_clear_params[CLEAR_PARAMS] = {
           "also remove enemy lasers; with a shape, only lasers that touch it"),
 };
 
-/* ---- lasers ---- */
+/* ---- clearing lasers ---- */
 
 enum { EVERY = 12 /* px between the sparks and items along a cleared laser */ };
 
@@ -209,7 +211,7 @@ struct remains {
     const struct api_value *items;
 };
 
-/* Leaves them at one position. */
+/* Emits the spark and spawns the item at one position on a cleared laser. */
 static void leave_one(struct board *b, fx x, fx y, void *context)
 {
     const struct remains *r = context;
@@ -220,7 +222,8 @@ static void leave_one(struct board *b, fx x, fx y, void *context)
         board_turn_into(b, (uint16_t)r->items->i, x, y);
 }
 
-/* Clears laser i as a whole. Every `every` px it leaves the given spark, otherwise its kind's, and the given item. */
+/* Removes the whole of laser i. Every `every` px along it, emits the given spark (otherwise the one of its kind) and
+ * spawns the given item, if any. */
 static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
                         const struct api_value *items, fx every)
 {
@@ -233,7 +236,7 @@ static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct 
     lasers_remove(b, i);
 }
 
-/* Removes the lasers that match; returns their number. shooting: also players' lasers. */
+/* Removes the lasers that match c and returns how many; includes players' lasers only if `shooting`. */
 static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clearing *c, fx every, bool shooting)
 {
     const struct laser_kinds *kinds = &b->laser_kinds;

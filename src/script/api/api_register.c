@@ -55,7 +55,7 @@ static void registry(lua_State *L, const void *key)
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
 }
 
-/* Returns the word in `words` that setting `which` of v equals; NULL if it is not given. */
+/* Returns the element of `words` that setting v[which] equals; NULL if the setting is not given. */
 static const char *read_word(lua_State *L, const char *entry, const char *name, const struct api_value *v, int which,
                              const char *const *words, const char *expected)
 {
@@ -69,7 +69,7 @@ static const char *read_word(lua_State *L, const char *entry, const char *name, 
     return NULL;
 }
 
-/* Returns the integer in v, or `otherwise` if it is not given. */
+/* Returns the integer in v, or `otherwise` if v is not given. */
 static int32_t setting(const struct api_value *v, int32_t otherwise)
 {
     if (!v->given)
@@ -218,7 +218,8 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
     lua_pop(L, 1);
 }
 
-/* Numbers the registers in byte order of their names, so that the result does not depend on the table's order. */
+/* Numbers the registers in byte order of their names, so that the numbers do not depend on the iteration order of the
+ * table. */
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
 {
     const char *names[PLAYER_REGISTERS];
@@ -307,7 +308,7 @@ int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_RE
     registry(L, &names_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TTABLE)
         for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1), n++)
-            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps it alive */
+            names[lua_tointeger(L, -1)] = lua_tostring(L, -2); /* the table keeps the string alive */
     lua_settop(L, top);
     return n;
 }

@@ -1,6 +1,6 @@
 /*
- * api_reserved.c - names reserved for later features: a script that uses one gets an error saying so. Remove a name
- * when its feature is added; a test checks that no listed name exists.
+ * api_reserved.c - names reserved for later features; a script that uses one gets an error that the name is reserved.
+ * Remove a name when its feature is added; a test checks that no listed name exists.
  */
 #include <string.h>
 #include "../std.h"
@@ -24,7 +24,7 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* An entry's name may be followed by a quoted detail. */
+/* Returns whether `of` is the row's name. In `of`, a quoted detail may follow the name (api_checked). */
 static bool is_of(const char *row, const char *of)
 {
     size_t n = strlen(row);
@@ -49,7 +49,7 @@ const char *api_reserved_row(int i, const char **of, char *how)
     return reserved[i].names;
 }
 
-/* Tables that exist only if rom.lua enables them. */
+/* Tables, things and fields that exist only if rom.lua enables them. */
 static const struct {
     const char *names;
     size_t room; /* offset in struct manifest of an int32_t; 0: disabled */
@@ -94,7 +94,8 @@ void api_no_field(lua_State *L, const char *of, const char *name)
         vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, name, STD_NOT_HERE);
 }
 
-/* Makes reads of missing fields explain themselves in the table of that name, if it exists. */
+/* If the global `table` is a table without a metatable, makes reads of its missing fields raise an error that explains
+ * why (api_no_field). */
 static void explain_missing(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);

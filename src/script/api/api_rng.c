@@ -30,7 +30,7 @@ static int rng_int(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Returns a random fraction, 0 <= f < 1, of 53 bits, so that it is exact. */
+/* Returns a random fraction, 0 <= f < 1, of 53 bits, which a double represents exactly. */
 static double fraction(struct board *b)
 {
     return (double)(draw(b, 0) >> 11) / 9007199254740992.0;

@@ -240,7 +240,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* Raises an error if sprite i does not have the property. */
+/* Raises an error if property p cannot be set on sprite i. */
 static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
     const bool plate_is = is_plate(s, i);
@@ -338,7 +338,8 @@ static const struct api_param spark_def[] = {
 static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
                                "after the first counts as one)";
 
-/* Reads `banks`: the first is the kind's, each further one adds a row. drawn: the remaining bits of `bank`. */
+/* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `drawn`: the other
+ * bits of the column `bank`. */
 static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
 {
     const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };

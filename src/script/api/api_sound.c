@@ -210,7 +210,7 @@ static int wait_on(lua_State *L, int status, lua_KContext context)
     return lua_yieldk(L, 0, 0, wait_on);
 }
 
-/* Completes the wait at once while fast-forwarding to a practice mark. */
+/* Completes a music.wait at once while fast-forwarding to a practice mark. */
 static int pass_beats(lua_State *L, struct board *b)
 {
     uint64_t work = 1;
@@ -225,7 +225,8 @@ static int pass_beats(lua_State *L, struct board *b)
     return 1;
 }
 
-/* Returns the number of the marker in the current piece; 0 if none plays; raises an error if it is unknown. */
+/* Returns the number of the marker in the current piece, or 0 if no piece plays; raises an error if the piece has no
+ * such marker. */
 static int marker_named(lua_State *L, struct board *b, const char *name)
 {
     const char *found = NULL;
@@ -245,8 +246,8 @@ static int marker_named(lua_State *L, struct board *b, const char *name)
     return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);
 }
 
-/* Returns whether the marker is still ahead: one before the loop is passed once, and none after the end of the
- * piece. */
+/* Returns whether the marker is still ahead. A marker before the start of the loop is passed only once; after the end
+ * of the piece, no marker is ahead. */
 static bool will_come(lua_State *L, struct board *b, int mark)
 {
     struct tune t;

@@ -1,12 +1,12 @@
 /*
- * api_space.c - the tables of the API ("bullet", "sys"): which tables they are, and creating all functions of one.
+ * api_space.c - the registry of the API's tables ("bullet", "sys"), and creating all functions of a table.
  */
 #include "api_parts.h"
 
 /* Registry: the metatable of the API's tables; and table -> name. */
 static const char shared_key = 0, spaces_key = 0;
 
-/* A Lua state in a test may have no API. */
+/* Returns NULL in a Lua state without the API, as in some tests. */
 const char *api_push_space(lua_State *L, int at)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &spaces_key) != LUA_TTABLE)

@@ -352,7 +352,7 @@ static const struct api_param boot_music[] = {
     PARAM("title", A_STR, OPT, 0, 63, NULL, NULL, "title in the list; defaults to the title in rom.lua"),
     PARAM("text", A_STR, OPT, 0, 127, NULL, NULL, "text below the list"), NEEDS("unlock that opens the piece")
 };
-#ifndef WITHOUT_HELP /* scripts/boot/check.lua checks these */
+#ifndef WITHOUT_HELP /* scripts/boot/check.lua checks these arguments */
 static const struct api_param boot_mode[] = {
     NAME("name of the mode, which game.mode returns"),
     PARAM("stages", A_TABLE, REQ, 0, 0, NULL, NULL, "names of the stages, in order"),

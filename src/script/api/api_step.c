@@ -56,7 +56,7 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
           "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
-/* The name of each pattern and the argument that is its size; -1: none. */
+/* The name of each pattern, and the argument that gives its size (-1: it has none). */
 static const struct {
     const char *name;
     int size;
@@ -65,7 +65,8 @@ static const struct {
     [EMIT_ARC] = { "arc", E_SWEEP }, [EMIT_STACK] = { "stack", E_SPEED_TO }, [EMIT_LINE] = { "line", E_WIDTH },
 };
 
-/* Returns the number that argument k sets, if the name of a value may replace it; otherwise EMIT_NUMBERS. */
+/* Returns which number of an emit argument k sets, if the name of a declared value may replace the number; otherwise
+ * EMIT_NUMBERS. */
 static enum emit_number number_of(int k)
 {
     static const uint8_t numbers[EMIT_PARAMS] = {
@@ -118,7 +119,7 @@ static void spread(lua_State *L, struct reader *r, int at)
         lua_getfield(L, at, board_name(vm_board(L), r->values, k));
 }
 
-/* Checks argument k against its parameter, or reads the name of a value in its place. */
+/* Checks argument k against its parameter, or reads the name of a declared value given in its place. */
 static void check(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
 {
     const int at = r->first + k;
@@ -292,8 +293,8 @@ void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
 
 /* ---- path ---- */
 
-/* Pops the point on top of the stack and returns its position, rounded like an enemy's. place_at is the stack index of
- * path.place. */
+/* Pops the point on top of the stack and returns the point's position, rounded like that of an enemy on the route.
+ * place_at is the stack index of path.place. */
 static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *y)
 {
     lua_pushvalue(L, place_at);
@@ -307,7 +308,7 @@ static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *
     lua_pop(L, 2);
 }
 
-/* Pops the point on top of the stack and makes a leg of it. Returns false if the leg takes no time. */
+/* Pops the point on top of the stack and fills `leg` with the leg to it. Returns false if the leg takes no time. */
 static bool leg_to(lua_State *L, int step, int place_at, struct api_leg *at, struct motion_step *leg)
 {
     static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };

@@ -113,7 +113,7 @@ static int sys_loading(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Raises the errors sys.drops would, without changing anything. */
+/* Raises the errors that sys.drops would raise, but changes nothing. */
 static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
@@ -121,8 +121,8 @@ static int sys_check_drops(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Returns the keys of a table in an order that is the same in every run; of several keys that the order cannot
- * distinguish, only one. */
+/* Returns the keys of a table in an order that is the same in every run; includes only one of several keys that the
+ * order cannot distinguish. */
 static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
 {
     uint64_t keys = 0;
@@ -141,7 +141,7 @@ static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Raises an error in a game without items. */
+/* Packs a list of drops into a string; raises an error in a game without items. */
 static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
@@ -168,7 +168,7 @@ enum { WORTH_THING, WORTH_PLAYER };
 static const struct api_param worth[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL, ""),
                                           PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
-/* An item's points depend on the player's position, so call this while the player is where it was taken. */
+/* An item's points depend on the player's position, so call this while the player is still where the item was taken. */
 static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[WORTH_THING].i);
@@ -209,7 +209,7 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
 }
 
-/* Changes no RAM: tells the cabinet that a pre-game menu is shown. */
+/* Changes no RAM: only reports to the cabinet that a pre-game menu is shown. */
 static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
@@ -292,7 +292,8 @@ static int sys_join(lua_State *L, struct board *b, struct api_value *v)
     return v[JOIN_PLAYER].i ? api_player_enter(L, b, (uint32_t)v[JOIN_PLAYER].i - 1, (uint16_t)v[JOIN_KIND].i) : 0;
 }
 
-/* Sets a register of player 1's ship, or otherwise of the run, to the value of a practice start. */
+/* Sets the register of that name, of player 1's ship or, if the ship has none, of the run, to the value of a practice
+ * start. */
 static void fit_register(lua_State *L, struct board *b, const char *name, int32_t value)
 {
     int reg = api_player_register(L, b, 0, name);
@@ -352,7 +353,7 @@ static int sys_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Returns a register of player i, or of the run; nil if there is none or the player is out. */
+/* Returns a register of a player's ship, or of the run; nil if there is no such register or the player is out. */
 static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
@@ -369,7 +370,7 @@ static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Sets a register of the run. Returns false if it does not exist. */
+/* Sets a register of the run. Returns false if the run has no such register. */
 static int sys_run_set(lua_State *L, struct board *b, struct api_value *v)
 {
     const int reg = run_register(L, v[RUN_NAME].at);
@@ -490,7 +491,7 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Creates a scope owned by the board: it outlives the task that creates it. */
+/* Creates a scope owned by the board, which therefore outlives the task that creates it. */
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
@@ -544,8 +545,8 @@ static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Sets which buttons are hidden from the game: 0 none, 1 those that fire, 2 all that control the ship. Their presses
- * from before the call, or from while they were hidden, are dropped. */
+/* Sets which buttons are hidden from the game: 0 none, 1 those that fire, 2 all that control the ship. Presses of those
+ * buttons from before the call, or made while they were hidden, are dropped. */
 static const struct api_param hold_players[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
 
 static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
@@ -642,7 +643,7 @@ static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Applies at once all music changes of boss/fight.lua, while music fast-forwards to a mark. */
+/* While music fast-forwards to a mark, applies all music changes of boss/fight.lua at once; otherwise does nothing. */
 static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
@@ -756,7 +757,7 @@ static int sys_on(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* A position may be as far as that from a thing anywhere in the world. */
+/* The range is twice the world's, because a position may be up to WORLD px away from a thing anywhere in the world. */
 static const struct api_param sys_aim[] = { PARAM("x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
                                             PARAM("y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
                                             PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "") };

@@ -23,7 +23,7 @@ static int sys_glyphs(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Size of the saved text: the columns of the cells, one after the other, little-endian. */
+/* Returns the size in bytes of the saved text: the columns of the cells, one after the other, little-endian. */
 static size_t text_bytes(const struct fix *f)
 {
     return (size_t)f->cols * f->rows * (f->page ? 5 : 2);
@@ -92,7 +92,8 @@ static bool sprite_covers(const struct board *b, uint32_t i)
            overlaps_field(b, s->x[i] - p->ox * FX_ONE, s->y[i] - p->oy * FX_ONE, p->w, p->h);
 }
 
-/* Returns whether a text line covers the field. Only a line positioned on the screen has its position tested. */
+/* Returns whether a text line covers the field. A visible line does, unless it is positioned on the screen and outside
+ * the field. */
 static bool line_covers(const struct lines *l, const struct board *b, uint32_t i)
 {
     return !(l->flags[i] & LINE_HIDDEN) &&
@@ -139,7 +140,8 @@ enum { WRAP_TEXT, WRAP_WIDTH };
 static const struct api_param sys_wrap[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
                                              PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
 
-/* Adds a word, of at most `width` characters, to the row on top of the stack, or starts the next row with it. */
+/* Appends a word of at most `width` characters to the row on top of the stack. If the word does not fit, appends the
+ * row to the list at `list` and starts the next row with the word. */
 static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t width)
 {
     size_t m;
@@ -159,7 +161,8 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
     lua_pushlstring(L, word, n);
 }
 
-/* Returns the bytes of a word of n bytes that fit in a row. A closing character never starts the next row. */
+/* Returns how many of the n bytes of a word fit in a row of `width` characters; one character fewer if the next row
+ * would start with a closing character. */
 static size_t piece_of(const char *word, size_t n, size_t width)
 {
     size_t bytes;

@@ -57,7 +57,7 @@ struct near_calls {
     int best, n; /* n = NEAR_CALLS + 1: more than NEAR_CALLS */
 };
 
-/* Considers a name: "bullet.fire", "say", or "hud.centre(row, ...)". */
+/* Adds `name` ("bullet.fire", "say" or "hud.centre(row, ...)") to c if no name so far is nearer. */
 static void near_call(struct near_calls *c, const char *name)
 {
     char last[32];

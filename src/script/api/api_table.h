@@ -61,7 +61,7 @@ enum api_type {
     A_ASK,   /* a host screen */
 };
 
-enum { REQ = 0, OPT = 1 }; /* whether it is required */
+enum { REQ = 0, OPT = 1 }; /* whether a parameter is required or optional */
 
 /* Text printed only by `curtain help lua`. A build without that command contains none of it. */
 #ifdef WITHOUT_HELP
@@ -77,7 +77,7 @@ struct api_param {
     double lo, hi;
     const char *unit; /* may be NULL */
     const char *def;  /* default in Lua syntax; NULL: none */
-    const char *help; /* meaning, HELP(); for a function also the arguments it is called with; NULL: none */
+    const char *help; /* meaning, in HELP(); for a function, also the arguments passed to it; NULL: none */
 };
 
 /* A row of a parameter list. */
@@ -93,31 +93,31 @@ enum {
     API_LUA = 1 << 3,     /* written in Lua (@std); the table only lists its arguments */
     API_SYS = 1 << 4,     /* only callable by @std */
     API_MORE = 1 << 5,    /* any further arguments are passed on */
-    API_FIRE = 1 << 6,    /* a pattern: also takes every argument of bullet.fire or shot.fire */
+    API_FIRE = 1 << 6,    /* a pattern: also takes every argument of the entry for what it fires (FIRES_) */
     API_GLOBAL = 1 << 7,  /* is a global */
-    API_VALUES = 1 << 8,  /* takes the values declared for its own noun; with API_FIRE, for what the pattern fires */
+    API_VALUES = 1 << 8,  /* takes the values declared for what it creates; with API_FIRE, for what the pattern fires */
 };
 
 struct api_entry {
     const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
-    int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns the number of results it pushed */
+    int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns the number of results pushed */
     const struct api_param *params;
-    uint8_t count; /* of params */
+    uint8_t count; /* number of params */
     uint8_t plain; /* number of positional arguments; the others are named, in one table */
     uint16_t flags;
     const char *returns; /* NULL: nothing */
-    const char *help;    /* one sentence: its purpose; HELP() */
+    const char *help;    /* one sentence on what the entry does, in HELP() */
 };
 
-/* How a property can be used. PROP_LASTS: read-only, and a player's remains readable after the player is out. */
+/* How a property can be used. PROP_LASTS: read-only; a player's can still be read after the player is out. */
 enum { PROP_READ = 0, PROP_WRITE = 1, PROP_LASTS = 2 };
 
 struct api_prop {
     struct api_param value; /* name, type, range, unit, meaning */
-    int write;              /* PROP_ */
+    int write;              /* PROP_READ, PROP_WRITE or PROP_LASTS */
 };
 
-/* The properties of a kind of handle. get pushes property p of a live thing; set writes it. */
+/* The properties of a kind of handle. get pushes property p of a live thing; set writes property p. */
 struct api_thing {
     const char *name; /* "bullet" */
     const struct api_prop *props;
@@ -137,14 +137,15 @@ struct api_plain {
     const char *name, *help;
 };
 
-/* A pattern (API_FIRE) also takes the parameters of one of these entries, selected by its argument `fire`. */
+/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire`. The pattern then also takes the
+ * parameters of the entry of that index in `fire` of struct api_table. */
 enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
 
-/* The whole API. Calls from scripts reach it through the board, which receives it at power-on (struct vm), because the
- * argument checks need the table and the table's entries need the checks. */
+/* The whole API. The argument checks reach it through the board, which receives it at power-on (struct vm), not through
+ * api_table: the table's entries need the checks, so a direct reference would be circular. */
 struct api_table {
     const struct api_module *const *modules;
-    int n;                                 /* of modules */
+    int n;                                 /* number of modules */
     const struct api_thing *const *things; /* by enum handle_kind; entry 0 is NULL */
     const struct api_entry *const *fire;   /* by FIRES_ */
     const struct api_plain *plain;
@@ -152,36 +153,37 @@ struct api_table {
 };
 extern const struct api_table api_table;
 
-/* The words of a sprite's `layer`, by LAYER_. */
+/* The words accepted for a sprite's `layer`, indexed by LAYER_. */
 extern const char *const api_layers[];
 
-/* api_count returns the number of entries, api_entry the i-th one, api_find the one with that name, or NULL. */
+/* api_count returns the number of entries, api_entry returns the i-th entry, and api_find returns the entry with that
+ * name, or NULL. */
 int api_count(const struct api_table *t);
 const struct api_entry *api_entry(const struct api_table *t, int i);
 const struct api_entry *api_find(const struct api_table *t, const char *name);
 
-/* Returns the part of an entry's name after `of` and the character `split` ("bullet.fire", "bullet", '.': "fire"), or
- * NULL. */
+/* If the entry's name starts with `of` and the character `split`, returns the rest ("bullet.fire", "bullet", '.':
+ * "fire"). Otherwise, and for entries written in Lua, returns NULL. */
 const char *api_member(const struct api_entry *e, const char *of, char split);
 
-/* Returns the words an argument of that type accepts and sets *n to their number; NULL if the type is not a word
- * list. */
+/* Returns the words that an argument of that type accepts and stores the number of words in *n. Returns NULL if the
+ * type is not a word list. */
 const char *const *api_type_list(enum api_type type, int *n);
 
-/* A kind of thing as it appears in a sentence: "a bullet", "an enemy". */
+/* Each kind of thing with its article, for use in a sentence: "a bullet", "an enemy". */
 extern const char *const api_thing_names[HANDLES];
 
-/* Keeps the better of two suggestions for a misspelt word: the nearer one, then the first in byte order. Before the
- * first call, *best is EDIT_FAR and *found is NULL. */
+/* Considers a candidate as the suggestion for a misspelt word. *found is the best candidate so far, *best its edit
+ * distance; on a tie, the first in byte order wins. Before the first call, *best is EDIT_FAR and *found is NULL. */
 void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
 
 /* The owner of a hit shape; owners accept different shapes. */
-enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* and shots */, HIT_LASERS };
+enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* bullets and shots */, HIT_LASERS };
 
 /* The accepted shapes in words, by enum hit_whose. */
 extern const char *const api_hit_forms[];
 
-/* Returns whether that kind of thing can die, so that it has the property `alive`. */
+/* Returns whether things of that kind can die and therefore have the property `alive`. */
 bool api_ends(enum handle_kind kind);
 
 /* The message for a name reserved for a later feature. */
@@ -191,29 +193,30 @@ bool api_ends(enum handle_kind kind);
  * argument of the function `of` ("bullet.fire"); ':': as a property or verb of the thing `of` ("bullet"). */
 bool api_reserved(const char *of, char how, const char *name);
 
-/* Some API tables belong to a chip that exists only if rom.lua gives it a capacity. Other games have neither the table
- * nor the methods of its things. Returns the part of API_OFF for the table, thing or group of that name ("item",
- * "items") if it is disabled, otherwise NULL. */
+/* If the table, thing or group of that name ("item", "items") is disabled, returns the text for the %s of API_OFF,
+ * otherwise NULL. Some API tables belong to a chip that exists only if rom.lua gives it a capacity; games without the
+ * chip have neither the table nor the methods of its things. */
 const char *api_off(const struct manifest *m, const char *name);
 
-/* The message for a disabled name; %s comes from api_off. */
+/* The error message for a disabled name; %s is the text returned by api_off. */
 #define API_OFF "%s in rom.lua"
 
-/* Returns row i of the reserved names, separated by spaces, or NULL after the last row. For tests. */
+/* Returns the reserved names of row i, separated by spaces, or NULL after the last row. *of and *how receive the row's
+ * `of` and `how`, as in api_reserved. For tests. */
 const char *api_reserved_row(int i, const char **of, char *how);
 
 /* Returns the names that scripts see in a Lua library ("math"; "": the globals), separated by spaces, or NULL if the
  * library does not exist. */
 const char *api_library_names(const char *library);
 
-/* api_instead returns the replacement for a standard Lua name this board lacks (a library field, or a global if space
- * is NULL), or NULL if it is not such a name. api_instead_field looks a field up in every library and sets *space to
- * the library. */
+/* api_instead returns what to use instead of a standard Lua name that this board lacks (a field of library `space`, or
+ * a global if space is NULL), or NULL for any other name. api_instead_field searches every library for the field `name`
+ * and stores the library's name in *space. */
 const char *api_instead(const char *space, const char *name);
 const char *api_instead_field(const char *name, const char **space);
 
-/* Writes the callable functions whose last word is nearest to `name`, as in "bullet.fire or shot.fire". Returns false
- * if there are none, or more than three. */
+/* Writes to `out` the names of the callable functions whose last word is nearest to `name`, as in "bullet.fire or
+ * shot.fire". Returns false if there are none, or more than three. */
 bool api_near_calls(const struct api_table *t, const char *name, char *out, size_t size);
 
 #endif

@@ -18,8 +18,8 @@ static bool is_word(const char *name)
     return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, letters);
 }
 
-/* Returns whether the name is already used: by a property, a verb, a reserved name of the thing, or an argument of the
- * function that makes it. */
+/* Returns whether the name is already used: by a property or a verb of the thing, a reserved name, or an argument of
+ * the function that creates the thing. */
 static bool taken(lua_State *L, int kind, const char *name)
 {
     const struct api_entry *maker = api_find(api_of(L), makers[kind]);
@@ -29,7 +29,7 @@ static bool taken(lua_State *L, int kind, const char *name)
     is |= api_property(api_of(L)->things[things[kind]], name) || api_property(api_of(L)->things[also], name);
     for (int i = 0; i < maker->count; i++)
         is |= !strcmp(maker->params[i].name, name);
-    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns pass on arguments they do not know */
+    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns pass on all arguments but their own */
         for (int k = 0; api_entry(api_of(L), i)->flags & API_FIRE && k < api_entry(api_of(L), i)->count; k++)
             is |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
     is |= api_push_method(L, (int)things[kind], name);

@@ -17,7 +17,7 @@ struct volley {
     struct emit_figure f;
     struct bullet_shape shape;
     bool shots, aim;
-    lua_Integer first, last; /* skipped bullets, from 1 */
+    lua_Integer first, last; /* first and last skipped bullet, counted from 1 */
     fx x, y;                 /* line: the part of the position that is already rounded */
     double dx, dy;           /* line: the part to which a bullet's own offset is added before rounding */
 };
@@ -47,8 +47,8 @@ static bool within(double v, double most)
     return v >= -most && v <= most;
 }
 
-/* Returns whether the loop in Lua must run instead. An argument that is not a table also goes there, for its error
- * message. */
+/* Returns whether the loop in Lua must run instead. The loop also handles an argument that is not a table, to raise its
+ * own error. */
 static bool is_for_lua(lua_State *L)
 {
     if (lua_gettop(L) != 1 || lua_type(L, 1) != LUA_TTABLE)
@@ -71,7 +71,7 @@ static lua_Integer end_of(lua_State *L, const struct api_value *skip, int i)
     return n;
 }
 
-/* Returns the number of bullets to fire from index i on. */
+/* Returns the number of bullets to fire from index i on, not counting skipped bullets. */
 static lua_Integer left(const struct volley *v, lua_Integer i)
 {
     const lua_Integer first = v->first > i + 1 ? v->first : i + 1, last = v->last < v->f.n ? v->last : v->f.n;
@@ -106,8 +106,8 @@ static void settle(struct board *b, struct volley *v, bool from)
     emit_turn(&v->f);
 }
 
-/* Returns whether bullet.fire would accept the arguments of the first and the last bullet; those of the others lie
- * between them. */
+/* Returns whether bullet.fire would accept the arguments of the first and the last bullet. The arguments of every other
+ * bullet lie between those two. */
 static bool all_fit(const struct volley *v)
 {
     for (int end = 0; end < 2; end++) {
@@ -148,7 +148,7 @@ static void fire_all(struct board *b, struct volley *v, const struct api_value *
     for (int32_t i = 0; i < v->f.n; i++) {
         if (i + 1 >= v->first && i + 1 <= v->last)
             continue;
-        if (!fire_one(b, v, i, aimed, values)) { /* the pool is full for the others too */
+        if (!fire_one(b, v, i, aimed, values)) { /* the remaining bullets are refused too */
             emit_refuse(b, v->shots, (uint64_t)(left(v, i) - 1));
             return;
         }
@@ -174,7 +174,7 @@ static void read(lua_State *L, const struct api_entry *e, const struct api_value
     }
 }
 
-/* Fires the pattern. Returns false, with no effect, if the loop in Lua must run instead. */
+/* Fires the pattern. Returns false without firing if the loop in Lua must run instead. */
 static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const struct api_value *own)
 {
     const struct api_value *args = own + e->count;
@@ -184,7 +184,7 @@ static bool fire(lua_State *L, struct board *b, const struct api_entry *e, const
     if (left(&v, 0) <= 0)
         return true;
     if (!api_flight(L, b, e->name, args, v.shots, &v.shape))
-        return true; /* the thing it would come from is dead, or its ship was hit */
+        return true; /* the thing `from` is dead, or the ship that would fire was hit */
     if (v.f.pattern == EMIT_LINE) {
         line_place(b, &v, args + FIRE_PLACE);
         settle(b, &v, args[FIRE_PLACE + PLACE_FROM].given);

@@ -37,7 +37,7 @@ static void compile(lua_State *L, const char *line)
         lua_error(L);
 }
 
-/* ---- values as words ---- */
+/* ---- values as text ---- */
 
 /* Pushes "bullet 12" for a live handle, "no bullet" for a dead one. */
 static void push_thing(lua_State *L, int64_t h)
@@ -143,7 +143,7 @@ static int run_line(lua_State *L)
     return n ? vm_print(L) : 0;
 }
 
-/* Returns the message without "console:1: ", which is the same for every line. */
+/* Returns the message without the prefix "console:1: ", which is the same for every line. */
 static const char *without_place(const char *message)
 {
     return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
@@ -168,7 +168,7 @@ bool api_between(struct board *b, lua_CFunction f, uint64_t limit)
     return fine;
 }
 
-/* values NULL: prints the values instead. */
+/* Implements board_eval_values; if `values` is NULL, prints the values as board_eval does. */
 static bool eval(struct board *b, const char *line, struct values *values, char *out, size_t size)
 {
     struct output *o = b->output;

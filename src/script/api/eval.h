@@ -20,11 +20,11 @@ enum {
  * board.reset takes effect at the end of the next tick.
  *
  * out (size bytes, size >= 1) receives the printed text, then the values, in lines ending in \n. Returns false if the
- * line did not compile, failed, or ran for too long: out is then one sentence, and RAM must be restored by the caller.
- * Always fails on a board with a fault. */
+ * line did not compile, failed, or ran for too long: out then holds a one-sentence error, and the caller must restore
+ * RAM. Always returns false on a board with a fault. */
 bool board_eval(struct board *b, const char *line, char *out, size_t size);
 
-/* As board_eval, but stores the values in v (values.h); out is set only on failure, and printed text is dropped. */
+/* Like board_eval, but stores the values in v (values.h). Sets out only on failure and discards printed text. */
 struct values;
 bool board_eval_values(struct board *b, const char *line, struct values *v, char *out, size_t size);
 

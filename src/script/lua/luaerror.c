@@ -3,7 +3,7 @@
  *
  * error wraps its value in a carrier, a userdata with its own metatable, so that pcall can distinguish errors raised by
  * a script from faults raised by the VM. A fault that passes through a pcall is stored in the registry, so that a
- * __close handler cannot hide it by raising another error: from then on every failing pcall passes the fault on.
+ * __close handler cannot hide it by raising another error: from then on every failing pcall raises the fault again.
  */
 #include <stdint.h>
 #include "../../machine/machine.h"
@@ -12,7 +12,8 @@
 #include "lualib.h"
 #include "luaparts.h"
 
-/* Registry: the carriers' metatable; the first fault that went through a pcall, and its traceback. */
+/* Registry keys. carrier_key: the carriers' metatable; fault_key, trace_key: the first fault that passed through a
+ * pcall, and its traceback. */
 static const char carrier_key, fault_key, trace_key;
 
 bool lualib_raised(lua_State *L, int idx)
@@ -113,7 +114,7 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     return 2;
 }
 
-enum { A_PCALL = 20 /* work of a pcall that catches an error; others cost less */ };
+enum { A_PCALL = 20 /* work of a pcall that catches an error, charged for every pcall */ };
 
 static int base_pcall(lua_State *L)
 {

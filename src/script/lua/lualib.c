@@ -1,6 +1,6 @@
 /*
- * lualib.c - see lualib.h. The base functions, and the list of names kept from the stock libraries; the other functions
- * are in the lua*.c files.
+ * lualib.c - see lualib.h. Contains the base functions and the list of names retained from the stock libraries; the
+ * other functions are in the lua*.c files.
  */
 #include "lualib.h"
 
@@ -34,7 +34,7 @@ static void refuse_call(lua_State *L, int metatable, const char *where)
     lua_pop(L, 1);
 }
 
-/* Adds the metatable at 2 to the set that lualib_check_metatables walks. */
+/* Adds the metatable at stack index 2 to the set that lualib_check_metatables checks. */
 static void remember_metatable(lua_State *L)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &metatables_key);
@@ -103,7 +103,7 @@ void lualib_seal(lua_State *L)
 
 /* ---- load ---- */
 
-/* Replaces the reader function at 1 by the concatenation of all strings it returns. */
+/* Replaces the reader function at stack index 1 by the concatenation of all strings that the function returns. */
 static void read_pieces(lua_State *L)
 {
     luaL_Buffer out;
@@ -175,7 +175,7 @@ static int base_load(lua_State *L)
     return 1;
 }
 
-/* ---- kept functions ---- */
+/* ---- functions retained from the stock libraries ---- */
 
 static const struct {
     const char *library, *names;
@@ -268,7 +268,7 @@ static void open_string(lua_State *L)
     lua_pop(L, 1);
 }
 
-/* Removes __pow from the metatable of strings: "2" ^ "3" would call the C library's pow. */
+/* Removes __pow from the metatable of strings, because "2" ^ "3" would call the C library's pow. */
 static void open_string_metatable(lua_State *L)
 {
     lua_pushliteral(L, "");

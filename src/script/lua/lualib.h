@@ -2,11 +2,11 @@
  * lualib.h - the library scripts see: stock Lua 5.4 without functions that are unbounded or differ between hosts.
  *
  * The remaining functions of base, string, table, math and utf8 behave as in Lua 5.4, except:
- * - pairs visits integer keys in ascending order, then string keys in byte order, as they were when it was called. It
- *   refuses other keys and anything but a table.
+ * - pairs visits the keys that existed when it was called: integer keys in ascending order, then string keys in byte
+ *   order. Keys of other types, and anything but a table, raise an error.
  * - table.sort is a stable merge sort that accepts any comparator, writes only elements that move, and leaves the table
  *   unchanged if a comparison fails.
- * - Strings never contain an address, NaN is "nan", and strings have no __pow.
+ * - Converting a value to a string never shows an address, and writes NaN as "nan". Strings have no __pow.
  * - string.format refuses %a %A %p; %q writes an integral float in decimal and refuses a fraction.
  * - sin cos tan asin acos atan use trig.h: accurate to about 1e-9, or to x / 2^52 for large x.
  * - A malformed pattern is an error even if matching would not have reached the malformed part.
@@ -26,8 +26,8 @@
 #include <stddef.h>
 
 /* Replaces and removes library functions. Call it once, right after opening the stock base, string, table, math and
- * utf8 libraries as globals. Removes every unlisted name, unknown globals included, and also print and require,
- * which the host provides. */
+ * utf8 libraries as globals. Removes every name that lualib_names does not list, including unknown globals, print and
+ * require; the host provides its own print and require. */
 void lualib_open(lua_State *L);
 
 /* Returns the names remaining in a library ("math"; "": the globals), separated by spaces, or NULL if it does not
@@ -37,20 +37,21 @@ const char *lualib_names(const char *library);
 /* Pushes and returns the string that tostring and print show for the value at idx. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
 
-/* Returns whether the value at idx was raised by error or assert: it is then a carrier of the script's value, which
- * lualib_unwrap pushes. */
+/* lualib_raised returns whether the value at idx was raised by error or assert. It is then a carrier (luaerror.c), and
+ * lualib_unwrap pushes the script's value that it carries. */
 bool lualib_raised(lua_State *L, int idx);
 void lualib_unwrap(lua_State *L, int idx);
 
-/* Pushes the traceback of the first fault that passed through a pcall, taken where it was raised; or nil. */
+/* Pushes the traceback, taken where the fault was raised, of the first fault that passed through a pcall, or nil if
+ * there was none. */
 void lualib_trace(lua_State *L);
 
 /* Raises an error if any metatable set with setmetatable has since gained a field that setmetatable refuses. Called
  * before each turn of the garbage collector. */
 void lualib_check_metatables(lua_State *L);
 
-/* Pops two values, an __index and on top of it a __newindex, and gives the value below a permanent metatable of
- * them. */
+/* Pops a __newindex and, below it, an __index, and sets them as the permanent metatable of the value that is then on
+ * top. */
 void lualib_seal(lua_State *L);
 
 /* Strips the names of locals from the Lua function on top; chunk is the chunk name it was loaded with. For the

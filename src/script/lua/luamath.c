@@ -1,7 +1,7 @@
 /*
- * luamath.c - math.sin cos tan asin acos atan with the same results on every host; the C library's differ even on one
- * machine with and without FMA. Converting a double to an ang and back uses only exact or correctly rounded operations,
- * so the error is that of the angle, 2^-33 of a turn, and that of Q30.
+ * luamath.c - math.sin cos tan asin acos atan with the same results on every host; the C library's results differ even
+ * on one machine with and without FMA. Converting a double to an ang and back uses only exact or correctly rounded
+ * operations, so the only errors are the rounding of the angle, 2^-33 of a turn, and of the result to Q30.
  */
 #include <math.h>
 #include <stdbool.h>

@@ -15,7 +15,7 @@ enum { HEADER = 4 + 1 + 1 + 6 + 3 + 8 + 8, DEEP = 32 }; /* bytes of a dump's hea
 
 /* A dump that is read and rewritten in place. */
 struct dump {
-    unsigned char *at, *end, *to;
+    unsigned char *at, *end, *to; /* read position and end; write position */
     bool wrong;
 };
 
@@ -79,7 +79,7 @@ static void locals(struct dump *d)
         number(d);
     }
     d->to = list;
-    *d->to++ = 128; /* the number 0: no locals */
+    *d->to++ = 128; /* encodes the number 0: no locals */
 }
 
 static void function(struct dump *d, int deep)

@@ -1,5 +1,5 @@
 /*
- * luaparts.h - what the lua*.c files provide to lualib.c, and helpers they share.
+ * luaparts.h - functions that the lua*.c files provide to lualib.c, and shared helpers.
  *
  * Each open function stores its functions in the table on top of the stack.
  */
@@ -32,14 +32,14 @@ static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f
     lua_setfield(L, -2, name);
 }
 
-/* Calls the stock function, upvalue 1, with the running function's stack. Returns its number of results. */
+/* Calls the stock function in upvalue 1 with the running function's stack. Returns its number of results. */
 static inline int luaparts_stock(lua_State *L)
 {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }
 
-/* Converts a position as the string and utf8 functions take it, 1 for the first byte or -1 for the last of n, to a
- * positive one; 0 if it is before the first byte. */
+/* Converts a string position (1: the first byte; -1: the last of n bytes) to a positive one. Returns 0 if the position
+ * is before the first byte. */
 static inline size_t luaparts_position(lua_Integer i, size_t n)
 {
     if (i >= 0)

@@ -2,8 +2,8 @@
  * luapattern.c - string.find, match, gmatch and gsub.
  *
  * A pattern is compiled to a flat list of ops. Lua's patterns have no alternatives and repeat only single characters,
- * so a match passes each op once, and a repeated op itself stores what it can still try: how far it got and how far
- * back it may go. When an op fails, the nearest repeated op before it that has another try takes it, and matching
+ * so a match passes each op once, and each repeated op can store its own backtracking state: how far it got and how far
+ * back it may go. When an op fails, the nearest earlier repeated op that has another alternative tries it, and matching
  * continues after that op. This needs neither recursion nor a stack, and captures need no undoing, because all ops
  * after the retried one run again. Each op tried and each character examined is charged.
  *
@@ -30,18 +30,18 @@ enum op_kind {
     OP_SET,      /* a character in set */
     OP_OPEN,     /* capture a starts */
     OP_CLOSE,    /* capture a ends */
-    OP_HERE,     /* capture a is this position */
-    OP_BACK,     /* the text of capture a again */
+    OP_HERE,     /* capture a is the current position */
+    OP_BACK,     /* the same text as capture a */
     OP_BALANCE,  /* %b: from character a to the matching b */
-    OP_FRONTIER, /* the character before is outside set, the one here inside */
+    OP_FRONTIER, /* the previous character is not in set, the next one is */
     OP_LAST      /* the subject's end */
 };
 
 struct op {
     uint8_t kind;
-    uint8_t repeat; /* * + - ? or 0; only of OP_CHAR, OP_ANY and OP_SET */
+    uint8_t repeat; /* * + - ? or 0 (once); not 0 only for OP_CHAR, OP_ANY and OP_SET */
     uint8_t a, b;
-    int retry; /* index of the nearest repeated op before, or -1 */
+    int retry; /* index of the nearest repeated op before this one, or -1 */
     uint64_t set[4];
     const char *now, *low; /* while matching: how far a repeated op got, and how far back a greedy one may go */
 };
@@ -99,8 +99,7 @@ static const struct {
     { 'z', 1, 0 },
 };
 
-/* Adds the meaning of % and this character: a class, its complement for an upper-case letter, or the character
- * itself. */
+/* Adds the characters that % followed by c matches: a class, its complement for an upper-case letter, or c itself. */
 static void put_escape(uint64_t set[4], unsigned char c)
 {
     for (size_t i = 0; i < sizeof classes / sizeof *classes; i++)
@@ -215,8 +214,8 @@ static void read_repeat(struct compiler *c, struct op *op)
     c->last_repeat = c->count - 1;
 }
 
-/* Compiles a single character or class and its repetition, if any. `first` is its first character in the pattern,
- * and c->p is after it. */
+/* Compiles an item, i.e. a single character or class, and its repetition, if any. `first` is the item's first character
+ * in the pattern; c->p is after that character. */
 static void read_single(struct compiler *c, char first)
 {
     struct op *op = emit(c, first == '.' ? OP_ANY : OP_CHAR, (unsigned char)first);
@@ -311,7 +310,7 @@ static bool one(const struct op *op, char c)
     }
 }
 
-/* Returns the end of the run of op's character at s. */
+/* Returns the end of the longest run at s of characters that op matches. */
 static const char *run_length(struct matcher *m, const struct op *op, const char *s)
 {
     const char *e = s;
@@ -389,7 +388,7 @@ static const char *match_frontier(const struct matcher *m, const struct op *op, 
     return !in(op->set, (unsigned char)before) && in(op->set, (unsigned char)here) ? s : NULL;
 }
 
-/* Tries an op that is not repeated at s. Returns where the next op continues, or NULL. */
+/* Tries op, which must not be a repeated one, at s. Returns where the next op continues, or NULL. */
 static const char *match_op(struct matcher *m, const struct op *op, const char *s)
 {
     struct capture *c = &m->capture[op->a & (CAPTURES - 1)];
@@ -468,7 +467,7 @@ static const char *search(struct matcher *m, const char **s)
     return NULL;
 }
 
-/* Pushes capture i of the match [s, e); capture 0 is the whole match if the pattern has no captures. */
+/* Pushes capture i, from 0, of the match [s, e). If the pattern has no captures, capture 0 is the whole match. */
 static void push_capture(const struct matcher *m, int i, const char *s, const char *e)
 {
     const struct capture *c = &m->capture[i];
@@ -602,7 +601,7 @@ static int string_match(lua_State *L)
 
 /* The state of gmatch's iterator, its upvalue 2; upvalue 1 is the subject. */
 struct walk {
-    size_t next, last; /* where to continue, and the end of the last match; NOWHERE: none */
+    size_t next, last; /* offsets where to continue and of the end of the last match; NOWHERE: none */
     int captures;
     struct op ops[];
 };
@@ -675,7 +674,7 @@ static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const c
     luaL_addlstring(out, p, (size_t)(end - p));
 }
 
-/* Adds the replacement of the match [s, e). Returns false if that is the match itself. */
+/* Adds the replacement of the match [s, e). Returns false if the match is retained unchanged. */
 static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
 {
     lua_State *L = m->L;

@@ -70,7 +70,8 @@ static bool lua_before(const struct sorter *s, const struct entry *a, const stru
     return before;
 }
 
-/* Keys are charged before they are sorted, because their number of comparisons depends on Lua's hash order. */
+/* Charges the work so far, except when sorting keys: the number of comparisons then depends on Lua's hash order, so
+ * push_sorted charges an upper bound in advance. */
 static void charge(struct sorter *s)
 {
     if (s->order != BY_KEY)
@@ -168,7 +169,7 @@ static enum order order_of(lua_State *L, lua_Integer n)
     return order;
 }
 
-/* Returns the entry of the value on top, whose index is i, from 0. */
+/* Returns the entry of the value on top, which is element i, counted from 0. */
 static struct entry entry_of(lua_State *L, enum order order, uint32_t i)
 {
     struct entry e = { .at = i };
@@ -310,7 +311,7 @@ static size_t add_field(lua_State *L, luaL_Buffer *out, lua_Integer i)
     return n;
 }
 
-enum { A_FIELD = 25 /* work of a float field; others cost less */ };
+enum { A_FIELD = 25 /* work of a float field, charged for every field */ };
 
 static int table_concat(lua_State *L)
 {
@@ -368,10 +369,10 @@ void luatable_open(lua_State *L)
 /* The result of a walk over the keys. */
 struct keys {
     size_t n, bytes; /* n: number of keys; bytes: length of all string keys */
-    bool texts;      /* there is a string key */
-    bool ascending;  /* integer keys were visited in ascending order */
+    bool texts;      /* whether there is a string key */
+    bool ascending;  /* whether the integer keys were visited in ascending order */
     lua_Integer first, last;
-    const char *refused; /* a kind of key without an order, the first by name; NULL: none */
+    const char *refused; /* alphabetically first type among the keys that have no order; NULL: none */
 };
 
 static void note_key(lua_State *L, struct keys *k, struct entry *e)
@@ -399,7 +400,7 @@ static void note_key(lua_State *L, struct keys *k, struct entry *e)
     k->n++;
 }
 
-/* Walks the keys of the table at 1 and stores the entries of the first `room` keys in e. */
+/* Walks the keys of the table at stack index 1 and stores the entries of the first `room` keys in e. */
 static struct keys walk(lua_State *L, struct entry *e, size_t room)
 {
     struct keys k = { .ascending = true };
@@ -452,8 +453,8 @@ static int next_nothing(lua_State *L)
     return lua_pushnil(L), 1;
 }
 
-/* Returns an upper bound on the work of sorting the keys: three comparisons per key in short runs, and one in each
- * merge. */
+/* Returns an upper bound on the work of sorting the keys: three comparisons per key for the short runs, and one per key
+ * for each pass of merges. */
 static uint64_t sort_work(const struct keys *k)
 {
     uint64_t comparisons = 3;

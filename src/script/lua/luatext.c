@@ -19,7 +19,7 @@ enum {
     MAX_REP = 256 * 1024 * 1024 /* bytes, the longest result of string.rep; no Lua heap is larger */
 };
 
-/* Omits the sign of NaN, which has no meaning and differs between processors. */
+/* NaN is written without its sign, which has no meaning and differs between processors. */
 void luatext_push_number(lua_State *L, int idx)
 {
     lua_Number v = lua_tonumber(L, idx);
@@ -140,8 +140,8 @@ static struct spec read_spec(lua_State *L, const char *p)
     return f;
 }
 
-/* Adds a conversion to the format string, with each flag once, because some releases accept at most five. as_text:
- * the argument is a number's text, to be written with %s and without a precision, which would cut it. */
+/* Adds a conversion to the format string, with each flag once, because some releases accept at most five flags.
+ * as_text: the argument is a number's text, to be written with %s and without a precision, which would cut it. */
 static void add_spec(luaL_Buffer *out, const struct spec *f, bool as_text)
 {
     luaL_addchar(out, '%');
@@ -172,7 +172,7 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 }
 
 /* Charges for an argument, and replaces it by its text if the stock function would write a different one. Returns
- * whether that text must be written with %s instead of f's conversion. */
+ * whether the argument is now such a text, which must be written with %s instead of f's conversion. */
 static bool prepare(lua_State *L, const struct spec *f, int arg)
 {
     bool is_text = lua_type(L, arg) == LUA_TSTRING;

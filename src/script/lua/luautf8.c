@@ -38,7 +38,8 @@ static int utf8_offset(lua_State *L)
     lua_settop(L, 2);
     lua_pushinteger(L, from);
     luaparts_stock(L);
-    size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n); /* nil: 0, before the string */
+    /* A nil result becomes 0, the position before the string. */
+    size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n);
     vm_charge(L, at > start ? at - start : start - at);
     return 1;
 }
@@ -48,7 +49,8 @@ static bool is_continuation(char c)
     return ((unsigned char)c & 0xc0) == 0x80;
 }
 
-/* The iterator: returns the code after the one at the control position. Upvalues: the stock codepoint, lax. */
+/* The iterator: returns the position and code of the character after the one at the control position. Upvalues: the
+ * stock codepoint, lax. */
 static int next_code(lua_State *L)
 {
     size_t n;
@@ -66,7 +68,7 @@ static int next_code(lua_State *L)
     lua_pushinteger(L, (lua_Integer)at + 1);
     lua_pushinteger(L, (lua_Integer)last);
     lua_pushvalue(L, lua_upvalueindex(2));
-    luaparts_stock(L); /* one code: a surplus continuation byte is an error */
+    luaparts_stock(L); /* decodes [at, last]: more than one code, i.e. a surplus continuation byte, is an error */
     lua_replace(L, 3);
     lua_settop(L, 3);
     return 2;
