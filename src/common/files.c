@@ -123,3 +123,10 @@ bool files_read_text(const char *path, const char *name, size_t max, uint8_t **t
     files_drop_mark(*text, size);
     return true;
 }
+
+bool files_ends(const char *name, const char *tail)
+{
+    const size_t n = strlen(name), m = strlen(tail);
+
+    return n > m && strcmp(name + n - m, tail) == 0;
+}

@@ -35,6 +35,9 @@ const char *files_absent(const char *name, const char *what, char *err, size_t e
 bool files_read(const char *path, const char *name, size_t max, uint8_t **data, size_t *size, char *err,
                 size_t err_size);
 
+/* Returns whether a file name ends with `tail` (".lua") and has something before it. */
+bool files_ends(const char *name, const char *tail);
+
 /* Removes a UTF-8 byte order mark, which some editors write, from the start of a text. The text must end with a 0 byte
  * that *size does not count. Every reader of text files that people may edit calls this. */
 void files_drop_mark(void *text, size_t *size);

@@ -4,7 +4,6 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include "../../../platform/platform.h"
 #include "../../common/files.h"
 #include "../host/report.h"
@@ -14,16 +13,9 @@
 #include "art_run.h"
 #include "swatch.h"
 
-static bool ends_in(const char *path, const char *ending)
-{
-    const size_t n = strlen(path), m = strlen(ending);
-
-    return n > m && strcmp(path + n - m, ending) == 0;
-}
-
 static bool is_list(const char *path)
 {
-    return ends_in(path, ".hex") || ends_in(path, ".gpl");
+    return files_ends(path, ".hex") || files_ends(path, ".gpl");
 }
 
 /* The palette in a PNG; false and one sentence. */
@@ -73,7 +65,7 @@ static enum result import(const char *from, int bank, const char *out)
 
     if (!files_read_text(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
         return report_error(err);
-    const bool good = swatch_read(&s, (const char *)text, n, from, ends_in(from, ".gpl"), err, sizeof err);
+    const bool good = swatch_read(&s, (const char *)text, n, from, files_ends(from, ".gpl"), err, sizeof err);
     free(text);
     if (!good)
         return report_line(RESULT_REFUSED, "%s", err);
@@ -99,7 +91,7 @@ static enum result export(const char *from, int bank, const char *out) {
     uint8_t rgb[CART_PALETTE]; char text[SWATCH_TEXT], err[FILES_ERR];
 
     if (!load_palette(from, rgb, err, sizeof err)) return report_error(err);
-    const size_t n = swatch_write(rgb, bank, ends_in(out, ".gpl"), text);
+    const size_t n = swatch_write(rgb, bank, files_ends(out, ".gpl"), text);
     return files_save(out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
 }
 
@@ -110,9 +102,9 @@ enum result art_run_palette(const char *from, int bank, const char *out)
                                            "-o FILE.hex to export one of its banks");
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
-    if (is_list(from) && ends_in(out, ".png"))
+    if (is_list(from) && files_ends(out, ".png"))
         return import(from, bank, out);
-    if (ends_in(from, ".png") && is_list(out))
+    if (files_ends(from, ".png") && is_list(out))
         return export(from, bank, out);
     return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl file and -o FILE.png, or a .png file and "
                                        "-o FILE.gpl or -o FILE.hex");

@@ -48,13 +48,6 @@ static void compile(struct check *c, const struct check_script *s, size_t size)
     free(block);
 }
 
-static bool ends_with(const char *s, const char *tail)
-{
-    size_t n = strlen(s), m = strlen(tail);
-
-    return n > m && strcmp(s + n - m, tail) == 0;
-}
-
 static void refuse(struct check *c, const char *path, const char *what)
 {
     diagnostics_add(&c->found, path, 0, "%s", what);
@@ -114,7 +107,7 @@ void check_scripts(struct check *c)
         return;
     }
     for (int i = 0; i < c->files.n; i++)
-        if (ends_with(c->files.name[i], ".lua") && strcmp(c->files.name[i], "rom.lua") != 0)
+        if (files_ends(c->files.name[i], ".lua") && strcmp(c->files.name[i], "rom.lua") != 0)
             read_script(c, c->files.name[i]);
     read_library(c);
 }

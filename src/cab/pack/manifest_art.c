@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "manifest_at.h"
+#include "../../common/files.h"
 
 static void read_palettes(const struct at *root, struct art *art)
 {
@@ -409,8 +410,8 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
     at_whole(a, "size", 8, 32, &map->size);
     at_whole(a, "first", 0, 1, &map->first);
     at_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
-    const bool file = at_file(a, "file", map->file), tmx = at_file_ends(map->file, ".tmx");
-    if (file && !tmx && !at_file_ends(map->file, ".csv"))
+    const bool file = at_file(a, "file", map->file), tmx = files_ends(map->file, ".tmx");
+    if (file && !tmx && !files_ends(map->file, ".csv"))
         at_bad(a->lua, a->path, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
     if (map->n_tiles > 1 && !tmx)
         at_bad(a->lua, a->path, "tiles: only a .tmx map can use tiles from several pictures");
@@ -432,7 +433,7 @@ static void read_icon(const struct at *root, struct art *art)
 
     if (!at_text(root, "icon", "a file or a sprite's name", art->icon, sizeof art->icon))
         return;
-    if (at_file_ends(art->icon, ".png")) {
+    if (files_ends(art->icon, ".png")) {
         if (!manifest_path_ok(art->icon))
             at_bad(root->lua, "icon", "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"",
                    art->icon);

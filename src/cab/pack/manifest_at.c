@@ -352,10 +352,3 @@ bool at_flag(const struct at *a, const char *key)
     lua_pop(a->lua, 1);
     return v;
 }
-
-bool at_file_ends(const char *s, const char *tail)
-{
-    size_t n = strlen(s), m = strlen(tail);
-
-    return n > m && strcmp(s + n - m, tail) == 0;
-}

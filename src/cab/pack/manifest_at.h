@@ -55,8 +55,6 @@ int at_words(const struct at *a, char out[][MAX_WORD], int max);
 /* The keys of a, sorted, into the first bytes (a name) of an array of structs; returns how many. */
 int at_keys(const struct at *a, void *out, int max, size_t stride, size_t name_size);
 
-bool at_file_ends(const char *file, const char *tail);
-
 /* The pictures of rom.lua: palettes, blends, fonts, sheets, sprites, icon, maps. */
 void manifest_read_art(const struct at *root, struct manifest *m, struct art *art);
 

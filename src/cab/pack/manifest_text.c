@@ -13,6 +13,7 @@
 #include "../../../fb/utf8.h"
 #include "../../base/heap.h"
 #include "../../base/host.h"
+#include "../../common/files.h"
 
 enum {
     MAX_FILE = 1 << 20,   /* bytes of rom.lua */
@@ -253,7 +254,7 @@ bool art_is_recording(const char *file)
     static const char *const tails[] = { ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL };
 
     for (int i = 0; tails[i]; i++)
-        if (at_file_ends(file, tails[i]))
+        if (files_ends(file, tails[i]))
             return true;
     return false;
 }
@@ -287,9 +288,9 @@ static void read_sound(const struct at *a, struct art_sound *s, bool music, stru
     at_text(a, "title", "a line", s->title, sizeof s->title);
     at_whole(a, "priority", 0, 7, &s->priority);
     at_whole(a, "limit", 1, 8, &s->limit);
-    if (music && !recording && !(file && at_file_ends(s->file, ".mml")))
+    if (music && !recording && !(file && files_ends(s->file, ".mml")))
         at_bad(a->lua, a->path, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
-    if (file == mml || (file && !recording && !at_file_ends(s->file, ".mml")))
+    if (file == mml || (file && !recording && !files_ends(s->file, ".mml")))
         at_bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
     if (!recording)
         only_of_recordings(a);

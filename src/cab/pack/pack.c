@@ -31,8 +31,6 @@
 #include "../picture/border.h"
 #include "icon.h"
 
-enum { PATH = TREE_PATH };
-
 static void lumps_close(struct lumps *l)
 {
     for (int i = 0; i < l->n; i++) {
@@ -102,13 +100,6 @@ bool pack_load_text(struct packer *p, const char *name, size_t max, uint8_t **te
     if (!tree_join(path, p->dir, name))
         return err_set(p->err, p->err_size, "%s: path too long", name);
     return files_read_text(path, name, max, text, size, p->err, p->err_size);
-}
-
-bool pack_ends_with(const char *s, const char *tail)
-{
-    size_t n = strlen(s), m = strlen(tail);
-
-    return n > m && strcmp(s + n - m, tail) == 0;
 }
 
 bool pack_starts_with(const char *s, const char *head)
@@ -188,7 +179,7 @@ bool pack_load_named(struct packer *p, const char *file, size_t most, uint8_t **
 
 bool pack_is_lang(const char *path)
 {
-    return pack_starts_with(path, "lang/") && pack_ends_with(path + strlen("lang/"), ".txt");
+    return pack_starts_with(path, "lang/") && files_ends(path + strlen("lang/"), ".txt");
 }
 
 bool pack_is_std(const char *path)
@@ -283,7 +274,7 @@ static bool add_lang(struct packer *p, const char *path)
 
 bool pack_is_bulletml(const char *path)
 {
-    return pack_starts_with(path, "bulletml/") && pack_ends_with(path + strlen("bulletml/"), ".xml");
+    return pack_starts_with(path, "bulletml/") && files_ends(path + strlen("bulletml/"), ".xml");
 }
 
 /* The name of a document: what stands behind bulletml/, with _ for what no file of a ROM has in its name. Collections
@@ -334,13 +325,12 @@ static bool add_bulletml(struct packer *p, const char *path)
 /* Documents are there for a game that has room to run them. */
 static bool goes_in(const struct packer *p, const char *path)
 {
-    return pack_ends_with(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
+    return files_ends(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
 }
 
 static bool add_file(struct packer *p, const char *path)
 {
-    bool lua = pack_ends_with(path, ".lua"),
-         demo = pack_starts_with(path, "demos/") && pack_ends_with(path + 6, ".demo");
+    bool lua = files_ends(path, ".lua"), demo = pack_starts_with(path, "demos/") && files_ends(path + 6, ".demo");
 
     if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
         return true;
@@ -348,11 +338,11 @@ static bool add_file(struct packer *p, const char *path)
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", path);
-    return lua                            ? add_script(p, path)
-           : demo                         ? add_demo(p, path)
-           : pack_is_lang(path)           ? add_lang(p, path)
-           : pack_ends_with(path, ".txt") ? add_text(p, path)
-                                          : add_bulletml(p, path);
+    return lua                        ? add_script(p, path)
+           : demo                     ? add_demo(p, path)
+           : pack_is_lang(path)       ? add_lang(p, path)
+           : files_ends(path, ".txt") ? add_text(p, path)
+                                      : add_bulletml(p, path);
 }
 
 static bool add_files(struct packer *p)

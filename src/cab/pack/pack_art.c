@@ -31,8 +31,6 @@
 #include "../picture/border.h"
 #include "icon.h"
 
-enum { PATH = TREE_PATH };
-
 /* Tells of pixels that nobody will see. */
 static void tell_faint(struct packer *p, const char *file, const struct art_picture *picture, const uint8_t *marked)
 {
@@ -332,7 +330,7 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
         return pack_refuse_missing(p, m->file);
     if (!pack_load_text(p, m->file, TREE_FILE, &text, &n))
         return false;
-    bool good = pack_ends_with(m->file, ".csv")
+    bool good = files_ends(m->file, ".csv")
                     ? map_read_csv((const char *)text, n, m->file, m->first, out, p->err, p->err_size)
                     : map_read_tmx((const char *)text, n, m->file, m->layer, &files, out, p->err, p->err_size);
     free(text);
@@ -556,7 +554,7 @@ static bool add_icon(struct packer *p)
 
     if (!icon[0])
         return true;
-    if (!pack_ends_with(icon, ".png"))
+    if (!files_ends(icon, ".png"))
         return pack_add_copy(p, "", ICON_LUMP, icon, strlen(icon));
     if (!tree_has(&p->files, icon))
         return pack_refuse_missing(p, icon);

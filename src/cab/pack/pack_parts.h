@@ -9,6 +9,8 @@
 #include "pack.h"
 #include "tree.h"
 
+enum { PATH = TREE_PATH };
+
 struct lumps {
     struct lump *lump; /* names and data are malloc */
     int n, room;
@@ -47,7 +49,6 @@ bool pack_load_named(struct packer *p, const char *file, size_t most, uint8_t **
 /* The error for a file that rom.lua names and that is not there, with the line. */
 bool pack_refuse_missing(struct packer *p, const char *file);
 
-bool pack_ends_with(const char *s, const char *tail);
 bool pack_starts_with(const char *s, const char *head);
 
 /* The pictures and the sounds of rom.lua. */

@@ -30,8 +30,6 @@
 #include "../picture/border.h"
 #include "icon.h"
 
-enum { PATH = TREE_PATH };
-
 bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
 {
     if (!compressed_is(*bytes, *size))

@@ -2,9 +2,9 @@
  * export.h - the command `export`: a game as a file that needs no Curtain, for a system; or a zip file for each.
  *
  * A program or a core is a copy of a player, without what debuggers read, then, at a multiple of ROM_ALIGN, the ROM.
- * The copy's mark (mark.h) has its place and size, so bytes may follow: a signature. A page is player.html (ports/web)
- * with the ROM in it (web.h). The table in export.c lists the players; without an option it is this program, without
- * its built-in game.
+ * The copy's mark (mark.h) has its place and size, so bytes may follow: a signature. A page is player.html of
+ * platform/web with the ROM in it (web.h). The table in export.c lists the players; without an option it is this
+ * program, without its built-in game.
  */
 #ifndef CAB_EXPORT_H
 #define CAB_EXPORT_H

@@ -1,5 +1,5 @@
 /*
- * web.h - a game as a page: the player for browsers (ports/web) with the game's title and ROM in the places of its
+ * web.h - a game as a page: the player for browsers (platform/web) with the game's title and ROM in the places of its
  * marks.
  */
 #ifndef CAB_WEB_H

@@ -6,8 +6,8 @@
 #include "recording.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../../base/bytes.h"
@@ -15,19 +15,13 @@
 #include "../../common/result.h"
 #include "../../sound/pitch.h"
 #include "../../sound/tune.h"
+#include "../../common/files.h"
 #include "encode.h"
 #include "module.h"
 #include "sndfile.h"
 #include "wav.h"
 
 /* ---- reading ---- */
-
-static bool ends(const char *s, const char *tail)
-{
-    const size_t n = strlen(s), m = strlen(tail);
-
-    return n > m && strcmp(s + n - m, tail) == 0;
-}
 
 /* Taggers put ID3 tags around any file: version 2 in front, one or more, each with its length in four bytes of seven
  * bits each, and version 1, 128 bytes, at the end. Source: id3.org, "ID3 tag version 2.4.0", section 3.1. */
@@ -53,11 +47,11 @@ bool recording_read(const char *file, const uint8_t *data, size_t n, const struc
                     char *err, size_t err_size)
 {
     static const char *const library[] = { ".ogg", ".oga", ".opus", ".flac" };
-    const bool wav = ends(file, ".wav");
+    const bool wav = files_ends(file, ".wav");
     bool sndfile = false;
 
     for (size_t i = 0; i < sizeof library / sizeof *library; i++)
-        sndfile |= ends(file, library[i]);
+        sndfile |= files_ends(file, library[i]);
     if (!wav && !sndfile)
         return module_read(data, n, loop->kind == LOOP_OF_FILE, out, err, err_size);
     skip_id3(&data, &n);

@@ -28,13 +28,6 @@ struct all {
 
 /* ---- which there are ---- */
 
-static bool ends_in(const char *name, const char *ending)
-{
-    const size_t n = strlen(name), m = strlen(ending);
-
-    return n > m && strcmp(name + n - m, ending) == 0;
-}
-
 struct listing {
     struct tree *files;
     const char *folder, *ending;
@@ -44,7 +37,7 @@ static void list_file(void *user, const struct plat_file *file)
 {
     struct listing *l = user;
 
-    if (!file->folder && file->name[0] != '.' && ends_in(file->name, l->ending))
+    if (!file->folder && file->name[0] != '.' && files_ends(file->name, l->ending))
         tree_add(l->files, l->folder, file->name);
 }
 
@@ -114,7 +107,7 @@ static enum result choose(struct all *a, const struct tree *files)
 
     if (files->failed)
         return report_line(RESULT_HOST, "%s: %s", a->t->dir, tree_failed(files));
-    if (files->n == 0)
+    if (files->n <= 0)
         return report_line(RESULT_REFUSED, "%s: no tests: no demos/*.demo and no tests/*.lua (see curtain help test)",
                            a->t->dir);
     if (word)
@@ -126,7 +119,7 @@ static enum result choose(struct all *a, const struct tree *files)
         if (!is_wanted(a->t, files->name[i]))
             continue;
         const int width = (int)strlen(files->name[i]);
-        a->tests[a->n++] = (struct test){ .name = files->name[i], .script = ends_in(files->name[i], ".lua") };
+        a->tests[a->n++] = (struct test){ .name = files->name[i], .script = files_ends(files->name[i], ".lua") };
         a->width = width > a->width ? width : a->width;
     }
     a->sums.tests = a->n;
@@ -143,8 +136,8 @@ struct stale {
 static void list_stale(void *user, const struct plat_file *file)
 {
     struct stale *s = user;
-    const bool ours = ends_in(file->name, ".expected.png") || ends_in(file->name, ".got.png") ||
-                      ends_in(file->name, ".difference.png") || !strcmp(file->name, "failed.html");
+    const bool ours = files_ends(file->name, ".expected.png") || files_ends(file->name, ".got.png") ||
+                      files_ends(file->name, ".difference.png") || !strcmp(file->name, "failed.html");
 
     if (!file->folder && ours)
         tree_add(&s->files, FAILED, file->name);
