@@ -1,6 +1,6 @@
 /*
  * walks.c - runs what docs/internals/design.md calls walks, in a build whose functions report when they are entered.
- * Prints the functions of each in the order in which they are reached: a line "walk NAME", then an address a line.
+ * Prints the functions of each in the order in which they are reached: a line "walk NAME", then lines "ADDRESS CALLER".
  * walks.py compares them with the page.
  *
  * A walk may be run twice, without the thing that it follows and with it. Then its functions are those that only the
@@ -15,12 +15,13 @@ enum { DEEP = 256, MOST = 1 << 16 };
 
 static struct known {
     void *function;
-    bool before; /* entered without the thing */
-    int order;   /* on the walk; 0: it is not */
+    bool before;  /* entered without the thing */
+    int order;    /* on the walk; 0: it is not */
+    void *caller; /* an address in the function that called it then */
 } known[MOST];
 static struct frame {
-    void *function;
-    uintptr_t at; /* on the C stack, which grows down: Lua's errors and yields leave functions without a word */
+    void *function, *caller;
+    uintptr_t at; /* on the C stack, which grows down: Lua's errors and yields leave functions without an exit */
 } stack[DEEP];
 static int depth, reached;
 static enum { OFF, WITHOUT, WITH } recording;
@@ -42,24 +43,27 @@ void __cyg_profile_func_enter(void *f, void *from)
 {
     const uintptr_t at = (uintptr_t)__builtin_frame_address(1);
 
-    (void)from;
     while (depth && stack[depth - 1].at <= at)
         depth--;
     if (depth == DEEP)
         fail_msg("calls nested too deeply");
-    stack[depth++] = (struct frame){ f, at };
+    stack[depth++] = (struct frame){ f, from, at };
     if (recording == WITHOUT)
         find(f)->before = true;
     if (recording != WITH || find(f)->before)
         return;
     for (int i = 0; i < depth; i++)
-        if (!find(stack[i].function)->order)
+        if (!find(stack[i].function)->order) {
             find(stack[i].function)->order = ++reached;
+            find(stack[i].function)->caller = stack[i].caller;
+        }
 }
 
 void __cyg_profile_func_exit(void *f, void *from)
 {
-    (void)f, (void)from;
+    (void)from;
+    if (depth && stack[depth - 1].function == f)
+        depth--;
 }
 
 QUIET static int by_order(const void *a, const void *b)
@@ -73,16 +77,15 @@ QUIET static void print_walk(const char *name)
     qsort(known, MOST, sizeof *known, by_order);
     for (int i = 0; i < MOST; i++)
         if (known[i].order)
-            printf("%p\n", known[i].function);
+            printf("%p %p\n", known[i].function, known[i].caller);
     memset(known, 0, sizeof known);
     reached = 0;
 }
 
 /* Some frames of a game, as pictures and sounds too. */
-QUIET static void play(bool with, struct rig_game *g, uint16_t held)
+QUIET static void play(bool with, struct rig_game *g, uint16_t held, int frames)
 {
     static int16_t samples[2 * BOARD_SOUND];
-    const uint16_t pads[PADS] = { held, 0 };
     void *tables = malloc(board_sound_tables());
     struct rig r;
 
@@ -90,8 +93,8 @@ QUIET static void play(bool with, struct rig_game *g, uint16_t held)
     rig_power(&r, g, NULL);
     rig_run(&r, 1);
     recording = with ? WITH : WITHOUT;
-    for (int f = 0; f < 4; f++) {
-        rig_tick(&r, pads);
+    for (int f = 0; f < frames; f++) {
+        rig_tick(&r, (uint16_t[PADS]){ f % 60 < 30 ? held : 0 });
         rig_picture_by(&r, NULL);
         board_sound(r.b, tables, samples);
     }
@@ -110,7 +113,7 @@ QUIET static void walk_bullet(bool with)
                       "task.go(function() wait(2) bullet.fire { kind = 'orb', x = 50, y = 50, speed = 1 } end)\n"
                     : "bullet.def('orb', { sprite = 'dot', hit = { circle = 2 } })\n"
                       "task.go(function() wait(2) board.frame() end)\n");
-    play(with, &g, 0);
+    play(with, &g, 0, 4);
 }
 
 QUIET static void walk_button(bool with)
@@ -121,7 +124,7 @@ QUIET static void walk_button(bool with)
                  "player.def('ship', { sprite = 'dot', hit = { circle = 2 }, speed = 2 })\n"
                  "task.go(function() string.sys.join(1, 'ship') end)\n");
     if (with)
-        play(true, &g, PAD_RIGHT);
+        play(true, &g, PAD_RIGHT, 4);
     else
         rig_game_free(&g);
 }
@@ -136,7 +139,7 @@ QUIET static void walk_cue(bool with)
                with ? "task.go(function() wait(2) sound.play 'hit' end)"
                     : "task.go(function() wait(2) board.frame() end)");
     rig_sounds(&g);
-    play(with, &g, 0);
+    play(with, &g, 0, 4);
 }
 
 QUIET static void walk_png(bool with)
@@ -148,7 +151,7 @@ QUIET static void walk_png(bool with)
     recording = WITH;
     rig_folder(&g, "examples/first");
     recording = OFF;
-    play(true, &g, 0);
+    play(true, &g, PAD_FIRE, 600);
 }
 
 QUIET static void walk_snapshot(bool with)
