@@ -57,9 +57,9 @@ struct link {
 /* At the start of a slab. Offsets are in bytes from the start of the slab. */
 struct slab {
     uint32_t next, prev;
-    uint16_t free;  /* first free block, 0: none; blocks are linked through their first two bytes */
-    uint16_t fresh; /* offset of the first block that was never used */
-    uint16_t used;  /* live blocks */
+    uint16_t free;        /* first free block, 0: none; blocks are linked through their first two bytes */
+    uint16_t unused_from; /* offset of the first block that was never used */
+    uint16_t used;        /* live blocks */
     uint16_t class;
 };
 
@@ -326,7 +326,7 @@ static struct slab *new_slab(struct heap *h, unsigned class)
     if (!page)
         return NULL;
     struct slab *s = at(h, page);
-    *s = (struct slab){ .fresh = sizeof *s, .class = (uint16_t) class };
+    *s = (struct slab){ .unused_from = sizeof *s, .class = (uint16_t) class };
     mark_page(h, page);
     show(h, page, s);
     return s;
@@ -334,7 +334,7 @@ static struct slab *new_slab(struct heap *h, unsigned class)
 
 static bool slab_full(const struct slab *s)
 {
-    return !s->free && s->fresh + class_bytes[s->class] > SLAB_ROOM;
+    return !s->free && s->unused_from + class_bytes[s->class] > SLAB_ROOM;
 }
 
 static void *take_small(struct heap *h, size_t size)
@@ -350,8 +350,8 @@ static void *take_small(struct heap *h, size_t size)
         p += s->free;
         memcpy(&s->free, p, sizeof s->free);
     } else {
-        p += s->fresh;
-        s->fresh = (uint16_t)(s->fresh + class_bytes[class]);
+        p += s->unused_from;
+        s->unused_from = (uint16_t)(s->unused_from + class_bytes[class]);
     }
     s->used++;
     if (slab_full(s))
@@ -474,7 +474,7 @@ static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
 }
 
 /* Returns the capacity in bytes of the block p, or 0 if p is not in a slab. */
-static size_t small_room(const struct heap *h, const void *p, size_t old)
+static size_t slab_block_size(const struct heap *h, const void *p, size_t old)
 {
     if (old > SMALL || !in_slab(h, p))
         return 0;
@@ -483,7 +483,7 @@ static size_t small_room(const struct heap *h, const void *p, size_t old)
 }
 
 /* Resizes p in place and returns whether that was possible. A block in a slab that would be at most half full is not
- * resized in place, because it should move to a smaller class (if there is one). room: from small_room. */
+ * resized in place, because it should move to a smaller class (if there is one). room: from slab_block_size. */
 static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
 {
     if (room)
@@ -493,7 +493,7 @@ static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
 
 static void *resize(struct heap *h, void *p, size_t old, size_t size)
 {
-    size_t room = small_room(h, p, old);
+    size_t room = slab_block_size(h, p, old);
 
     if (!resize_here(h, p, room, size)) {
         void *moved = take(h, size);
@@ -627,7 +627,7 @@ static bool check_slab(const struct heap *h, uint32_t page, size_t *room)
     unsigned bytes = class_bytes[s->class], count = 0, listed = 0;
 
     for (uint16_t f = s->free; f; count++) {
-        if (f >= s->fresh || (f - sizeof *s) % bytes || count > SLAB_ROOM / UNIT)
+        if (f >= s->unused_from || (f - sizeof *s) % bytes || count > SLAB_ROOM / UNIT)
             return false;
         memcpy(&f, (const char *)s + f, sizeof f);
     }
@@ -636,7 +636,7 @@ static bool check_slab(const struct heap *h, uint32_t page, size_t *room)
     *room += (size_t)s->used * bytes;
     if (!s->used && (s->next || s->prev))
         return false;
-    return s->used + count == (s->fresh - sizeof *s) / bytes && listed == !slab_full(s);
+    return s->used + count == (s->unused_from - sizeof *s) / bytes && listed == !slab_full(s);
 }
 
 static bool check_listed(const struct heap *h, uint32_t b)

@@ -327,19 +327,19 @@ static void move_items(struct board *b)
 
 /* Finds the position of the entity an enemy orbits. If that entity is an enemy too, moves it first; this nests up to 32
  * levels deep. Returns false if the entity is not alive. */
-static bool orbited(struct enemies_world *w, int64_t thing, fx *x, fx *y)
+static bool orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
 {
     const int most = 32;
     struct board *b = w->context;
 
-    if (!board_alive(b, thing))
+    if (!board_alive(b, entity))
         return false;
-    if (handle_kind(thing) == H_ENEMY && w->deep < most) {
+    if (handle_kind(entity) == H_ENEMY && w->deep < most) {
         w->deep++;
-        enemies_settle(&b->enemies, handle_slot(thing), w);
+        enemies_settle(&b->enemies, handle_slot(entity), w);
         w->deep--;
     }
-    return board_where(b, thing, x, y);
+    return board_where(b, entity, x, y);
 }
 
 void board_move(struct board *b)
@@ -388,7 +388,7 @@ static int move_and_hit(lua_State *L)
 {
     struct board *b = vm_board(L);
 
-    events_players(b, L);
+    events_step_players(b, L);
     if (b->option_plans)
         options_count(b, L);
     board_move(b);
@@ -562,7 +562,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     return &o->out;
 }
 
-bool board_boots(const struct board *b)
+bool board_has_boot_run(const struct board *b)
 {
     return b->vm.practice_read;
 }

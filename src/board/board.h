@@ -48,7 +48,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
 
 /* Returns whether a script has called boot.run (or has read the practice start itself, sys.practice). If not, there is
  * no ship and no game can be started. */
-bool board_boots(const struct board *b);
+bool board_has_boot_run(const struct board *b);
 
 /* Returns the output of the last tick, or of board_power. */
 const struct board_out *board_last(const struct board *b);

@@ -126,7 +126,7 @@ bool board_box_play(struct board *b, const char *name)
     if (sound >= 0)
         sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
     else if (tune >= 0)
-        sound_music(b, tune, &(struct music_how){ .again = true });
+        sound_music(b, tune, &(struct music_options){ .again = true });
     return sound >= 0 || tune >= 0;
 }
 

@@ -119,7 +119,7 @@ static struct inspect_body player_body(const struct board *b, uint32_t i)
 
     body.shape = INSPECT_CIRCLE;
     body.a = b->player_kinds.radius[p->kind[i]];
-    body.graze = b->player_kinds.graze[p->kind[i]];
+    body.graze = b->player_kinds.graze_radius[p->kind[i]];
     body.spent = p->safe[i] > 0 || b->start.practice.invincible;
     return body;
 }

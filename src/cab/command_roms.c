@@ -32,7 +32,7 @@ static bool save_packed(const struct rom_image *image, const char *out, bool pla
     size_t size = 0;
 
     if (!plain && !compress_rom(image->bytes, image->size, &small, &size))
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     const bool good = files_save(out, small ? small : image->bytes, small ? size : image->size, err, err_size);
     free(small);
     return good;

@@ -108,7 +108,7 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
         else if (row)
             report_print("  %s: recorded %016llx, replayed %016llx\n", v->demo.part[i], (unsigned long long)row[i],
                          here);
-        else if (demo_print(&v->demo, w->frame, i, &print))
+        else if (demo_checksum(&v->demo, w->frame, i, &print))
             report_print("  %s: recorded checksum %04x, replayed %04x\n", v->demo.part[i], (unsigned)print,
                          (unsigned)(here & 0xffff));
     }

@@ -94,7 +94,7 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
         return err_set(err, err_size, "%s: larger than %zu KiB", name, max >> 10);
     uint8_t *bytes = malloc((size_t)n + 1);
     if (bytes == NULL)
-        return result_host(err, err_size, "%s: out of memory", name);
+        return result_set_host_error(err, err_size, "%s: out of memory", name);
     if (!files_load(path, name, bytes, (size_t)n, err, err_size)) {
         free(bytes);
         return false;

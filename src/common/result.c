@@ -13,7 +13,7 @@ void result_is_why(void)
     host_failed = true;
 }
 
-bool result_host(char *err, size_t size, const char *format, ...)
+bool result_set_host_error(char *err, size_t size, const char *format, ...)
 {
     va_list args;
 

@@ -19,11 +19,11 @@ enum result {
 /* Sets err and returns false like err_set, and records for result_cause that the host failed: it is out of memory, or a
  * file cannot be written. The record does not depend on the message, which may become part of another message.
  * result_is_why only records the failure, for messages that are made some other way. */
-bool result_host(char *err, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+bool result_set_host_error(char *err, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 void result_is_why(void);
 
-/* Returns why game_open, demo_load, packing or unpacking failed: RESULT_HOST when the host failed (result_host),
- * otherwise RESULT_REFUSED. Call it once, right after the failure; it resets the cause. */
+/* Returns why game_open, demo_load, packing or unpacking failed: RESULT_HOST when the host failed
+ * (result_set_host_error), otherwise RESULT_REFUSED. Call it once, right after the failure; it resets the cause. */
 enum result result_cause(void);
 
 /* A command that runs frame by frame, called by the owner of the main loop. */

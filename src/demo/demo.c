@@ -30,19 +30,19 @@ static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
     return true;
 }
 
-bool demo_room_frames(struct demo *d, uint32_t more)
+bool demo_reserve_frames(struct demo *d, uint32_t more)
 {
     return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
            (d->sparse ||
             reserve(&d->checksums, &d->room_checksums, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts));
 }
 
-bool demo_room_second(struct demo *d)
+bool demo_reserve_second(struct demo *d)
 {
     return reserve(&d->track, &d->room_seconds, d->seconds + 1, sizeof d->track[0] * (size_t)d->parts);
 }
 
-bool demo_room_marker(struct demo *d)
+bool demo_reserve_marker(struct demo *d)
 {
     return reserve(&d->markers, &d->room_markers, d->n_markers + 1, sizeof d->markers[0]);
 }
@@ -115,7 +115,7 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
                                                                 : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
 }
 
-bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print)
+bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *print)
 {
     const uint16_t *checksums = demo_checksums(d, frame);
     const uint32_t i = row_of(d, frame);
@@ -129,7 +129,7 @@ bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print)
     return true;
 }
 
-bool demo_told(const struct demo *d, uint32_t frame)
+bool demo_has_checksums(const struct demo *d, uint32_t frame)
 {
     return row_of(d, frame) < d->seconds || demo_checksums(d, frame);
 }
@@ -168,7 +168,7 @@ uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashe
     uint16_t print;
 
     for (int i = 0; i < d->parts; i++) {
-        bool differs = demo_print(d, frame, i, &print) && print != (uint16_t)hashes[i];
+        bool differs = demo_checksum(d, frame, i, &print) && print != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
             differ |= (uint64_t)1 << i;
     }

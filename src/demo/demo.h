@@ -104,10 +104,10 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Gets the checksum of a part after a frame: the low 16 bits of the part's hash. Returns false when the demo does not
  * have that checksum. */
-bool demo_print(const struct demo *d, uint32_t frame, int part, uint16_t *print);
+bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *print);
 
 /* Returns whether the demo has a hash row or checksums for this frame. A sparse demo has neither for most frames. */
-bool demo_told(const struct demo *d, uint32_t frame);
+bool demo_has_checksums(const struct demo *d, uint32_t frame);
 
 /* Reorders hashes from the order of a board's parts to the order of .part; builds may differ in their parts. Returns
  * the parts that the board does not have, one bit each; their hashes are 0. */

@@ -48,8 +48,8 @@ void demo_dump(const struct demo_writer *w, const struct demo_dump *how)
 {
     struct dump u = { .sink = { .p = how->memory, .room = how->size, .fixed = true }, .how = how };
     struct demo d = w->demo;
-    bool whole = how->frames >= d.frames && !how->ticking;
-    const bool hashed = whole && !how->fault && d.checksum_frames == d.frames;
+    bool is_complete = how->frames >= d.frames && !how->ticking;
+    const bool hashed = is_complete && !how->fault && d.checksum_frames == d.frames;
 
     d.frames = how->frames < d.frames ? how->frames : d.frames;
     d.fault = how->fault;
@@ -62,7 +62,7 @@ void demo_dump(const struct demo_writer *w, const struct demo_dump *how)
     d.frames += how->ticking;
     if (d.seconds && d.frames > u.frames)
         put_second(&u, &d, d.frames - u.frames, hashed ? w->hashes : NULL);
-    if (!whole || (!hashed && !how->fault))
+    if (!is_complete || (!hashed && !how->fault))
         return;
     demo_put_end(&u.sink, &d, &u.crc);
     flush(&u);

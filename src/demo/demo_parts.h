@@ -49,9 +49,9 @@ static inline bool demo_end_has_row(const struct demo *d)
 
 /* Reserve capacity for `more` frames, one second or one marker. Return false when out of memory; the demo's content is
  * then unchanged. */
-bool demo_room_frames(struct demo *d, uint32_t more);
-bool demo_room_second(struct demo *d);
-bool demo_room_marker(struct demo *d);
+bool demo_reserve_frames(struct demo *d, uint32_t more);
+bool demo_reserve_second(struct demo *d);
+bool demo_reserve_marker(struct demo *d);
 
 /* Returns hash row i. */
 uint64_t *demo_row(const struct demo *d, uint32_t i);

@@ -255,11 +255,11 @@ static uint64_t take_mask(struct source *s, const struct demo *d)
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
     uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
-    uint64_t other = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
+    uint64_t changed_mask = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
 
     for (int i = 0; i < d->parts; i++) {
         uint16_t before = f > 1 ? to[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
-        to[i] = other >> i & 1 ? take16(s) : before;
+        to[i] = changed_mask >> i & 1 ? take16(s) : before;
     }
 }
 
@@ -289,12 +289,12 @@ static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hashed
     if (!hashed)
         return;
     uint64_t *row = demo_row(d, d->seconds);
-    const uint64_t other = hashed == HASHED_PRINTS ? take_mask(s, d) : 0;
+    const uint64_t changed_mask = hashed == HASHED_PRINTS ? take_mask(s, d) : 0;
     for (int i = 0; i < d->parts; i++) {
         if (hashed == HASHED_WHOLE)
             row[i] = take64(s);
         else
-            row[i] = other >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->seconds - 1)[i];
+            row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->seconds - 1)[i];
     }
     d->seconds++;
 }
@@ -319,7 +319,7 @@ static bool read_second(struct parse *p, struct source *s)
         return damaged(p, "number of frames");
     if (d->frames + n > DEMO_MAX_FRAMES)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
-    if (!demo_room_frames(d, n) || !demo_room_second(d))
+    if (!demo_reserve_frames(d, n) || !demo_reserve_second(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
     if (!(d->sparse ? take_short_runs : take_runs)(s, d, n, runs))
         return damaged(p, "pads");
@@ -357,7 +357,7 @@ static bool read_marker(struct parse *p, struct source *s)
     }
     if (!known || d->seconds == 0 || m.frame < before || m.frame > d->frames)
         return damaged(p, "moment");
-    if (!demo_room_marker(d))
+    if (!demo_reserve_marker(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
     d->markers[d->n_markers++] = m;
     return true;

@@ -119,7 +119,7 @@ static bool add_row(struct demo_writer *w)
 {
     struct demo *d = &w->demo;
 
-    if (!demo_room_second(d))
+    if (!demo_reserve_second(d))
         return false;
     memcpy(demo_row(d, d->seconds++), w->hashes, sizeof w->hashes[0] * (size_t)d->parts);
     return true;
@@ -148,7 +148,7 @@ static bool take_markers(struct demo *d, const struct board *b)
     const struct board_out *out = board_last(b);
 
     for (int i = 0; i < out->markers; i++) {
-        if (!demo_room_marker(d))
+        if (!demo_reserve_marker(d))
             return false;
         d->markers[d->n_markers++] = (struct demo_marker){ d->frames, out->marker[i] };
     }
@@ -279,7 +279,7 @@ bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pad
         stop(w);
         return false;
     }
-    if (!demo_room_frames(d, 1))
+    if (!demo_reserve_frames(d, 1))
         return out_of_memory(w);
     memcpy(d->pads[d->frames++], pads, sizeof d->pads[0]);
     add_checksums(w, b);
@@ -299,7 +299,7 @@ void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])
 {
     struct demo *d = &w->demo;
 
-    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_room_frames(d, 1))
+    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_reserve_frames(d, 1))
         memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
 }
 
@@ -333,7 +333,7 @@ static bool take_points(struct demo *d, const struct board *b)
 {
     for (int p = 0; p < PADS && d->seconds; p++) {
         struct demo_marker m = { .frame = d->frames, .marker.kind = MARKER_LISTED };
-        if (!demo_room_marker(d))
+        if (!demo_reserve_marker(d))
             return false;
         snprintf(m.marker.name, sizeof m.marker.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
         d->markers[d->n_markers++] = m;

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int by_thing(const struct demo_marker *a, const struct demo_marker *b)
+static int by_name(const struct demo_marker *a, const struct demo_marker *b)
 {
     if (a->marker.kind != b->marker.kind)
         return a->marker.kind < b->marker.kind ? -1 : 1;
@@ -16,13 +16,13 @@ static int by_thing(const struct demo_marker *a, const struct demo_marker *b)
 }
 
 /* Orders by kind and name, then by position in the demo. */
-static int by_thing_and_order(const void *left, const void *right)
+static int by_name_and_order(const void *left, const void *right)
 {
     const struct demo_marker *a = *(const struct demo_marker *const *)left;
     const struct demo_marker *b = *(const struct demo_marker *const *)right;
-    int thing = by_thing(a, b);
+    int order = by_name(a, b);
 
-    return thing ? thing : (a > b) - (a < b);
+    return order ? order : (a > b) - (a < b);
 }
 
 /* Returns pointers to the markers of a run, sorted by kind and name, or NULL when out of memory. */
@@ -35,7 +35,7 @@ static const struct demo_marker **sorted(const struct demo *d, uint32_t *n)
         if (board_marks_run(d->markers[i].marker.kind))
             list[(*n)++] = &d->markers[i];
     if (list)
-        qsort(list, *n, sizeof *list, by_thing_and_order);
+        qsort(list, *n, sizeof *list, by_name_and_order);
     return list;
 }
 
@@ -51,16 +51,16 @@ static int by_frame(const void *left, const void *right)
 
     if (f != g)
         return f < g ? -1 : 1;
-    int thing = by_thing(a->was ? a->was : a->is, b->was ? b->was : b->is);
-    return thing ? thing : (a->was == NULL) - (b->was == NULL);
+    int order = by_name(a->was ? a->was : a->is, b->was ? b->was : b->is);
+    return order ? order : (a->was == NULL) - (b->was == NULL);
 }
 
 static void walk(struct marker_changes *c, const struct demo_marker **was, uint32_t n, const struct demo_marker **is,
                  uint32_t m)
 {
     for (uint32_t i = 0, k = 0; i < n || k < m;) {
-        int thing = i == n ? 1 : k == m ? -1 : by_thing(was[i], is[k]);
-        struct marker_change change = { thing <= 0 ? was[i++] : NULL, thing >= 0 ? is[k++] : NULL };
+        int order = i == n ? 1 : k == m ? -1 : by_name(was[i], is[k]);
+        struct marker_change change = { order <= 0 ? was[i++] : NULL, order >= 0 ? is[k++] : NULL };
         if (!change.was || !change.is || change.was->frame != change.is->frame)
             c->list[c->n++] = change;
     }

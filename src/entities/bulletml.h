@@ -87,9 +87,9 @@ struct ml_runners {
                                            * of range or no change, computed from `from` and `to` instead */
     uint32_t *begun, *over;               /* CHANGES per runner: start and end clock */
     int32_t *cosine, *sine;               /* of the board direction of `direction`, Q30 */
-    ang *put_dir;                         /* board angle of `direction`. put_*: the values last written to the bullet;
+    ang *written_dir;                     /* board angle of `direction`. put_*: the values last written to the bullet;
                                            * if the bullet has another value, a script has set it */
-    fx *put_speed, *put_vx, *put_vy;
+    fx *written_speed, *written_vx, *written_vy;
     uint32_t serials; /* serial numbers given out so far */
     uint32_t n;       /* number of runners in `order` */
     uint64_t ran;     /* commands and expression steps executed in this frame */

@@ -124,16 +124,16 @@ static void wait_until(struct bullets *b, uint32_t i, uint32_t end)
     b->idle[i / SLOTS_BLOCK] |= bullets_bit(i);
 }
 
-bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t thing, uint32_t clock)
+bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t entity, uint32_t clock)
 {
     if (!b->pierce || !b->pierce[i])
         return false;
     const int32_t every = kinds->every[b->kind[i]];
     int64_t *known = b->pierced + (size_t)i * PIERCED;
     int k = 0;
-    while (k < PIERCED - 1 && known[k] && known[k] != thing)
+    while (k < PIERCED - 1 && known[k] && known[k] != entity)
         k++;
-    known[k] = thing;
+    known[k] = entity;
     b->rehit_clock[(size_t)i * PIERCED + (size_t)k] = every == PIERCE_FOREVER ? UINT32_MAX : clock + (uint32_t)every;
     b->pierce[i] -= b->pierce[i] > 0;
     return true;

@@ -212,7 +212,7 @@ static inline uint16_t bullets_kind(const struct bullets *b, const struct bullet
 }
 
 /* Returns the frames since `born`, or 0 if `born` is the next frame. */
-static inline uint32_t bullets_stood(const struct bullets *b, uint32_t i, uint32_t clock)
+static inline uint32_t bullets_frames_since_born(const struct bullets *b, uint32_t i, uint32_t clock)
 {
     return b->born[i] == clock + 1 ? 0 : clock - b->born[i];
 }
@@ -220,12 +220,12 @@ static inline uint32_t bullets_stood(const struct bullets *b, uint32_t i, uint32
 /* Returns the frames since bullet i was fired or since its delay ended; 0 during the delay. */
 static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t clock)
 {
-    return b->flags[i] & BULLET_DELAYED ? 0 : bullets_stood(b, i, clock);
+    return b->flags[i] & BULLET_DELAYED ? 0 : bullets_frames_since_born(b, i, clock);
 }
 
-/* Records that shot i hit the entity with handle `thing`. Returns whether the shot pierces the entity. If it does not,
+/* Records that shot i hit the entity with handle `entity`. Returns whether the shot pierces the entity. If it does not,
  * the shot is used up and nothing is recorded. */
-bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t thing, uint32_t clock);
+bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t entity, uint32_t clock);
 
 /* Fires a bullet. Returns its slot, the lowest free one, or NO_SLOT if the pool is full. */
 int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);

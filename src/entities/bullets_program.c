@@ -594,7 +594,7 @@ struct course {
     bool is, timed;    /* whether the course exists; whether it is in a step, which ends at `step_end` */
     bool never;        /* no bullet at this step can be on a course */
     uint32_t st, does; /* the step, and its DOES_DRIVE actions that no script has overridden */
-    bool steers;       /* the step has DOES_STEER actions, even if overridden */
+    bool has_steering; /* the step has DOES_STEER actions, even if overridden */
 };
 
 /* A set of n bullets of a block: if `row`, the n slots from `first` on, otherwise the slots in `slot`. */
@@ -637,7 +637,7 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
     c->step_flags = b->step_flags[i];
     c->fine = b->flags[i] & BULLET_FINE;
     c->does = 0;
-    c->steers = c->never = false;
+    c->has_steering = c->never = false;
     c->timed = c->motion && c->pc < w->motions->length[c->motion - 1];
     c->is = c->fine;
     if (!c->timed)
@@ -648,7 +648,7 @@ static void take_course(struct course *c, const struct bullets *b, const struct 
     if (!c->is)
         return;
     c->does = does & DOES_DRIVE;
-    c->steers = does & DOES_STEER;
+    c->has_steering = does & DOES_STEER;
     if (c->step_flags & OVERRIDE_DIR)
         c->does &= ~(uint32_t)DOES_STEER;
     if (c->step_flags & OVERRIDE_SPEED)
@@ -886,7 +886,7 @@ __attribute__((noinline)) static void keep_course(struct bullets *b, const struc
         speed_some(b, w, c, s);
     if (c->fine)
         fly_some(b, s, dir);
-    else if (c->steers || c->does & (DOES_SPEED | DOES_ACCEL))
+    else if (c->has_steering || c->does & (DOES_SPEED | DOES_ACCEL))
         steer_some(b, s, dir);
 }
 

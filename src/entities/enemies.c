@@ -222,7 +222,7 @@ void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, e
     set_out(e, i, part ? dx : shifted(e->x[i], dx), part ? dy : shifted(e->y[i], dy), over, ease);
 }
 
-void enemies_put(struct enemies *e, uint32_t i, fx x, fx y)
+void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y)
 {
     enemies_halt(e, i);
     e->x[i] = x;
@@ -323,7 +323,7 @@ void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t 
         e->bank[i] |= kinds->bank[e->kind[i]] & ENEMY_BLINK;
 }
 
-bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+bool enemies_is_flashing(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     return 4 * (e->bank[i] / ENEMY_BLINK_ONE) > 3 * (kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE);
 }

@@ -105,7 +105,7 @@ struct enemies {
  * 0 <= n < below, from the game's generator. */
 struct enemies_world {
     void *context;
-    bool (*where)(struct enemies_world *w, int64_t thing, fx *x, fx *y);
+    bool (*where)(struct enemies_world *w, int64_t entity, fx *x, fx *y);
     uint64_t (*draw)(void *context, uint64_t below);
     int deep; /* depth of nested calls: number of enemies that wait for another one's position */
 };
@@ -166,7 +166,7 @@ void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum e
 void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease);
 
 /* Places enemy i at (x, y), for a part by setting its offset, and ends its move, orbit or wandering. */
-void enemies_put(struct enemies *e, uint32_t i, fx x, fx y);
+void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y);
 
 /* Make enemy i orbit or wander from the next call of enemies_move on. Each leg of a wanderer is a move as in
  * enemies_go, to a random point of the area. enemies_move draws the points in slot order, before any enemy moves. */
@@ -187,7 +187,7 @@ void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t 
 
 /* Returns whether enemy i is drawn white: only in the first quarter of its blinking, so that an enemy that is hit all
  * the time stays visible. */
-bool enemies_white(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
+bool enemies_is_flashing(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
 /* Returns the sprite that enemy i shows. */
 uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);

@@ -17,7 +17,7 @@ static const struct column kind_columns[] = {
     COLUMN(item_kinds, low),
     COLUMN(item_kinds, high),
     COLUMN(item_kinds, lives),
-    COLUMN(item_kinds, full),
+    COLUMN(item_kinds, full_register),
     COLUMNS(item_kinds, gives, ITEM_REGISTERS),
 };
 

@@ -24,14 +24,14 @@ struct item_kinds {
     uint16_t *sprite;
     uint8_t *bank;
     uint8_t *flags;
-    fx *radius;     /* collection radius, px, tested against the player's hit circle */
-    fx *gravity;    /* acceleration of a falling item, px/frame^2 */
-    fx *top;        /* maximum falling speed, px/frame */
-    int64_t *low;   /* points when taken at the bottom of the field */
-    int64_t *high;  /* points when taken at the collect line or above */
-    int32_t *lives; /* lives it gives */
-    int32_t *gives; /* ITEM_REGISTERS per kind: amount added to each register that items use */
-    uint16_t *full; /* register number + 1, 0: none; while that register is at its maximum, the item gives only
+    fx *radius;              /* collection radius, px, tested against the player's hit circle */
+    fx *gravity;             /* acceleration of a falling item, px/frame^2 */
+    fx *top;                 /* maximum falling speed, px/frame */
+    int64_t *low;            /* points when taken at the bottom of the field */
+    int64_t *high;           /* points when taken at the collect line or above */
+    int32_t *lives;          /* lives it gives */
+    int32_t *gives;          /* ITEM_REGISTERS per kind: amount added to each register that items use */
+    uint16_t *full_register; /* register number + 1, 0: none; while that register is at its maximum, the item gives only
                      * points */
 };
 

@@ -38,7 +38,7 @@ static const struct column columns[] = {
     COLUMNS(lasers, again, PADS),
     COLUMN(lasers, points),
     COLUMN(lasers, count),
-    COLUMN(lasers, at),
+    COLUMN(lasers, newest),
     COLUMNS(lasers, piece, LASER_PIECES),
 };
 
@@ -116,7 +116,7 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
     memset(&l->again[i * PADS], 0, PADS * sizeof *l->again);
     l->points[i] = shape->points;
     l->count[i] = shape->points > 0;
-    l->at[i] = 0;
+    l->newest[i] = 0;
     if (shape->points)
         set_point(l, p, i, 0, x, y);
     return slot;
@@ -152,9 +152,9 @@ void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y)
 {
     lasers_point(l, p, i, l->count[i] - 1u, &l->x0[i], &l->y0[i]);
-    l->at[i] = (uint16_t)(l->at[i] + 1u == l->points[i] ? 0 : l->at[i] + 1u);
+    l->newest[i] = (uint16_t)(l->newest[i] + 1u == l->points[i] ? 0 : l->newest[i] + 1u);
     l->count[i] = (uint16_t)(l->count[i] < l->points[i] ? l->count[i] + 1u : l->points[i]);
-    set_point(l, p, i, l->at[i], x, y);
+    set_point(l, p, i, l->newest[i], x, y);
 }
 
 static fx within(int64_t v)

@@ -76,7 +76,7 @@ struct lasers {
                                   * laser, the first entry is the clock from which it can hit again */
     uint16_t *points;            /* curves: capacity of the ring, in points */
     uint16_t *count;             /* number of points in the ring */
-    uint16_t *at;                /* ring index of the newest point */
+    uint16_t *newest;            /* ring index of the newest point */
     uint16_t *piece;             /* LASER_PIECES per laser: slots of its pieces */
 };
 
@@ -109,7 +109,7 @@ void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i);
 static inline void lasers_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
                                 fx *y)
 {
-    uint32_t at = l->at[i] >= k ? l->at[i] - k : l->at[i] + l->points[i] - k;
+    uint32_t at = l->newest[i] >= k ? l->newest[i] - k : l->newest[i] + l->points[i] - k;
     uint32_t entry = l->piece[i * LASER_PIECES + at / LASER_PIECE] * (uint32_t)LASER_PIECE + at % LASER_PIECE;
 
     *x = p->x[entry];

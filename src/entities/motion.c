@@ -230,13 +230,13 @@ int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n)
 
 /* Returns the distance flown in k frames, in Q32, clamped to 2^47 (32768 px) either way, which is far outside the
  * world. */
-static int64_t flown(int64_t pace, uint32_t k)
+static int64_t flown(int64_t speed_q32, uint32_t k)
 {
     const int64_t far = (int64_t)1 << 47;
 
-    if (int64_abs(pace) > far / (k ? k : 1))
-        return pace < 0 ? -far : far;
-    return pace * k;
+    if (int64_abs(speed_q32) > far / (k ? k : 1))
+        return speed_q32 < 0 ? -far : far;
+    return speed_q32 * k;
 }
 
 /* Adds (r cos dir, r sin dir) to (x, y), all in Q32. */

@@ -6,7 +6,7 @@
 static const struct column kind_columns[] = {
     COLUMN(player_kinds, sprite),
     COLUMN(player_kinds, radius),
-    COLUMN(player_kinds, graze),
+    COLUMN(player_kinds, graze_radius),
     COLUMN(player_kinds, speed),
     COLUMN(player_kinds, focus),
     COLUMN(player_kinds, lives),
@@ -35,7 +35,7 @@ static const struct column columns[] = {
     COLUMN(player, grazes),
     COLUMN(player, score),
     COLUMN(player, flags),
-    COLUMN(player, hit),
+    COLUMN(player, deathbomb_left),
     COLUMN(player, bombing),
     COLUMN(player, bomb),
 };
@@ -60,7 +60,7 @@ void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i,
     p->grazes[i] = 0;
     p->score[i] = 0;
     p->flags[i] = 0;
-    p->hit[i] = 0;
+    p->deathbomb_left[i] = 0;
     p->bombing[i] = 0;
     p->bomb[i] = 0;
 }
@@ -126,7 +126,7 @@ void player_count_down(struct player *p)
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)
 {
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i] && p->hit[i])
+        if (p->in[i] && p->deathbomb_left[i])
             player_place(p, i, p->x[i], p->y[i]);
         else if (p->in[i])
             move_one(p, kinds, i, held[i], area);

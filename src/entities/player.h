@@ -36,8 +36,8 @@ enum {
 struct player_kinds {
     struct slots s;
     uint16_t *sprite;
-    fx *radius; /* hit circle, px; or PICTURE_ROW */
-    fx *graze;  /* graze circle, px */
+    fx *radius;       /* hit circle, px; or PICTURE_ROW */
+    fx *graze_radius; /* graze circle, px */
     fx *speed, *focus;
     int32_t *lives;
     uint32_t *safe;             /* frames of invulnerability after a death, and after joining */
@@ -65,10 +65,10 @@ struct player {
     uint32_t *safe;    /* frames of invulnerability left */
     uint32_t *grazes;
     int64_t *score;
-    uint8_t *flags;    /* PLAYER_ */
-    uint16_t *hit;     /* frames left in which a bomb saves the player from a hit; 0: not hit */
-    uint32_t *bombing; /* frames left of the player's bomb */
-    int64_t *bomb;     /* the scope of that bomb, defined by the board */
+    uint8_t *flags;           /* PLAYER_ */
+    uint16_t *deathbomb_left; /* frames left in which a bomb saves the player from a hit; 0: not hit */
+    uint32_t *bombing;        /* frames left of the player's bomb */
+    int64_t *bomb;            /* the scope of that bomb, defined by the board */
 };
 
 extern const struct chip player_chip, player_kinds_chip;

@@ -31,7 +31,7 @@ int32_t registers_add(struct registers *r, const struct register_rule *rule)
     to[RULE_HOLD] = rule->hold;
     r->drains += rule->drain != 0;
     for (uint32_t p = 0; p < PADS; p++)
-        registers_start(r, (uint32_t)i, 1, p);
+        registers_reset(r, (uint32_t)i, 1, p);
     return i;
 }
 
@@ -66,7 +66,7 @@ bool registers_full(const struct registers *r, uint32_t row, uint32_t p)
     return most != REGISTER_MOST && registers_get(r, row, p) == most;
 }
 
-void registers_start(struct registers *r, uint32_t first, uint32_t n, uint32_t p)
+void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p)
 {
     for (uint32_t row = first; row < first + n; row++) {
         const int32_t *rule = r->rule + row * RULE_FIELDS;

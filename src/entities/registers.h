@@ -56,7 +56,7 @@ void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v);
 bool registers_full(const struct registers *r, uint32_t row, uint32_t p);
 
 /* Resets player p's values of n rows, starting at row `first`, for a new game. */
-void registers_start(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
+void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
 /* Drains player p's values of n rows, starting at row `first`, by one frame. */
 void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p);

@@ -19,7 +19,7 @@ static bool plain(const char *text)
 
 /* Copies a string from the host. text NULL: leaves out unchanged. what: the string's name in errors, such as
  * "section". */
-static bool take(char *out, size_t size, const char *text, const char *what, char *err, size_t err_size)
+static bool copy_host_string(char *out, size_t size, const char *text, const char *what, char *err, size_t err_size)
 {
     if (!text)
         return true;
@@ -153,8 +153,9 @@ bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct c
     *start = (struct board_start){ .seed = config->seed, .difficulty = -1 };
     start->practice.lives = config->lives;
     start->practice.invincible = config->invincible;
-    if (!take(start->lang, sizeof start->lang, config->lang, "lang", err, err_size) ||
-        !take(start->practice.section, sizeof start->practice.section, config->section, "section", err, err_size) ||
+    if (!copy_host_string(start->lang, sizeof start->lang, config->lang, "lang", err, err_size) ||
+        !copy_host_string(start->practice.section, sizeof start->practice.section, config->section, "section", err,
+                          err_size) ||
         !difficulty_of(start, &cart->m, config->difficulty, err, err_size) ||
         !switches_of(start, &cart->m, config->switches, err, err_size) ||
         !nvram_of(out, config->nvram, config->nvram_size, err, err_size))

@@ -31,11 +31,11 @@ static void grow(const struct board *b, struct emissions *q)
  * shot does not have it. */
 static bool named(const struct motion_emit *e, const struct emission *m, int number, fx *v)
 {
-    bool is;
-    const int k = motion_named(e->named, number, m->shot, &is);
+    bool is_named;
+    const int k = motion_named(e->named, number, m->shot, &is_named);
 
     *v = k < 0 ? 0 : m->value[k];
-    return is;
+    return is_named;
 }
 
 static int32_t whole(fx v)
@@ -102,7 +102,7 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
     if (!n)
         return;
     if (q->of[shots] == (shots ? &b->shots : &b->bullets)->s.cap) {
-        q->over[shots] += n;
+        q->dropped[shots] += n;
         return;
     }
     if (q->n == q->room)
@@ -299,7 +299,7 @@ void emit_run(struct board *b)
 
     for (uint32_t k = 0; k < q->n; k++)
         fire(b, &q->list[k]);
-    emit_refuse(b, false, q->over[0]);
-    emit_refuse(b, true, q->over[1]);
+    emit_refuse(b, false, q->dropped[0]);
+    emit_refuse(b, true, q->dropped[1]);
     emit_none(b);
 }

@@ -34,7 +34,7 @@ struct emissions {
     struct emission *list; /* NULL: nothing has been queued in this frame */
     uint32_t n, room;      /* number of emissions in the list; capacity of the list */
     uint32_t of[2];        /* number of queued emits that fire bullets ([0]) and shots ([1]) */
-    uint64_t over[2];      /* number of bullets ([0]) and shots ([1]) in emits that did not fit in the queue */
+    uint64_t dropped[2];   /* number of bullets ([0]) and shots ([1]) in emits that did not fit in the queue */
 };
 
 /* Empties the queue. */

@@ -282,8 +282,8 @@ static bool move(struct board *b, const struct motion_world *w, uint32_t i)
         return false;
     else if (!fly(b, w, i, age))
         return false;
-    const bool comes = l->form[i] == LASER_BEAM && (age == 0 || !dangerous(b, i, age - 1));
-    if (comes || jumped(l, h, i))
+    const bool was_harmless = l->form[i] == LASER_BEAM && (age == 0 || !dangerous(b, i, age - 1));
+    if (was_harmless || jumped(l, h, i))
         l->flags[i] |= LASER_STILL;
     return true;
 }

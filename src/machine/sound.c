@@ -199,7 +199,7 @@ static uint16_t gain(const struct board *b)
 /* Returns whether the current piece is about to end, for another one or for silence. */
 static bool goes(const struct seq *s)
 {
-    return s->fade_over || s->next_waits;
+    return s->fade_over || s->next_is_scheduled;
 }
 
 /* Ends the current piece, letting its last notes ring out, and resumes the piece set aside last, if any. */
@@ -340,13 +340,14 @@ static void begin_fade(struct board *b, int32_t fade)
 }
 
 /* Requests a piece, or silence if index is 0, which starts now, at a beat or bar, or after a fade. */
-static void ask_music(struct board *b, uint16_t index, const struct music_how *how)
+static void ask_music(struct board *b, uint16_t index, const struct music_options *how)
 {
     struct seq *s = &b->music;
 
-    s->next_back = how->back && !(s->fade_over && !s->next); /* a piece that is fading to silence is not set aside */
+    s->next_back =
+        how->suspend_current && !(s->fade_over && !s->next); /* a piece that is fading to silence is not set aside */
     s->next = index;
-    s->next_waits = 0;
+    s->next_is_scheduled = 0;
     s->when = 0;
     if (s->tune && how->at) {
         const struct tune t = tune_of(rom(b) + cart_tune(&b->cart, s->tune - 1));
@@ -362,20 +363,20 @@ static void ask_music(struct board *b, uint16_t index, const struct music_how *h
 static void forget_next(struct seq *s)
 {
     s->next = s->fade = s->fade_over = 0;
-    s->next_back = s->next_waits = 0;
+    s->next_back = s->next_is_scheduled = 0;
     s->when = 0;
 }
 
-bool sound_music(struct board *b, int tune, const struct music_how *how)
+bool sound_music(struct board *b, int tune, const struct music_options *how)
 {
     struct seq *s = &b->music;
     const uint16_t index = (uint16_t)(tune + 1);
 
-    if (how->again && !how->back && seq_kept(s, index) >= 0)
+    if (how->again && !how->suspend_current && seq_kept(s, index) >= 0)
         seq_forget(s, 0);
-    if (!how->again && goes(s) && s->next == index && s->next_back == how->back)
+    if (!how->again && goes(s) && s->next == index && s->next_back == how->suspend_current)
         return false;
-    if (!how->again && s->tune == index && (!goes(s) || s->next_waits || s->fade == s->fade_over)) {
+    if (!how->again && s->tune == index && (!goes(s) || s->next_is_scheduled || s->fade == s->fade_over)) {
         forget_next(s);
         return false;
     }
@@ -392,7 +393,7 @@ void sound_music_stop(struct board *b, int32_t fade)
         forget_next(s);
     }
     if (s->tune)
-        ask_music(b, 0, &(struct music_how){ .fade = fade });
+        ask_music(b, 0, &(struct music_options){ .fade = fade });
 }
 
 static void drop_kept(struct board *b, int i)
@@ -416,7 +417,7 @@ void sound_music_back(struct board *b, int tune, int32_t fade)
     } else if (s->tune == index && goes(s) && s->next_back) /* end this piece instead of setting it aside */
         s->next_back = 0;
     else if (s->tune == index && !goes(s))
-        ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_how){ .fade = fade });
+        ask_music(b, s->aside ? s->kept[s->aside - 1] : 0, &(struct music_options){ .fade = fade });
     else if (kept >= 0)
         drop_kept(b, kept);
 }

@@ -35,17 +35,17 @@ int16_t sound_place(const struct board *b, fx x);
 /* ---- music; `tune` is the index of a piece ---- */
 
 enum music_at { MUSIC_AT_ONCE, MUSIC_AT_BEAT, MUSIC_AT_BAR };
-struct music_how {
-    int32_t fade;     /* frames in which the current piece fades out first */
-    enum music_at at; /* instead of a fade, start on a beat or bar of the current piece */
-    bool again;       /* start the piece from its beginning, even if it is playing or set aside */
-    bool back;        /* set the current piece aside until the new piece ends, by itself or by sound_music_back */
+struct music_options {
+    int32_t fade;         /* frames in which the current piece fades out first */
+    enum music_at at;     /* instead of a fade, start on a beat or bar of the current piece */
+    bool again;           /* start the piece from its beginning, even if it is playing or set aside */
+    bool suspend_current; /* set the current piece aside until the new piece ends, by itself or by sound_music_back */
 };
 
 /* Starts a piece. Unless how->again is set, a piece that was set aside resumes where it was interrupted. Returns false
  * if the piece is already playing or about to start: then it continues, and a pending change to another piece is
  * cancelled. A piece that has ended no longer counts as playing. */
-bool sound_music(struct board *b, int tune, const struct music_how *how);
+bool sound_music(struct board *b, int tune, const struct music_options *how);
 
 /* Ends a piece if it is playing, about to start or set aside. A piece that is playing fades out in `fade` frames; then
  * the piece set aside last resumes, or there is silence if there is none. */

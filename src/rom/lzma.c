@@ -99,7 +99,7 @@ static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
 }
 
 /* Reads direct bits (fixed probability 1/2), most significant first. */
-static uint32_t read_even(struct reader *r, int bits)
+static uint32_t read_direct_bits(struct reader *r, int bits)
 {
     uint32_t out = 0;
 
@@ -155,7 +155,7 @@ static uint32_t read_distance(struct reader *r, uint32_t length)
     const uint32_t from = (2 | (slot & 1)) << bits;
     if (slot < LZMA_NEAR)
         return from + read_backwards(r, r->m.near + from - slot, bits);
-    const uint32_t high = read_even(r, bits - LZMA_ALIGN) << LZMA_ALIGN;
+    const uint32_t high = read_direct_bits(r, bits - LZMA_ALIGN) << LZMA_ALIGN;
     return from + high + read_backwards(r, r->m.align, LZMA_ALIGN);
 }
 
@@ -169,7 +169,7 @@ static void recall(struct reader *r, int i)
 }
 
 /* Reads a match with a remembered distance. Returns its length. */
-static uint32_t read_again(struct reader *r)
+static uint32_t read_rep_match(struct reader *r)
 {
     struct lzma_model *m = &r->m;
 
@@ -189,7 +189,7 @@ static uint32_t read_again(struct reader *r)
 }
 
 /* Reads a match with a new distance. Returns its length. */
-static uint32_t read_new(struct reader *r)
+static uint32_t read_match(struct reader *r)
 {
     const uint32_t length = read_length(r, &r->m.length);
 
@@ -238,7 +238,7 @@ bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
         const bool again = read_bit(&r, &r.m.rep[r.state]);
         if (again && r.at == 0)
             return false;
-        const uint32_t length = again ? read_again(&r) : read_new(&r);
+        const uint32_t length = again ? read_rep_match(&r) : read_match(&r);
         if (!again && r.rep[0] == UINT32_MAX) /* an end marker, which some encoders write */
             return r.at == size && ended(&r);
         if (!copy(&r, length))

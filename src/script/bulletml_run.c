@@ -150,7 +150,7 @@ static inline __attribute__((always_inline)) void head_for(struct ml_runners *r,
     const struct heading h = heading_of(o, root, direction);
 
     r->direction[body] = direction;
-    r->put_dir[body] = h.dir;
+    r->written_dir[body] = h.dir;
     r->cosine[body] = h.cosine;
     r->sine[body] = h.sine;
 }
@@ -222,9 +222,9 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
         r->from[c] = r->to[c] = r->step[c] = 0;
         r->begun[c] = r->over[c] = 0;
     }
-    r->put_dir[i] = 0;
+    r->written_dir[i] = 0;
     r->cosine[i] = r->sine[i] = 0;
-    r->put_speed[i] = r->put_vx[i] = r->put_vy[i] = 0;
+    r->written_speed[i] = r->written_vx[i] = r->written_vy[i] = 0;
     b->ml_roots.runners[root]++;
     return i;
 }
@@ -273,12 +273,12 @@ static uint32_t equip(const struct turn *t, const struct fired *f, const struct 
     r->given[i] = given->list;
     r->direction[i] = f->direction;
     r->speed[i] = f->speed;
-    r->put_dir[i] = h->dir;
+    r->written_dir[i] = h->dir;
     r->cosine[i] = h->cosine;
     r->sine[i] = h->sine;
-    r->put_speed[i] = way->speed;
-    r->put_vx[i] = way->vx;
-    r->put_vy[i] = way->vy;
+    r->written_speed[i] = way->speed;
+    r->written_vx[i] = way->vx;
+    r->written_vy[i] = way->vy;
     return (uint32_t)i + 1;
 }
 
@@ -408,22 +408,22 @@ static void read_back(const struct turn *t, uint32_t bullet)
     const bool stands = s->stands && s->stands[bullet];
     const fx vx = (stands ? s->kept_vx : s->vx)[bullet], vy = (stands ? s->kept_vy : s->vy)[bullet];
 
-    if (s->dir[bullet] == r->put_dir[i] && s->speed[bullet] == r->put_speed[i] && vx == r->put_vx[i] &&
-        vy == r->put_vy[i])
+    if (s->dir[bullet] == r->written_dir[i] && s->speed[bullet] == r->written_speed[i] && vx == r->written_vx[i] &&
+        vy == r->written_vy[i])
         return;
-    if (s->dir[bullet] != r->put_dir[i]) {
+    if (s->dir[bullet] != r->written_dir[i]) {
         head_for(r, o, t->root, i, from_board(o, t->root, s->dir[bullet]));
         r->flags[i] &= (uint16_t) ~(1u << CHANGE_DIRECTION);
     }
-    if (s->speed[bullet] != r->put_speed[i]) {
+    if (s->speed[bullet] != r->written_speed[i]) {
         r->speed[i] = ml_divide((int64_t)s->speed[bullet] * (1 << 16), o->pace[t->root]);
         r->flags[i] &= (uint16_t) ~(1u << CHANGE_SPEED);
     }
     r->vx[i] = r->vy[i] = 0;
     r->flags[i] &= (uint16_t) ~(1u << CHANGE_X | 1u << CHANGE_Y);
-    r->put_speed[i] = s->speed[bullet];
-    r->put_vx[i] = vx;
-    r->put_vy[i] = vy;
+    r->written_speed[i] = s->speed[bullet];
+    r->written_vx[i] = vx;
+    r->written_vy[i] = vy;
 }
 
 /* Applies the changes in progress, then executes the due commands. */
@@ -449,10 +449,10 @@ static void steer_bullet(const struct turn *t, uint32_t bullet)
     const uint32_t i = t->runner;
     const struct flight f = flight_of(&t->b->ml_roots, r, t->root, i);
 
-    s->dir[bullet] = r->put_dir[i];
-    s->speed[bullet] = r->put_speed[i] = f.speed;
-    r->put_vx[i] = f.vx;
-    r->put_vy[i] = f.vy;
+    s->dir[bullet] = r->written_dir[i];
+    s->speed[bullet] = r->written_speed[i] = f.speed;
+    r->written_vx[i] = f.vx;
+    r->written_vy[i] = f.vy;
     bullets_set_flight(s, bullet, f.vx, f.vy);
 }
 
@@ -509,8 +509,8 @@ static inline bool goes_on(const struct ml_runners *r, size_t c, int shift, uint
 static inline bool untouched(const struct ml_runners *r, const struct bullets *s, uint32_t i, uint32_t k)
 {
     return slots_has(&s->s, k, handle_gen(r->bullet[i])) && !s->motion[k] &&
-           !((s->dir[k] ^ r->put_dir[i]) | (ang)(s->speed[k] ^ r->put_speed[i]) | (ang)(s->vx[k] ^ r->put_vx[i]) |
-             (ang)(s->vy[k] ^ r->put_vy[i]));
+           !((s->dir[k] ^ r->written_dir[i]) | (ang)(s->speed[k] ^ r->written_speed[i]) |
+             (ang)(s->vx[k] ^ r->written_vx[i]) | (ang)(s->vy[k] ^ r->written_vy[i]));
 }
 
 /*
@@ -541,10 +541,10 @@ static inline bool glide(struct board *b, uint32_t i, uint32_t now)
     r->vy[i] = vy;
     const struct flight f = flight_of(o, r, root, i);
     const fx fast = fx_max(fx_abs(f.vx), fx_abs(f.vy));
-    s->dir[k] = r->put_dir[i];
-    s->speed[k] = r->put_speed[i] = f.speed;
-    s->vx[k] = r->put_vx[i] = f.vx;
-    s->vy[k] = r->put_vy[i] = f.vy;
+    s->dir[k] = r->written_dir[i];
+    s->speed[k] = r->written_speed[i] = f.speed;
+    s->vx[k] = r->written_vx[i] = f.vx;
+    s->vy[k] = r->written_vy[i] = f.vy;
     if (fast > s->fastest)
         s->fastest = fast;
     return true;
@@ -710,8 +710,8 @@ static void move_root(struct board *b, uint32_t i)
     if (!(r->speed[k] | r->vx[k] | r->vy[k]))
         return;
     const int64_t v = scaled(r->speed[k], o->pace[i]);
-    struct flight f = { .fine_x = ml_scale(v, trig_cos30(r->put_dir[k]), 30),
-                        .fine_y = ml_scale(v, trig_sin30(r->put_dir[k]), 30) };
+    struct flight f = { .fine_x = ml_scale(v, trig_cos30(r->written_dir[k]), 30),
+                        .fine_y = ml_scale(v, trig_sin30(r->written_dir[k]), 30) };
     fly_beside(&f, o, i, r->vx[k], r->vy[k]);
     move_fine(&o->x[i], &o->x_more[i], f.fine_x);
     move_fine(&o->y[i], &o->y_more[i], f.fine_y);

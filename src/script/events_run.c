@@ -323,10 +323,10 @@ static void take_away(struct board *b, struct bullets *s, int64_t h)
         bullets_release(s, handle_slot(h));
 }
 
-/* Uses up shot h, which hit `thing`, unless the shot pierces it. */
-static void spend(struct board *b, int64_t h, int64_t thing)
+/* Uses up shot h, which hit `entity`, unless the shot pierces it. */
+static void spend(struct board *b, int64_t h, int64_t entity)
 {
-    if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), thing, b->core.clock))
+    if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), entity, b->core.clock))
         take_away(b, &b->shots, h);
 }
 
@@ -501,7 +501,7 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
  * name is looked up among the ship's registers, then among the run's. */
 static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
-    const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[kind] - 1);
+    const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full_register[kind] - 1);
     int reg = name ? api_player_register(L, b, p, name) : -1;
 
     if (reg >= 0)
@@ -616,15 +616,15 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     if (b->start.practice.invincible) /* tested only here; does not affect `safe`, which scripts read and write */
         return;
     /* An earlier handler may have removed the entity that hit the player. */
-    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.hit[p] || !counts(b, e->b))
+    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.deathbomb_left[p] || !counts(b, e->b))
         return;
     tell(L, e);
     if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved the player */
         return;
     sound_cue(b, CUE_HIT, b->player.x[p]);
     let_beams_go(b, p);
-    b->player.hit[p] = b->player_kinds.deathbomb[b->player.kind[p]];
-    if (!b->player.hit[p])
+    b->player.deathbomb_left[p] = b->player_kinds.deathbomb[b->player.kind[p]];
+    if (!b->player.deathbomb_left[p])
         events_player_die(b, p);
 }
 

@@ -39,7 +39,7 @@ void events_start(lua_State *L, int64_t game);
 void events_player_die(struct board *b, uint32_t p);
 
 /* Starts and ends bombs, and counts down the deathbomb window after a hit. Called once a frame, before the moves. */
-void events_players(struct board *b, lua_State *L);
+void events_step_players(struct board *b, lua_State *L);
 
 /* Sets *x, *y to the position where player p enters and respawns. */
 void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y);
@@ -62,7 +62,7 @@ void events_set_function(lua_State *L, uint16_t kind, const char *what);
 void events_set_death(lua_State *L, uint32_t slot);
 
 /* Sets the drops of the enemy just spawned in `slot` to the value on top of the stack (popped): a list made by
- * api_drops, or nil. */
+ * api_push_folded_drops, or nil. */
 void events_set_drops(lua_State *L, uint32_t slot);
 
 /* Pushes the value that events_set_function set for this kind and `what`, or nil. */

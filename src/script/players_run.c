@@ -22,11 +22,11 @@ static void count_bomb(struct board *b, uint32_t p)
 
 static void count_hit(struct board *b, uint32_t p)
 {
-    if (b->player.hit[p] && --b->player.hit[p] == 0)
+    if (b->player.deathbomb_left[p] && --b->player.deathbomb_left[p] == 0)
         events_player_die(b, p);
 }
 
-void events_players(struct board *b, lua_State *L)
+void events_step_players(struct board *b, lua_State *L)
 {
     for (uint32_t p = 0; p < PADS; p++) {
         if (!b->player.in[p])

@@ -57,7 +57,7 @@ static int in_list(const char *list, const char *word, size_t n)
     return 0;
 }
 
-int std_piece_of(const char *name)
+int std_module_of(const char *name)
 {
     size_t n = 0;
 
@@ -97,7 +97,7 @@ int std_of(const char *name)
     return -1;
 }
 
-int std_of_field(const char *table, const char *field)
+int std_module_of_field(const char *table, const char *field)
 {
     for (int i = 0; i < STD_MODULES; i++)
         if (modules[i].to && strcmp(modules[i].to, table) == 0 && in_list(modules[i].fields, field, strlen(field)))

@@ -24,15 +24,15 @@ const char *std_module(int i);
 
 /* Returns the module that a piece such as "boss/cast" belongs to: the module with the name of the piece's folder, or
  * boot for "screens". Returns -1 if `name` is not a piece. */
-int std_piece_of(const char *name);
+int std_module_of(const char *name);
 
 /* Returns the module that binds the global `name`, or -1. */
 int std_of(const char *name);
 
-/* std_adds_to returns the existing table to which module i adds fields, or NULL. std_of_field returns the module
+/* std_adds_to returns the existing table to which module i adds fields, or NULL. std_module_of_field returns the module
  * that adds `field` to `table`, or -1. */
 const char *std_adds_to(int i);
-int std_of_field(const char *table, const char *field);
+int std_module_of_field(const char *table, const char *field);
 
 /* Returns the modules whose globals or fields a script with this text may read: bit i for module i. A text that can
  * compute names (_G, _ENV, load) needs them all. */

@@ -178,10 +178,10 @@ int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
 
 void tasks_stop(struct board *b, uint32_t slot)
 {
-    uint8_t was = b->tasks.flags[slot];
+    uint8_t old_flags = b->tasks.flags[slot];
 
     b->tasks.flags[slot] |= TASK_STOP;
-    if (!(was & TASK_SCENE) || was & TASK_STOP)
+    if (!(old_flags & TASK_SCENE) || old_flags & TASK_STOP)
         return;
     vm_charge(b->vm.running, b->enemies.s.live + b->sprites.s.live);
     int64_t h = board_handle(b, H_TASK, (int32_t)slot);

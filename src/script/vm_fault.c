@@ -169,7 +169,7 @@ static void hint(lua_State *L, const char *message, char *out, size_t size)
     vm_where(L, place, sizeof place);
     if ((instead = api_instead_field(name, &space)) != NULL)
         snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
-    else if (strstr(message, "to call") && api_near_calls(vm_board(L)->vm.api, name, calls, sizeof calls))
+    else if (strstr(message, "to call") && api_suggest_calls(vm_board(L)->vm.api, name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
     else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
         snprintf(out, size, " (%s is nil once the thing has despawned; check `alive` first)", name);

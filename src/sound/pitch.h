@@ -23,6 +23,6 @@ uint64_t pitch_step(int32_t pitch);
 uint64_t pitch_ratio(int32_t pitch);
 
 /* Returns 2^-x in Q30, for x in Q32; 0 if x is at least 30. */
-uint32_t pitch_halved(uint64_t x);
+uint32_t pitch_exp2_neg(uint64_t x);
 
 #endif

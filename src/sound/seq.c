@@ -8,13 +8,20 @@
 
 #define FOLLOWS "computed from tune and pos"
 static const struct column seq_columns[] = {
-    REGISTER(seq, tune),        REGISTER(seq, next),         REGISTER(seq, fade),         REGISTER(seq, fade_over),
-    REGISTER(seq, mark),        REGISTER(seq, marks),        REGISTER(seq, tempo),        REGISTER(seq, pos),
-    REGISTER(seq, next_back),   REGISTER(seq, next_waits),   REGISTER(seq, when),         REGISTER(seq, level),
-    REGISTER(seq, level_to),    REGISTER(seq, level_over),   REGISTER(seq, passes),       REGISTER(seq, ahead),
-    REGISTER(seq, passed),      REGISTERS(seq, heard),       REGISTER(seq, aside),        REGISTERS(seq, kept),
-    REGISTERS(seq, kept_mark),  REGISTERS(seq, kept_marks),  REGISTERS(seq, kept_tempo),  REGISTERS(seq, kept_pos),
-    DERIVED(seq, at, FOLLOWS),  DERIVED(seq, left, FOLLOWS), DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
+    REGISTER(seq, tune),         REGISTER(seq, next),
+    REGISTER(seq, fade),         REGISTER(seq, fade_over),
+    REGISTER(seq, mark),         REGISTER(seq, marks),
+    REGISTER(seq, tempo),        REGISTER(seq, pos),
+    REGISTER(seq, next_back),    REGISTER(seq, next_is_scheduled),
+    REGISTER(seq, when),         REGISTER(seq, level),
+    REGISTER(seq, level_to),     REGISTER(seq, level_over),
+    REGISTER(seq, passes),       REGISTER(seq, ahead),
+    REGISTER(seq, passed),       REGISTERS(seq, heard),
+    REGISTER(seq, aside),        REGISTERS(seq, kept),
+    REGISTERS(seq, kept_mark),   REGISTERS(seq, kept_marks),
+    REGISTERS(seq, kept_tempo),  REGISTERS(seq, kept_pos),
+    DERIVED(seq, at, FOLLOWS),   DERIVED(seq, left, FOLLOWS),
+    DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
     DERIVED(seq, pan, FOLLOWS),
 };
 static const struct column cues_columns[] = {
@@ -31,7 +38,7 @@ enum { FIRST_VOLUME = 100 };
 static void end_next(struct seq *s)
 {
     s->next = s->fade = s->fade_over = 0;
-    s->next_back = s->next_waits = 0;
+    s->next_back = s->next_is_scheduled = 0;
     s->when = 0;
 }
 
@@ -44,7 +51,7 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
     s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
     s->tempo = index ? t->tempo : 0;
     for (int i = 0; i < SEQ_TRACKS; i++) {
-        const struct tune_at c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct tune_at){ 0, 0 };
+        const struct track_cursor c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct track_cursor){ 0, 0 };
         s->at[i] = c.at;
         s->left[i] = c.left;
         s->inst[i] = 0;
@@ -147,7 +154,7 @@ bool seq_over(const struct seq *s)
  * because a loop has a length; so the run passes the loop's end only once. */
 bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
-    struct tune_at c = { s->at[0], 0 };
+    struct track_cursor c = { s->at[0], 0 };
     struct tune_played e;
     bool found = false;
     int loops = 0;
@@ -213,7 +220,7 @@ void seq_wait(struct seq *s, int beats)
 {
     const uint64_t step = (uint64_t)beats * TUNE_QUARTER * TUNE_TICK;
 
-    s->next_waits = 1;
+    s->next_is_scheduled = 1;
     s->when = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
 }
 
@@ -222,7 +229,7 @@ static int until_next(const struct seq *s)
 {
     const int64_t left = (int64_t)(s->when - s->pos);
 
-    if (!s->next_waits || left > (int64_t)SND_FRAME * s->tempo)
+    if (!s->next_is_scheduled || left > (int64_t)SND_FRAME * s->tempo)
         return SND_FRAME;
     return left <= 0 ? 0 : (int)((left + s->tempo - 1) / s->tempo);
 }
@@ -347,7 +354,7 @@ static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint
 
 static void set_cue(struct cues *c, int i, const struct tune *t, int track, const struct cue *cue, uint32_t frame)
 {
-    const struct tune_at at = tune_begin(t, track);
+    const struct track_cursor at = tune_begin(t, track);
 
     c->tune[i] = cue->tune;
     c->born[i] = frame;

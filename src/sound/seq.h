@@ -33,8 +33,8 @@ struct seq {
     uint32_t marks;           /* number of markers passed */
     uint32_t tempo;           /* hundredths of a quarter note a minute */
     uint64_t pos; /* units since the first beat (TUNE_TICK per tick); negative in two's complement before that beat */
-    uint8_t next_back;  /* 1: the current piece is suspended when `next` starts */
-    uint8_t next_waits; /* 1: `next` starts at the sample where pos reaches `when` */
+    uint8_t next_back;         /* 1: the current piece is suspended when `next` starts */
+    uint8_t next_is_scheduled; /* 1: `next` starts at the sample where pos reaches `when` */
     uint64_t when;
     uint16_t level, level_to; /* volume and target volume, of SEQ_FULL */
     uint16_t level_over;      /* frames until the target volume is reached */
@@ -45,7 +45,7 @@ struct seq {
     uint16_t kept[SEQ_ASIDE], kept_mark[SEQ_ASIDE];
     uint32_t kept_marks[SEQ_ASIDE], kept_tempo[SEQ_ASIDE];
     uint64_t kept_pos[SEQ_ASIDE];
-    uint32_t *at; /* track positions (struct tune_at): of the current piece, then of the suspended ones */
+    uint32_t *at; /* track positions (struct track_cursor): of the current piece, then of the suspended ones */
     int64_t *left;
     uint8_t *inst, *volume, *pan; /* each track's settings for its next notes */
 };

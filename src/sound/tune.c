@@ -111,9 +111,9 @@ static uint32_t read_ticks(const uint8_t *data, uint32_t *at)
     return v;
 }
 
-struct tune_at tune_begin(const struct tune *t, int i)
+struct track_cursor tune_begin(const struct tune *t, int i)
 {
-    struct tune_at c = { begins(t, i), 0 };
+    struct track_cursor c = { begins(t, i), 0 };
 
     c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
     return c;
@@ -121,7 +121,7 @@ struct tune_at tune_begin(const struct tune *t, int i)
 
 /* Reads the event at c and moves c to the next one. Returns false for the end of a loop, which is not reported as an
  * event. */
-static bool read_event(const struct tune *t, int track, struct tune_at *c, struct tune_played *e)
+static bool read_event(const struct tune *t, int track, struct track_cursor *c, struct tune_played *e)
 {
     const uint8_t *p = t->data + c->at;
 
@@ -146,7 +146,7 @@ static bool read_event(const struct tune *t, int track, struct tune_at *c, struc
 
 bool tune_next(struct tune_run *r, struct tune_played *e)
 {
-    struct tune_at *c = &r->at;
+    struct track_cursor *c = &r->at;
 
     for (; c->at != 0 && r->events < EVENTS_A_RUN; r->events++) {
         const int64_t at = c->left <= 0 ? 0 : (c->left + r->tempo - 1) / r->tempo;

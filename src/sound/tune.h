@@ -90,13 +90,13 @@ bool tune_endless(const struct tune *t);
 bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size);
 
 /* A position in a track. */
-struct tune_at {
+struct track_cursor {
     uint32_t at;  /* byte offset of the next event in the tune; 0: the track has ended */
     int64_t left; /* units until the next event */
 };
 
 /* Returns the position at the start of track i; -1: the conductor. */
-struct tune_at tune_begin(const struct tune *t, int i);
+struct track_cursor tune_begin(const struct tune *t, int i);
 
 struct tune_played {
     enum tune_event event;
@@ -108,7 +108,7 @@ struct tune_played {
 struct tune_run {
     const struct tune *t;
     int track;
-    struct tune_at at; /* current position; once tune_next has returned false, where the next run starts */
+    struct track_cursor at; /* current position; once tune_next has returned false, where the next run starts */
     uint32_t tempo;
     int first, n;
     int events; /* private to tune_next: number of events read, which is limited; starts as 0 */

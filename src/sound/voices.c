@@ -56,13 +56,13 @@ static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
 /* Returns the pitch offset that vibrato and the pitch curve cause at an age. */
 static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
 {
-    int32_t by = 0;
+    int32_t pitch_offset = 0;
 
     if (inst->vibrato.depth)
-        by = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
+        pitch_offset = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
     if (inst->pitch_curve)
-        by += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
-    return by;
+        pitch_offset += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+    return pitch_offset;
 }
 
 /* Returns the phase step of slot i at an age, in the frame that starts at age `now`. */
@@ -234,9 +234,9 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
     const struct inst inst = inst_of(rom + s->inst[i]);
     const uint64_t step = s->step0[i];
-    const int64_t more = (int64_t)(s->step1[i] - step) / SND_FRAME;
+    const int64_t step_delta = (int64_t)(s->step1[i] - step) / SND_FRAME;
 
-    s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * more);
+    s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * step_delta);
     if (inst.kind == INST_SAMPLE && s->wave[i]) {
         const struct sample sample = sample_of(rom + s->wave[i]);
         s->phase[i] -= loops_back(&sample, s->phase[i]);

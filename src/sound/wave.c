@@ -222,7 +222,7 @@ static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
 {
     if (half == 0)
         return level;
-    return (int32_t)((int64_t)level * pitch_halved(((uint64_t)(uint32_t)samples << 32) / half) >> 30);
+    return (int32_t)((int64_t)level * pitch_exp2_neg(((uint64_t)(uint32_t)samples << 32) / half) >> 30);
 }
 
 static int32_t held(const struct env *e, int32_t age)

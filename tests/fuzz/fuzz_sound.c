@@ -26,7 +26,7 @@ static void play(const uint8_t *bytes)
         snd_tables_make(&tables);
     voiced(&t, &tables);
     for (int k = -1; k < t.tracks; k++) {
-        struct tune_at c = tune_begin(&t, k);
+        struct track_cursor c = tune_begin(&t, k);
         for (int f = 0; f < 20; f++) {
             struct tune_run run = { &t, k, c, t.tempo, 0, SND_FRAME, 0 };
             struct tune_played e;

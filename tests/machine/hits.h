@@ -336,7 +336,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
             seen.circles_hits += b->bullet_kinds.shape[k] == SHAPE_CIRCLES;
             seen.standing += !swept;
         } else if (b->bullet_kinds.flags[k] & KIND_GRAZE && !(b->bullets.flags[i] & BULLET_GRAZED << p) &&
-                   meets(bullet, pilot(b, p, b->player_kinds.graze[kind]), swept)) {
+                   meets(bullet, pilot(b, p, b->player_kinds.graze_radius[kind]), swept)) {
             expect(b, EV_GRAZE, H_PLAYER, p, H_BULLET, i);
             seen.grazes++;
         } else

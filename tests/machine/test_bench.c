@@ -131,7 +131,7 @@ static void test_hits(void **state)
         fx mx = b->player.x[0] - b->player.was_x[0], my = b->player.y[0] - b->player.was_y[0];
         for (uint32_t i = 0; i < 4096; i++) {
             bool h = touched(b, i, b->player_kinds.radius[0], mx, my);
-            bool g = !h && !(before[i] & BULLET_GRAZED) && touched(b, i, b->player_kinds.graze[0], mx, my);
+            bool g = !h && !(before[i] & BULLET_GRAZED) && touched(b, i, b->player_kinds.graze_radius[0], mx, my);
             hit += h;
             graze += g;
             misses += !h;

@@ -236,7 +236,7 @@ static void act(struct board *b)
         r->dy = r->body >= 0 ? y - ref[r->body].y : 0;
         r->x = x;
         r->y = y;
-        enemies_put(e, (uint32_t)i, x, y);
+        enemies_set_position(e, (uint32_t)i, x, y);
         break;
     case 3:
     case 4:

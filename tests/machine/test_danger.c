@@ -116,7 +116,7 @@ static void test_same_hits(void **state)
 /* Ships steered by chance, in bursts, until they are hit: wherever one is, the set of that frame has it. */
 static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t from, fx x, fx y)
 {
-    struct danger_way way = { .x = x, .y = y };
+    struct danger_path way = { .x = x, .y = y };
     uint64_t flown = 0;
     int choice = 0;
 

@@ -56,7 +56,7 @@ static void draw_kinds(struct board *b, fx scale)
     b->player_kinds.s.live = 2;
     for (int k = 0; k < 2; k++) {
         b->player_kinds.radius[k] = length(scale);
-        b->player_kinds.graze[k] = length(scale);
+        b->player_kinds.graze_radius[k] = length(scale);
     }
 }
 
@@ -82,7 +82,7 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
     uint16_t kind = b->player.kind[p], k = s->kind[i];
     bool bar = b->bullet_kinds.shape[k] == SHAPE_CAPSULE;
     int64_t r = (int64_t)b->bullet_kinds.a[k] +
-                (one_in(2) ? b->player_kinds.radius[kind] : b->player_kinds.graze[kind]) + within(3);
+                (one_in(2) ? b->player_kinds.radius[kind] : b->player_kinds.graze_radius[kind]) + within(3);
     fx ux, uy;
     int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.was_x[p]),
             wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.was_y[p]);

@@ -697,7 +697,7 @@ static void test_long_fades(void **state)
     rig_run(&rig, 2);
     sound_music_stop(rig.b, 65535);
     rig.b->music.fade = 50000;
-    sound_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_how){ .fade = 40000 });
+    sound_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_options){ .fade = 40000 });
     assert_int_equal(rig.b->music.fade, 40000);
     assert_int_equal(rig.b->music.fade_over, 52428);
     done();

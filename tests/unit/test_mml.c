@@ -38,7 +38,7 @@ static void write_down(struct list *l, const struct tune_played *p)
     snprintf(l->text + strlen(l->text), 2, " ");
 }
 
-static void write_run(struct list *l, struct tune_run run, struct tune_at *at)
+static void write_run(struct list *l, struct tune_run run, struct track_cursor *at)
 {
     struct tune_played e;
 
@@ -60,7 +60,7 @@ static const char *events(const char *text)
         return strcpy(l.text, err);
     const struct tune t = tune_of(bytes);
     assert_true(tune_open(bytes, size, err, sizeof err));
-    struct tune_at c = tune_begin(&t, 0);
+    struct track_cursor c = tune_begin(&t, 0);
     for (; l.at < 6000 && c.at; l.at += 1000)
         write_run(&l, (struct tune_run){ &t, 0, c, TUNE_TICK, 0, 1000, 0 }, &c);
     free(bytes);
@@ -314,7 +314,7 @@ static void test_damage(void **state)
                 voiced(&t, &tables);
             struct list l = { .at = 0 };
             for (int k = -1; k < t.tracks; k++) {
-                struct tune_at c = tune_begin(&t, k);
+                struct track_cursor c = tune_begin(&t, k);
                 l.text[0] = '\0';
                 write_run(&l, (struct tune_run){ &t, k, c, t.tempo, 0, 800, 0 }, &c);
             }

@@ -583,7 +583,7 @@ static const char *events(const uint8_t *tune, int track, int64_t n)
 {
     static struct list l;
     const struct tune t = tune_of(tune);
-    struct tune_at c = tune_begin(&t, track);
+    struct track_cursor c = tune_begin(&t, track);
 
     memset(&l, 0, sizeof l);
     for (; l.at < n && c.at; l.at += 800) {

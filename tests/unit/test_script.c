@@ -316,12 +316,12 @@ static void test_modules(void **state)
                      std_module(i));
         assert_true(std_named(text, (size_t)n) == 0);
     }
-    assert_int_equal(std_piece_of("boss"), -1);
-    assert_int_equal(std_piece_of("bosses/cast"), -1);
-    assert_int_equal(std_piece_of("bos/cast"), -1);
-    assert_int_equal(std_piece_of("/cast"), -1);
-    assert_int_equal(std_piece_of("boss/cast"), std_of("boss"));
-    assert_int_equal(std_piece_of("screens/title"), std_of("boot"));
+    assert_int_equal(std_module_of("boss"), -1);
+    assert_int_equal(std_module_of("bosses/cast"), -1);
+    assert_int_equal(std_module_of("bos/cast"), -1);
+    assert_int_equal(std_module_of("/cast"), -1);
+    assert_int_equal(std_module_of("boss/cast"), std_of("boss"));
+    assert_int_equal(std_module_of("screens/title"), std_of("boot"));
     assert_string_equal(std_module(0), "prelude");
     assert_int_equal(std_of("prelude"), -1);
     assert_int_equal(std_of("wait_for"), 0);
@@ -330,9 +330,9 @@ static void test_modules(void **state)
     assert_int_equal(std_of(" pattern "), -1);
     assert_true(std_named("wait_until(f)", 13) == 1);
     assert_true(std_named("boss.def(hud)", 13) == (1u << std_of("boss") | 1u << std_of("hud")));
-    assert_int_equal(std_of_field("pattern", "star"), 2);
-    assert_int_equal(std_of_field("pattern", "ring"), -1);
-    assert_int_equal(std_of_field("bullet", "star"), -1);
+    assert_int_equal(std_module_of_field("pattern", "star"), 2);
+    assert_int_equal(std_module_of_field("pattern", "ring"), -1);
+    assert_int_equal(std_module_of_field("bullet", "star"), -1);
     assert_true(std_named("pattern.star", 12) == (1 << 1 | 1 << 2) && std_named("f(pattern)", 10) == (1 << 1 | 1 << 2));
     assert_true(std_named("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
     assert_true(std_needed(1, "return pattern", 14) == 1 << 1);

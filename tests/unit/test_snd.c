@@ -48,10 +48,10 @@ static void test_halved(void **state)
     (void)state;
     for (uint64_t x = 0; x < (uint64_t)31 << 32; x += 12345678) {
         const double right = 0x1p30 * exp2(-(double)x / 0x1p32);
-        assert_true(fabs(pitch_halved(x) - right) <= 0x1p30 * 4e-6 * exp2(-(double)x / 0x1p32) + 1);
+        assert_true(fabs(pitch_exp2_neg(x) - right) <= 0x1p30 * 4e-6 * exp2(-(double)x / 0x1p32) + 1);
     }
-    assert_int_equal(pitch_halved(0), 1 << 30);
-    assert_int_equal(pitch_halved((uint64_t)3 << 32), 1 << 27);
+    assert_int_equal(pitch_exp2_neg(0), 1 << 30);
+    assert_int_equal(pitch_exp2_neg((uint64_t)3 << 32), 1 << 27);
 }
 
 /* Weights add up to one; one that stands on a sample gives it back; each phase is the mirror of its opposite. */
@@ -374,7 +374,7 @@ static void note_down(struct played *d, const struct tune_played *p)
 
 static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samples, struct played *d)
 {
-    struct tune_at c = tune_begin(t, 0);
+    struct track_cursor c = tune_begin(t, 0);
 
     d->n = 0;
     for (d->base = 0; d->base < samples; d->base += piece) {

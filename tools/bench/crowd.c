@@ -45,7 +45,7 @@ bool crowd_take(struct crowd *c, const struct scene *s)
     c->margin = b->cart.m.margin;
     c->radius = b->bullet_kinds.a[0];
     c->player_radius = b->player_kinds.radius[b->player.kind[0]];
-    c->player_graze = b->player_kinds.graze[b->player.kind[0]];
+    c->player_graze = b->player_kinds.graze_radius[b->player.kind[0]];
     take_picture(c->ship, &b->pictures[b->player_kinds.sprite[b->player.kind[0]]], 0);
     for (int k = 0; k < CROWD_KINDS; k++)
         take_picture(c->pix[k], &b->pictures[b->bullet_kinds.sprite[k]], b->bullet_kinds.bank[k]);

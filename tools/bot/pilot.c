@@ -70,7 +70,7 @@ static bool was_hit(const struct board *b)
     for (int i = 0; i < out->markers; i++)
         if (out->marker[i].kind == MARKER_DEATH)
             return true;
-    return b->player.hit[0] || b->player.hit[1];
+    return b->player.deathbomb_left[0] || b->player.deathbomb_left[1];
 }
 
 /* Of a player that is not steered: through talks, and menus. */

@@ -69,7 +69,7 @@ static uint16_t hands(const struct board *b, long f)
         pads |= f / SWAY % 4 == 2 ? PAD_RIGHT : f / SWAY % 4 == 0 ? PAD_LEFT : 0;
     if (f / (SWAY * 4) % 2)
         pads |= PAD_FOCUS;
-    if (f % BOMB_EVERY == BOMB_FIRST || (b->player.hit[0] == LATE && f % BOMB_EVERY < BOMB_FIRST))
+    if (f % BOMB_EVERY == BOMB_FIRST || (b->player.deathbomb_left[0] == LATE && f % BOMB_EVERY < BOMB_FIRST))
         pads |= PAD_BOMB; /* also answers some hits */
     return pads;
 }

@@ -116,7 +116,7 @@ uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx v
 void engine_player(struct board *b, fx radius, fx x, fx y, fx mx, fx my)
 {
     b->player_kinds.radius[0] = radius;
-    b->player_kinds.graze[0] = radius;
+    b->player_kinds.graze_radius[0] = radius;
     b->player.in[0] = 1;
     b->player.gen[0] = 1;
     b->player.kind[0] = 0;

@@ -57,7 +57,7 @@ static struct board *close_crowd(const struct choice *c, int n)
     b->bullet_kinds.shape[kind] = c->shape;
     b->bullet_kinds.flags[kind] = c->flags;
     engine_player(b, PX(2), PX(160), PX(120), PX(1), 0);
-    b->player_kinds.graze[0] = PX(16);
+    b->player_kinds.graze_radius[0] = PX(16);
     for (int i = 0; i < n; i++) {
         fx v[4];
         for (int k = 0; k < 4; k++)

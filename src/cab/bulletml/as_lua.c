@@ -79,7 +79,7 @@ static void put_direction(struct lua_writer *w, const struct document_node *v)
     as_lua_put(&w->body, ")");
 }
 
-static void put_speed(struct lua_writer *w, const struct document_node *v)
+static void written_speed(struct lua_writer *w, const struct document_node *v)
 {
     static const char *const names[] = { "plain", "plain", "plain", "faster", "next_speed" };
 
@@ -126,7 +126,7 @@ static void put_change_speed(struct lua_writer *w, int32_t node)
     if (v->type == NODE_SEQUENCE)
         as_lua_value(&w->body, v, 0, false);
     else
-        put_speed(w, v);
+        written_speed(w, v);
     end_change(w, node);
 }
 
@@ -214,7 +214,7 @@ static void put_bullet(struct lua_writer *w, int32_t bullet)
         line(w);
         put_own(w, "shot");
         as_lua_put(&w->body, ".speed = ");
-        put_speed(w, speed);
+        written_speed(w, speed);
         as_lua_put(&w->body, "\n");
     }
     if (direction) {
@@ -262,7 +262,7 @@ static void put_shot(struct lua_writer *w, int32_t fire)
     as_lua_put(&w->body, "{ ");
     if (speed) {
         as_lua_put(&w->body, "speed = ");
-        put_speed(w, speed);
+        written_speed(w, speed);
     }
     if (direction) {
         as_lua_put(&w->body, speed ? ", dir = " : "dir = ");

@@ -44,7 +44,7 @@ static void put_step(struct steps *s, const char *format, double n)
 /* ---- changes ---- */
 
 /* The inner part of a step, for a change over so many frames. */
-static void put_speed(struct steps *s, double over)
+static void written_speed(struct steps *s, double over)
 {
     const struct document_node *v = child(s, s->speed, NODE_SPEED);
 
@@ -87,7 +87,7 @@ static void put_change(struct steps *s, double over, bool speed, bool turn)
 {
     as_lua_put(&s->text, "%s{ ", s->text.n ? ", " : "");
     if (speed)
-        put_speed(s, over);
+        written_speed(s, over);
     if (turn)
         as_lua_put(&s->text, speed ? ", " : "");
     if (turn)

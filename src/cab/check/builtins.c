@@ -137,7 +137,7 @@ static bool adds_only(const char *script)
     for (int i = 0; i < STD_MODULES; i++)
         if (strcmp(script, std_module(i)) == 0)
             return std_adds_to(i) != NULL;
-    return std_piece_of(script) >= 0;
+    return std_module_of(script) >= 0;
 }
 
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)

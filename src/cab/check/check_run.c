@@ -197,7 +197,7 @@ static void judge_boot(struct run *r)
     bool stages = false, ships = false;
     char entry[TREE_PATH];
 
-    if (board_boots(b) || board_last(b)->fault)
+    if (board_has_boot_run(b) || board_last(b)->fault)
         return;
     snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
     const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
@@ -312,7 +312,7 @@ bool check_power(struct run *r, const char *what, const struct board_start *star
             inspect_kinds(r->guard.board, note_large, r);
             inspect_kinds(r->guard.board, note_ramp, r);
         }
-        r->boots = board_boots(r->guard.board);
+        r->boots = board_has_boot_run(r->guard.board);
         if (!r->measured)
             judge_boot(r);
         r->measured = true;

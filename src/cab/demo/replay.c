@@ -12,7 +12,7 @@
 
 static enum result out_of_memory(char *err, size_t err_size)
 {
-    result_host(err, err_size, "out of memory");
+    result_set_host_error(err, err_size, "out of memory");
     return RESULT_HOST;
 }
 
@@ -52,7 +52,7 @@ static uint32_t first_of(const struct demo *d, uint32_t frame, uint64_t parts)
 /* Compares the board with checksums and track; true: it is as recorded. */
 static bool compare(struct replay *r, const struct demo *d, uint32_t frame, struct verdict *v)
 {
-    if (!demo_told(d, frame))
+    if (!demo_has_checksums(d, frame))
         return true;
     board_hashes_cached(r->guard.board, r->hash_cache, r->board);
     uint64_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
@@ -128,7 +128,7 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
         return;
     if (v.parts >> *points & 1) {
         *points = MAX_PARTS;
-    } else if (demo_print(d, f, *points, &print)) {
+    } else if (demo_checksum(d, f, *points, &print)) {
         o->held = true;
         o->alike = f;
         for (int p = 0; p < PADS; p++)

@@ -117,7 +117,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
     if (t.at)
         err_set(err, err_size, "%s: the file would be larger than %d bytes", shown, CONFIG_BYTES);
     else
-        result_host(err, err_size, "%s: out of memory", shown);
+        result_set_host_error(err, err_size, "%s: out of memory", shown);
     free(t.at);
     return NULL;
 }

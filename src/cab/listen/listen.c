@@ -140,7 +140,7 @@ static enum result measure(struct board *b, const struct args *a)
     }
     record(b, &t, a->words[1], MOST_FRAMES);
     if (!print_level(a->words[1], &t))
-        good = result_host(err, sizeof err, "out of memory");
+        good = result_set_host_error(err, sizeof err, "out of memory");
     if (good && out)
         good = tape_save(&t, out, err, sizeof err);
     tape_close(&t);

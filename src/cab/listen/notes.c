@@ -66,10 +66,10 @@ static void print_event(const struct walk *w, const struct tune_played *e)
 /* Plays until the reader stands at `until`, goes back (returns where it stands then) or ends (returns 0). */
 static uint32_t walk(struct walk *w, int track, uint32_t until)
 {
-    struct tune_at c = tune_begin(w->t, track);
+    struct track_cursor c = tune_begin(w->t, track);
 
     for (w->tick = 0; c.at != 0; w->tick++) {
-        const struct tune_at before = c;
+        const struct track_cursor before = c;
         struct tune_run run = { w->t, track, c, TUNE_TICK, 0, 1, 0 };
         struct tune_played e;
         while (tune_next(&run, &e))

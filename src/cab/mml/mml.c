@@ -553,7 +553,7 @@ bool mml_compile(const char *text, size_t n, const char *file, const struct mml_
         if (m)
             end(m);
         return n > MML_FILE ? err_set(err, err_size, "%s: longer than %d bytes", file, MML_FILE)
-                            : result_host(err, err_size, "out of memory");
+                            : result_set_host_error(err, err_size, "out of memory");
     }
     m->text = text;
     m->n = n;

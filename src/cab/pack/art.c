@@ -154,7 +154,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
     *size = (size_t)p->w * (size_t)p->h;
     *out = malloc(*size);
     if (*out == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     for (int y = 0; y < p->h; y++) {
         for (int x = 0; x < p->w; x++) {
             int shade = shade_of(p, x, y, 0, rgb, nearest, err, err_size);
@@ -275,7 +275,7 @@ static bool make_stack(struct stack *s, int w, int h, int n, char *err, size_t e
     if ((uint64_t)w * (uint64_t)h * (uint64_t)n > MAX_STACK)
         return err_set(err, err_size, "its frames and rotations take more than %d MiB", MAX_STACK >> 20);
     s->pix = calloc(1, stack_bytes(s));
-    return s->pix != NULL ? true : result_host(err, err_size, "out of memory");
+    return s->pix != NULL ? true : result_set_host_error(err, err_size, "out of memory");
 }
 
 /* The size that holds all turns of all frames. */
@@ -315,7 +315,7 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
                        CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
         free(scratch);
         return false;
@@ -356,7 +356,7 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
                        percent, CART_MAX_SIDE);
     void *scratch = malloc(turn_scratch(s->w, s->h));
     if (scratch == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     if (!make_stack(&to, w, h, s->n, err, err_size)) {
         free(scratch);
         return false;
@@ -463,7 +463,7 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
         oy = s.py / 2;
     }
     if (good && !write_lump(&s, sprite, box, ox, oy, bank, out, size))
-        good = result_host(err, err_size, "out of memory");
+        good = result_set_host_error(err, err_size, "out of memory");
     free(s.pix);
     return good;
 }

@@ -166,7 +166,7 @@ static bool make_strip(const struct ase *a, const struct art_sprite *at, bool by
     if (good)
         good = fill_strip(a, at, s, work, work + canvas * 4, err, err_size);
     else
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
     free(work);
     if (!good)
         art_picture_free(&s->picture);

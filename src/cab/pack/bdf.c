@@ -352,7 +352,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
     g.code = (uint32_t)l->code;
     g.pix = wanted ? calloc((size_t)g.w + 1, (size_t)g.h + 1) : NULL;
     if (wanted && g.pix == NULL)
-        return result_host(r->err, r->err_size, "out of memory");
+        return result_set_host_error(r->err, r->err_size, "out of memory");
     for (int y = 0; y < l->h; y++)
         if (!read_row(r, l->w, wanted ? g.pix + y * g.w : NULL)) {
             free(g.pix);
@@ -360,7 +360,7 @@ static bool read_bitmap(struct reader *r, const struct letter *l)
         }
     if (!wanted)
         return true;
-    return faces_put(r->f, g) ? true : result_host(r->err, r->err_size, "out of memory");
+    return faces_put(r->f, g) ? true : result_set_host_error(r->err, r->err_size, "out of memory");
 }
 
 static bool read_advance(const struct reader *r, const char *s, struct letter *l)

@@ -212,7 +212,7 @@ static bool cut_cell(struct faces_glyph *g, const struct art_picture *p, int x0,
 {
     g->pix = calloc((size_t)g->w, (size_t)g->h);
     if (g->pix == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     for (int i = 0; i < g->w * g->h; i++) {
         int shade = art_shade(p, x0 + i % g->w, y0 + i / g->w, 0, rgb, nearest, err, err_size);
         if (shade < 0) {
@@ -244,7 +244,7 @@ bool faces_cut(struct faces *f, const struct art_picture *picture, const struct 
             return false;
         trim(&g, font->fixed);
         if (!faces_put(f, g))
-            return result_host(err, err_size, "out of memory");
+            return result_set_host_error(err, err_size, "out of memory");
     }
     return true;
 }

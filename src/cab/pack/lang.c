@@ -98,7 +98,7 @@ static bool grow(struct reader *r)
     struct lang_line *more = realloc(r->l->list, (size_t)room * sizeof *more);
 
     if (more == NULL)
-        return result_host(r->err, r->err_size, "out of memory");
+        return result_set_host_error(r->err, r->err_size, "out of memory");
     r->l->list = more;
     r->room = room;
     return true;
@@ -162,7 +162,7 @@ bool lang_read(struct lang *l, const char *bytes, size_t n, const char *file, ch
 
     *l = (struct lang){ .block = malloc(2 * n + 2) };
     if (l->block == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     if (n > LANG_FILE)
         return err_set(err, err_size, "%s: longer than %d bytes", file, LANG_FILE);
     for (const char *p = bytes; p < end; r.line++) {

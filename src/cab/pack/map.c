@@ -88,7 +88,7 @@ static bool more_room(struct making *m)
     uint8_t *pix = realloc(m->pix, (size_t)room * tile_bytes(m));
 
     if (pix == NULL)
-        return result_host(m->err, m->err_size, "out of memory");
+        return result_set_host_error(m->err, m->err_size, "out of memory");
     m->pix = pix;
     m->room = room;
     return true;
@@ -149,7 +149,7 @@ static bool join(const struct making *m, const uint8_t *cells, uint8_t **out, si
     *size = CART_MAP_HEADER + 2 * n + (size_t)m->tiles * (1 + tile);
     uint8_t *p = *out = calloc(1, *size);
     if (p == NULL)
-        return result_host(m->err, m->err_size, "out of memory");
+        return result_set_host_error(m->err, m->err_size, "out of memory");
     uint8_t *solid = p + CART_MAP_HEADER + 2 * n;
     for (int i = 0; i < m->tiles; i++)
         solid[i] = memchr(m->pix + (size_t)i * tile, 0, tile) == NULL;
@@ -230,8 +230,9 @@ bool map_make(const struct map_cells *cells, const char *where, int side, const 
     m.number = calloc(lay_sheets(&m) * 8 + 8, sizeof *m.number);
     m.pix = calloc((size_t)m.room, tile_bytes(&m));
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
-    bool good =
-        m.number != NULL && m.pix != NULL && numbers != NULL ? true : result_host(err, err_size, "out of memory");
+    bool good = m.number != NULL && m.pix != NULL && numbers != NULL
+                    ? true
+                    : result_set_host_error(err, err_size, "out of memory");
     good = good && number_cells(&m, numbers) && join(&m, numbers, out, size);
     free(numbers);
     free(m.number);
@@ -258,7 +259,7 @@ static bool csv_add(struct csv *c, uint32_t cell)
         c->room = c->room ? 2 * c->room : 1024;
         uint32_t *more = realloc(c->out->cell, (size_t)c->room * sizeof *more);
         if (more == NULL)
-            return result_host(c->err, c->err_size, "out of memory");
+            return result_set_host_error(c->err, c->err_size, "out of memory");
         c->out->cell = more;
     }
     c->out->cell[c->n++] = cell;

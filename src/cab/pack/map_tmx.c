@@ -468,7 +468,7 @@ static bool read_base64(struct tmx *t, struct xml *x, const char *compression, u
     const char *s;
     const size_t length = xml_text(x, &s), size = (size_t)n * 4;
     uint8_t *packed = malloc(length + 1), *bytes = malloc(size + 1);
-    bool good = packed != NULL && bytes != NULL ? true : result_host(t->err, t->err_size, "out of memory");
+    bool good = packed != NULL && bytes != NULL ? true : result_set_host_error(t->err, t->err_size, "out of memory");
     const int64_t packed_size = good ? decode64(s, length, packed) : 0;
 
     if (good && packed_size < 0)
@@ -502,7 +502,7 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
         t->chunk = more != NULL ? more : t->chunk;
     }
     if (gid == NULL || t->chunks == t->chunk_room)
-        return result_host(t->err, t->err_size, "out of memory");
+        return result_set_host_error(t->err, t->err_size, "out of memory");
     c.at = t->gids;
     t->chunk[t->chunks++] = c;
     t->gids += n;
@@ -643,7 +643,7 @@ static bool place_cells(struct tmx *t, struct chunk box)
 {
     t->out->cell = calloc((size_t)box.w * (size_t)box.h, sizeof *t->out->cell);
     if (t->out->cell == NULL)
-        return result_host(t->err, t->err_size, "out of memory");
+        return result_set_host_error(t->err, t->err_size, "out of memory");
     for (int i = 0; i < t->chunks; i++) {
         const struct chunk *c = &t->chunk[i];
         for (int64_t k = 0; k < c->w * c->h; k++) {
@@ -888,7 +888,7 @@ bool map_read_tmx(const char *text, size_t n, const char *file, const char *laye
 {
     struct tmx *t = calloc(1, sizeof *t);
     char *copy = malloc(n + 1); /* XML is decoded in place */
-    bool good = t != NULL && copy != NULL ? true : result_host(err, err_size, "out of memory");
+    bool good = t != NULL && copy != NULL ? true : result_set_host_error(err, err_size, "out of memory");
 
     *out = (struct map_cells){ 0 };
     if (good) {

@@ -60,7 +60,7 @@ bool pack_add(struct packer *p, const char *folder, const char *name, uint8_t *d
     if (full == NULL || (p->lumps.n == p->lumps.room && !lumps_grow(&p->lumps))) {
         free(full);
         free(data);
-        return result_host(p->err, p->err_size, "out of memory");
+        return result_set_host_error(p->err, p->err_size, "out of memory");
     }
     snprintf(full, n, "%s%s", folder, name);
     p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
@@ -72,7 +72,7 @@ bool pack_add_copy(struct packer *p, const char *folder, const char *name, const
     uint8_t *copy = malloc(size + 1);
 
     if (copy == NULL)
-        return result_host(p->err, p->err_size, "out of memory");
+        return result_set_host_error(p->err, p->err_size, "out of memory");
     memcpy(copy, data, size);
     return pack_add(p, folder, name, copy, size);
 }
@@ -119,12 +119,12 @@ static bool read_manifest(struct packer *p)
     void *block, *work = tree_work(MANIFEST_WORK, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
-                             : result_host(p->err, p->err_size, "out of memory");
+                             : result_set_host_error(p->err, p->err_size, "out of memory");
     free(block);
     p->rom_text = realloc(text, size + 1);
     if (p->rom_text == NULL) {
         free(text);
-        return result_host(p->err, p->err_size, "out of memory");
+        return result_set_host_error(p->err, p->err_size, "out of memory");
     }
     p->rom_text[size] = '\0';
     return good;
@@ -206,7 +206,7 @@ static bool add_script(struct packer *p, const char *path)
     snprintf(chunk, sizeof chunk, "@%s", path);
     void *block, *work = tree_work(TREE_WORK, &block);
     bool good = work != NULL ? script_check((const char *)text, size, chunk, work, TREE_WORK, p->err, p->err_size)
-                             : result_host(p->err, p->err_size, "out of memory");
+                             : result_set_host_error(p->err, p->err_size, "out of memory");
     free(block);
     if (!good) {
         free(text);
@@ -269,7 +269,8 @@ static bool add_lang(struct packer *p, const char *path)
     free(text);
     if (!good)
         return false;
-    return size > 0 ? pack_add(p, "lang/", name, data, size) : result_host(p->err, p->err_size, "out of memory");
+    return size > 0 ? pack_add(p, "lang/", name, data, size)
+                    : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
 bool pack_is_bulletml(const char *path)
@@ -402,7 +403,7 @@ static bool add_module(struct packer *p, const struct embedded *s)
 static bool add_pieces(struct packer *p)
 {
     for (int i = 0; i < std_script_count; i++) {
-        int of = std_piece_of(std_scripts[i].name);
+        int of = std_module_of(std_scripts[i].name);
         if (of >= 0 && p->std >> of & 1 && !replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
             return false;
     }
@@ -449,7 +450,7 @@ static bool write_image(struct packer *p, uint8_t **image, size_t *size)
         return err_set(p->err, p->err_size, "too large for a ROM");
     *image = malloc(*size);
     if (*image == NULL)
-        return result_host(p->err, p->err_size, "out of memory");
+        return result_set_host_error(p->err, p->err_size, "out of memory");
     rom_write(*image, p->lumps.lump, p->lumps.n);
     if (pack_check_image(*image, *size, &rom, p->err, p->err_size))
         return true;
@@ -476,7 +477,7 @@ bool pack_folder_told(const char *dir, bool nearest, void (*warn)(void *context,
     struct packer *p = calloc(1, sizeof *p);
 
     if (p == NULL)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     p->dir = dir;
     p->nearest = nearest;
     p->warn = warn;

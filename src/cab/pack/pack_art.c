@@ -119,7 +119,7 @@ static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
     if (table != NULL && blend_make(rgb, mix, table))
         return table;
     free(table);
-    result_host(p->err, p->err_size, "out of memory");
+    result_set_host_error(p->err, p->err_size, "out of memory");
     return NULL;
 }
 
@@ -212,7 +212,7 @@ static bool add_face(struct packer *p, const struct art_font *font)
     size_t size = 0;
 
     if (wanted == NULL)
-        return result_host(p->err, p->err_size, "out of memory");
+        return result_set_host_error(p->err, p->err_size, "out of memory");
     *wanted = p->shown;
     for (uint32_t c = 32; c < 127; c++)
         faces_add(wanted, c);
@@ -224,7 +224,8 @@ static bool add_face(struct packer *p, const struct art_font *font)
     faces_close(&f);
     if (!good)
         return false;
-    return size > 0 ? pack_add(p, "fonts/", font->name, data, size) : result_host(p->err, p->err_size, "out of memory");
+    return size > 0 ? pack_add(p, "fonts/", font->name, data, size)
+                    : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
 static bool add_faces(struct packer *p)
@@ -303,7 +304,7 @@ static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells 
     *out = (struct map_cells){ .cols = m->cols, .rows = m->rows, .cell = malloc(n * sizeof *out->cell), .sheets = 1 };
     for (size_t i = 0; out->cell != NULL && i < n; i++)
         out->cell[i] = p->art.cells[(size_t)m->cells + i];
-    return out->cell != NULL ? true : result_host(p->err, p->err_size, "out of memory");
+    return out->cell != NULL ? true : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
 /* A tileset that a map names. */

@@ -380,7 +380,7 @@ static bool check_pixels(const struct layout *l, const uint8_t *packed, char *er
     uint8_t *room = malloc(size + 1);
 
     if (!room)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     /* a byte more, so that data of just the size does not look like too much */
     int n = stbi_zlib_decode_buffer((char *)room, (int)size + 1, (const char *)packed, (int)l->pixels);
     free(room);
@@ -447,7 +447,7 @@ static uint8_t *decode(const uint8_t *data, size_t n, char *err, size_t err_size
     if (rgba)
         return rgba;
     if (reading.shortage)
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
     else
         snprintf(err, err_size, "cannot read the PNG (%s)", stbi_failure_reason());
     return NULL;
@@ -460,7 +460,7 @@ static uint8_t *decode_plain(const uint8_t *data, const struct layout *l, const 
     uint8_t *file = plain_file(data, l, packed, &size), *rgba;
 
     if (!file) {
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
         return NULL;
     }
     rgba = decode(file, size, err, err_size);
@@ -481,7 +481,7 @@ static uint8_t *read_pixels(const uint8_t *data, const struct layout *l, const u
     if (!check_pixels(l, packed, err, err_size))
         return NULL;
     if (index && l->colour == 3 && !(*index = malloc((size_t)l->w * l->h))) {
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
         return NULL;
     }
     rgba = decode_plain(data, l, packed, index ? *index : NULL, err, err_size);
@@ -509,7 +509,7 @@ bool png_read_indexed(const uint8_t *data, size_t n, uint8_t **rgba, uint8_t **i
         return false;
     uint8_t *packed = join_pixels(data, &l);
     if (!packed)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     *rgba = read_pixels(data, &l, packed, index, err, err_size);
     free(packed);
     *w = (int)l.w;

@@ -39,7 +39,7 @@ bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
         return false;
     uint8_t *plain = malloc(plain_size);
     if (!plain)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     if (!compressed_read(*bytes, *size, plain, err, err_size)) {
         free(plain);
         return false;

@@ -293,7 +293,7 @@ struct session_rom *session_rom_load(const char *path, bool nearest, char *err, 
     struct session_rom *r = calloc(1, sizeof *r);
 
     if (!r) {
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
         return NULL;
     }
     if (rom_image_load(path, nearest, &r->image, err, err_size) && cart_open(&r->cart, &r->image.rom, err, err_size))

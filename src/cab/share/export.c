@@ -167,7 +167,7 @@ static bool append_game(struct export *e)
     mark_put(e->file + at, &m);
     uint8_t *more = realloc(e->file, (size_t)m.at + e->game_size);
     if (!more)
-        return result_host(e->err, e->err_size, "out of memory");
+        return result_set_host_error(e->err, e->err_size, "out of memory");
     e->file = more;
     memset(more + e->size, 0, (size_t)m.at - e->size);
     memcpy(more + m.at, e->game, e->game_size);
@@ -246,7 +246,7 @@ static bool save(struct export *e)
         return save_info(e);
     return !kinds[e->kind].runs || plat_runnable(e->out)
                ? true
-               : result_host(e->err, e->err_size, "%s: cannot be made executable", e->out);
+               : result_set_host_error(e->err, e->err_size, "%s: cannot be made executable", e->out);
 }
 
 /* ---- a zip of each ---- */
@@ -289,7 +289,7 @@ static bool make_zip(struct export *e, struct zip *z)
     zip_text(z, "licences.txt", &licences, kind->crlf);
     reel_close(&readme);
     reel_close(&licences);
-    return zip_finish(z) ? true : result_host(e->err, e->err_size, "out of memory");
+    return zip_finish(z) ? true : result_set_host_error(e->err, e->err_size, "out of memory");
 }
 
 static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PATH])
@@ -356,7 +356,7 @@ static bool load_game(struct export *e)
     if (!cart_open(&e->cart, &e->image.rom, why, sizeof why))
         return err_set(e->err, e->err_size, "%s: %s", e->want->rom, why);
     if (!compress_rom(e->image.bytes, e->image.size, &e->small, &e->game_size))
-        return result_host(e->err, e->err_size, "out of memory");
+        return result_set_host_error(e->err, e->err_size, "out of memory");
     e->game = e->small ? e->small : e->image.bytes;
     e->game_size = e->small ? e->game_size : e->image.size;
     return name_out(e);

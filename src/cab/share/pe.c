@@ -455,5 +455,5 @@ bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, cha
     reel_close(&pictures);
     reel_close(&group);
     reel_close(&version);
-    return good ? true : result_host(err, err_size, "out of memory");
+    return good ? true : result_set_host_error(err, err_size, "out of memory");
 }

@@ -109,7 +109,7 @@ static bool remove_files(struct registration *r)
     for (int i = desktop_file_count - 1; i >= 0; i--) {
         place(r, desktop_files[i].name, path);
         if (!plat_remove(path) && plat_size(path) >= 0)
-            return result_host(r->err, sizeof r->err, "%s: cannot be removed", path);
+            return result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
     }
     return true;
 }
@@ -187,7 +187,7 @@ static bool set_defaults(struct registration *r, bool second[TYPES])
             add_defaults(text, second);
         place(r, list, path);
         if (text[0] == 0 && was[0] != 0)
-            good = plat_remove(path) || result_host(r->err, sizeof r->err, "%s: cannot be removed", path);
+            good = plat_remove(path) || result_set_host_error(r->err, sizeof r->err, "%s: cannot be removed", path);
         else if (strcmp(text, was) != 0)
             good = save(r, list, text, strlen(text));
     }
@@ -216,10 +216,10 @@ static bool find_folders(struct registration *r)
     static const char own[] = "/curtain/";
 
     if (!plat_path("user:", r->data, sizeof r->data) || strlen(r->data) < sizeof own)
-        return result_host(r->err, sizeof r->err, "cannot find your data folder; set HOME or XDG_DATA_HOME");
+        return result_set_host_error(r->err, sizeof r->err, "cannot find your data folder; set HOME or XDG_DATA_HOME");
     r->data[strlen(r->data) - strlen(own)] = 0;
     if (!plat_program_path(r->program, sizeof r->program))
-        return result_host(r->err, sizeof r->err, "cannot find this program's own file");
+        return result_set_host_error(r->err, sizeof r->err, "cannot find this program's own file");
     if (desktop_may_name(r->program) && !strchr(r->program, '%')) /* GLib does not find a program of such a name */
         return true;
     return err_set(r->err, sizeof r->err,

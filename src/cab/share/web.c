@@ -144,7 +144,7 @@ bool web_make(const struct web_game *game, const uint8_t *player, size_t player_
     const size_t titles = (size_t)count(player, player_size, title_mark) * strlen(title);
     *out = malloc(player_size + titles + base64_size(game->size));
     if (!*out)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     *size = (size_t)(fill(*out, player, player_size, title, game->rom, game->size) - *out);
     return true;
 }

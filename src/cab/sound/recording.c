@@ -73,7 +73,7 @@ bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, si
     }
     if (!pcm_check(p, err, err_size))
         return false;
-    return pcm_prepare(p) ? true : result_host(err, err_size, "out of memory");
+    return pcm_prepare(p) ? true : result_set_host_error(err, err_size, "out of memory");
 }
 
 /* ---- samples ---- */
@@ -219,7 +219,7 @@ bool recording_sound(const struct pcm *p, const struct art_sound *s, struct reco
         add_track(&w, i, sides, p->loop >= 0, 0, ticks);
     end_tune(&w);
     if (!write_samples(p, s, w.n, tune))
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     bytes_put32(w.bytes + 12, (uint32_t)w.n);
     bytes_put32(w.bytes + 16, (uint32_t)tune->n);
     memcpy(tune->data, w.bytes, w.n);
@@ -348,7 +348,7 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     tune->data = malloc(w.n);
     if (!tune->data || !write_samples(p, s, 0, wave)) {
         free(tune->data);
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     }
     memcpy(tune->data, w.bytes, w.n);
     return true;

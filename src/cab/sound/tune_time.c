@@ -13,7 +13,7 @@ enum { MOST_EVENTS = 1 << 21 };
 struct walk {
     const struct tune *t;
     int track;
-    struct tune_at at;
+    struct track_cursor at;
     int64_t units; /* of the event that comes next */
     int loops;     /* times it came to the end of what it repeats */
     uint32_t tempo;

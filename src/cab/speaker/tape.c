@@ -84,6 +84,6 @@ bool tape_end(struct tape *t)
 bool tape_save(struct tape *t, const char *path, char *err, size_t err_size)
 {
     if (!tape_end(t))
-        return result_host(err, err_size, "%s: out of memory", path);
+        return result_set_host_error(err, err_size, "%s: out of memory", path);
     return files_save(path, t->bytes, t->n, err, err_size);
 }

@@ -152,7 +152,7 @@ static bool save_named(struct start *s, const char *name, const struct embedded 
     }
     bool good = text.bytes && !text.failed && !first.failed;
     if (!good)
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
     good = good && save(s, name, text.bytes, text.n, err, err_size);
     free(first.bytes);
     free(text.bytes);
@@ -166,7 +166,7 @@ static bool save_api(struct start *s, const char *name, void (*write)(struct pro
 
     write(&api);
     if (api.failed)
-        result_host(err, err_size, "out of memory");
+        result_set_host_error(err, err_size, "out of memory");
     bool good = !api.failed && save(s, name, api.bytes, api.n, err, err_size);
     free(api.bytes);
     return good;

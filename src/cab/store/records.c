@@ -231,7 +231,7 @@ bool records_save(struct records *r, struct unsaved **unsaved, char *err, size_t
         return true;
     char *text = records_text(r, &size);
     if (!text)
-        return result_host(err, err_size, "%s: out of memory", r->file);
+        return result_set_host_error(err, err_size, "%s: out of memory", r->file);
     r->changed = false;
     const bool good = unsaved_save(unsaved, r->file, text, size, err, err_size);
     free(text);

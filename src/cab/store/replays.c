@@ -307,7 +307,7 @@ bool replays_add(struct replays *r, const uint8_t *demo, size_t size, const stru
     free_stem(r, c->date, new.stem);
     path_of(r, new.stem, "demo", path);
     if (!e) {
-        result_host(err, err_size, "%s: out of memory", path);
+        result_set_host_error(err, err_size, "%s: out of memory", path);
         return false;
     }
     if (!files_save(path, demo, size, err, err_size))

@@ -76,7 +76,7 @@ static const struct danger *find(const struct forecast *f, uint32_t frame, const
 /* Frames until it would hit a ship that stays where it is; 0: it would not. */
 static int until_hit(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
-    struct danger_way stay = f->frame[frame].ship.way;
+    struct danger_path stay = f->frame[frame].ship.way;
 
     stay.was_x = stay.x;
     stay.was_y = stay.y;

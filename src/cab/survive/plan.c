@@ -24,10 +24,10 @@ struct search {
     int aims;
 };
 
-bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_way *way, fx grown)
+bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_path *way, fx grown)
 {
     const struct forecast_frame *at = &f->frame[frame];
-    struct danger_way wide = *way;
+    struct danger_path wide = *way;
     const fx far = fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
 
     wide.radius += grown;
@@ -123,7 +123,7 @@ static bool go_on(struct search *s, uint32_t t)
     const struct forecast_frame *frame = &s->r->f->frame[t];
     struct step *at = &s->step[t];
     const int way = at->order[at->next++];
-    struct danger_way move = { .was_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
+    struct danger_path move = { .was_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
 
     move.radius = frame->ship.way.radius;
     if (frame->moves)

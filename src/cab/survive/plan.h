@@ -19,6 +19,6 @@ bool plan_make(struct plan *p, const struct reach *r, fx x, fx y, uint64_t most,
 void plan_free(struct plan *p);
 
 /* Is that way hit in a frame of the forecast? grown: added to the ship's radius. */
-bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_way *way, fx grown);
+bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_path *way, fx grown);
 
 #endif

@@ -29,7 +29,7 @@ static bool run_again(struct section_run *s, struct trial_mark *start)
         const uint16_t pads[PADS] = { held(s, f), 0 };
         if (f == s->seek.begin) {
             if (!trial_save(t, start))
-                return result_host(s->err, sizeof s->err, "out of memory");
+                return result_set_host_error(s->err, sizeof s->err, "out of memory");
             s->x = start->ship.way.x;
             s->y = start->ship.way.y;
             forecast_clear(&s->course, f);
@@ -55,7 +55,7 @@ bool section_look(struct section_run *s, const struct rom *rom, const struct boa
     seek_run(&s->seek);
     *host = s->seek.verdict == SEEK_NO_MEMORY;
     if (*host)
-        return result_host(s->err, sizeof s->err, "out of memory");
+        return result_set_host_error(s->err, sizeof s->err, "out of memory");
     if (s->seek.verdict == SEEK_FAULT || s->seek.verdict == SEEK_NO_SHIP)
         return true;
     bool good = run_again(s, &mark);
@@ -63,7 +63,7 @@ bool section_look(struct section_run *s, const struct rom *rom, const struct boa
         if (section_survived(s))
             measure_run(&s->measure, &s->course, s->x, s->y);
         *host = !mark.at || !bots_play(&s->trial, &mark, s->seek.limit, &s->measure.bots);
-        good = !*host || result_host(s->err, sizeof s->err, "out of memory");
+        good = !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
     }
     trial_mark_free(&mark);
     return good;
@@ -80,14 +80,14 @@ bool section_fly(struct section_run *s, const struct rom *rom, const struct boar
     s->seek.t = &s->trial;
     if (!seek_begin(&s->seek)) {
         *host = s->seek.verdict == SEEK_NO_MEMORY;
-        return !*host || result_host(s->err, sizeof s->err, "out of memory");
+        return !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
     }
     s->seek.verdict = SEEK_BOTS;
     *host = !trial_save(&s->trial, &mark) || !bots_play_on(&s->trial, &mark, s->seek.limit, bots, &s->measure.bots);
     if (s->measure.bots.fault)
         s->seek.verdict = SEEK_FAULT;
     trial_mark_free(&mark);
-    return !*host || result_host(s->err, sizeof s->err, "out of memory");
+    return !*host || result_set_host_error(s->err, sizeof s->err, "out of memory");
 }
 
 void section_close(struct section_run *s)

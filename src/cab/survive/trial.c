@@ -130,7 +130,7 @@ bool trial_open(struct trial *t, const struct rom *rom, const struct board_start
         return false;
     t->block = malloc(t->size + ALIGN);
     if (!t->block)
-        return result_host(err, err_size, "out of memory");
+        return result_set_host_error(err, err_size, "out of memory");
     const char *section = start->practice.section;
     t->section = !section[0] ? 0 : strchr(section, '/') ? '/' : ':';
     return trial_again(t, err, err_size);
@@ -175,7 +175,7 @@ struct tick {
 static void look_for_touch(void *context, const struct danger *d)
 {
     struct tick *tick = context;
-    const struct danger_way *way = &tick->t->ship.way;
+    const struct danger_path *way = &tick->t->ship.way;
     const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + way->radius +
                           fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
 
@@ -189,7 +189,7 @@ static void motion_done(void *context, enum board_phase phase)
 {
     struct tick *tick = context;
     struct trial *t = tick->t;
-    const struct danger_way before = t->ship.way;
+    const struct danger_path before = t->ship.way;
     const bool was_in = t->ship.in;
     fx x, y;
 

@@ -221,8 +221,8 @@ static bool compare_picture(const struct golden *g, const char *name, const stru
 bool golden_picture(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size)
 {
     struct picture got = { 0 };
-    const bool same =
-        draw(b, &got) ? compare_picture(g, name, &got, err, err_size) : result_host(err, err_size, "out of memory");
+    const bool same = draw(b, &got) ? compare_picture(g, name, &got, err, err_size)
+                                    : result_set_host_error(err, err_size, "out of memory");
 
     free_picture(&got);
     return same;

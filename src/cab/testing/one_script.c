@@ -108,7 +108,7 @@ static struct board *power(void *context, int run, const struct trial_start *wan
     *frames = r->demo.frames;
     if (r->output)
         return r->guard.board;
-    result_host(err, err_size, "out of memory");
+    result_set_host_error(err, err_size, "out of memory");
     return NULL;
 }
 

@@ -102,7 +102,7 @@ void danger_each(const struct board *b, void (*each)(void *context, const struct
     tell_enemies(b, &v);
 }
 
-static bool bar_touches(const struct danger *d, const struct danger_way *way)
+static bool bar_touches(const struct danger *d, const struct danger_path *way)
 {
     const int64_t mx = (int64_t)way->x - way->was_x, my = (int64_t)way->y - way->was_y;
     const struct geom_bar bar = {
@@ -113,7 +113,7 @@ static bool bar_touches(const struct danger *d, const struct danger_way *way)
     return geom_swept_bar(&bar, (int64_t)d->a + way->radius);
 }
 
-bool danger_touches(const struct danger *d, const struct danger_way *way)
+bool danger_touches(const struct danger *d, const struct danger_path *way)
 {
     static const uint8_t shapes[] = { SHAPE_CIRCLE, SHAPE_BOX, SHAPE_CAPSULE };
 
@@ -138,11 +138,11 @@ void danger_ship(const struct board *b, int i, struct danger_ship *out)
     *out = (struct danger_ship){ .in = p->in[i], .area = b->area };
     if (!out->in)
         return;
-    out->steers = !b->core.frozen && !p->hit[i] && !(board_withheld(b, (uint32_t)i) & PAD_UP);
-    out->hit = p->hit[i] > 0;
+    out->steers = !b->core.frozen && !p->deathbomb_left[i] && !(board_withheld(b, (uint32_t)i) & PAD_UP);
+    out->hit = p->deathbomb_left[i] > 0;
     out->safe = p->safe[i] > 0;
     out->lives = p->lives[i];
-    out->way = (struct danger_way){ p->was_x[i], p->was_y[i], p->x[i], p->y[i], k->radius[kind] };
+    out->way = (struct danger_path){ p->was_x[i], p->was_y[i], p->x[i], p->y[i], k->radius[kind] };
     out->speed = k->speed[kind];
     out->focus = k->focus[kind];
 }

@@ -34,7 +34,7 @@ struct danger {
 };
 
 /* The path of a ship in a frame. */
-struct danger_way {
+struct danger_path {
     fx was_x, was_y, x, y, radius;
 };
 
@@ -45,16 +45,16 @@ struct danger_ship {
     bool hit;    /* the ship was hit, and a bomb can still save it */
     bool safe;   /* nothing can hit the ship */
     int32_t lives;
-    struct danger_way way; /* path in this frame */
-    fx speed, focus;       /* normal and focused speed, px/frame */
-    struct box area;       /* where the ship can be, edges included */
+    struct danger_path way; /* path in this frame */
+    fx speed, focus;        /* normal and focused speed, px/frame */
+    struct box area;        /* where the ship can be, edges included */
 };
 
 /* Calls `each` for every shape that could hit a player in this frame. */
 void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context);
 
 /* Returns whether this shape would hit a ship on this path, by the test that hit_run uses. */
-bool danger_touches(const struct danger *d, const struct danger_way *way);
+bool danger_touches(const struct danger *d, const struct danger_path *way);
 
 /* Stores the state of the ship of player p, 0 or 1. */
 void danger_ship(const struct board *b, int p, struct danger_ship *out);

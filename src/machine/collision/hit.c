@@ -79,8 +79,8 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     if (!within(s, i, c, reach) || s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
         return MISS;
     b->counts.tested++;
-    const bool grazes = flags & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED), swept = flags & KIND_SWEPT;
-    const fx graze = grazes ? b->player_kinds.graze[b->player.kind[p]] : -1;
+    const bool can_graze = flags & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED), swept = flags & KIND_SWEPT;
+    const fx graze = can_graze ? b->player_kinds.graze_radius[b->player.kind[p]] : -1;
     if (k->shape[kind] == SHAPE_CIRCLE)
         return test_circle(s, i, c, k->a[kind], graze, swept);
     return test_shape(b, c, i, graze, swept);
@@ -96,7 +96,7 @@ static void hit_player(struct board *b, uint32_t p, const struct body *c)
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         uint64_t *near = &s->near[block * PADS + p];
         if (*near && reach < 0)
-            reach = reach_of(b, c, b->player_kinds.graze[b->player.kind[p]]);
+            reach = reach_of(b, c, b->player_kinds.graze_radius[b->player.kind[p]]);
         for (uint64_t m = *near; m; m &= m - 1) {
             const uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
             const enum verdict v = test_bullet(b, p, c, reach, i);
@@ -144,7 +144,7 @@ void hit_queries(struct board *b, struct bullets_query query[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = hit_player_body(b, p);
-        fx graze = b->player_kinds.graze[b->player.kind[p]];
+        fx graze = b->player_kinds.graze_radius[b->player.kind[p]];
         query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1 };
     }
 }

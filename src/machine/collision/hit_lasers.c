@@ -180,7 +180,7 @@ static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_
         board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), laser);
         return;
     }
-    ring.a = b->player_kinds.graze[b->player.kind[p]];
+    ring.a = b->player_kinds.graze_radius[b->player.kind[p]];
     if (!k->graze[kind] || b->core.clock < b->lasers.again[i * PADS + p] || !hit_laser_circle(b, i, &ring, reach))
         return;
     b->counts.grazed++;

@@ -135,14 +135,14 @@ bool hit_find_solids(struct board *b, struct hit_solids *f);
 /* Handles of the targets that a piercing shot cannot hit again yet, because it hit them recently or in this frame. */
 struct hit_passed {
     int n;
-    int64_t thing[PIERCED];
+    int64_t entity[PIERCED];
 };
 
 /* Returns whether `passed` contains the entity of this kind and slot. A NULL `passed` is empty. */
 static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
 {
     for (int k = 0; passed && k < passed->n; k++)
-        if (handle_kind(passed->thing[k]) == kind && handle_slot(passed->thing[k]) == slot)
+        if (handle_kind(passed->entity[k]) == kind && handle_slot(passed->entity[k]) == slot)
             return true;
     return false;
 }

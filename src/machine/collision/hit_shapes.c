@@ -15,8 +15,8 @@ static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
     *ty += across_y;
 }
 
-/* Replaces the body in piece[0] by its circles; returns their number. turns: rotate them by dir. */
-static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns, ang dir,
+/* Replaces the body in piece[0] by its circles; returns their number. is_rotated: rotate them by dir. */
+static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool is_rotated, ang dir,
                         struct body piece[SHAPE_PARTS])
 {
     const struct body at = piece[0];
@@ -25,7 +25,7 @@ static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool turns
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t row = kind + i; /* the first circle is in ROW_KIND, the others from ROW_CIRCLES on */
         fx x = k->x[row], y = k->y[row];
-        if (turns)
+        if (is_rotated)
             turn(x, y, dir, &x, &y);
         piece[i] = at;
         piece[i].shape = SHAPE_CIRCLE;

@@ -440,7 +440,7 @@ static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
 }
 
 /* Returns the slot of the enemy that shot i hits, or NO_ENEMY. */
-static inline uint32_t target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
+static inline uint32_t find_target(struct board *b, const struct grid *g, const struct starts *f, uint32_t i)
 {
     uint32_t at = i % SLOTS_BLOCK, slot = g->dense ? target_nearest(b, g, i, f->x[at], f->y[at]) : NO_ENEMY;
 
@@ -476,23 +476,23 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 /* Lists in *passed the targets that shot i cannot hit again yet, and removes the others from its `pierced` list. */
 static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 {
-    int64_t *thing = b->shots.pierced + (size_t)i * PIERCED;
+    int64_t *entity = b->shots.pierced + (size_t)i * PIERCED;
     const uint32_t *again = b->shots.rehit_clock + (size_t)i * PIERCED;
 
     passed->n = 0;
     for (int k = 0; k < PIERCED; k++) {
-        if (!thing[k])
+        if (!entity[k])
             continue;
-        if (again[k] <= b->core.clock || !board_there(b, thing[k]))
-            thing[k] = 0;
+        if (again[k] <= b->core.clock || !board_there(b, entity[k]))
+            entity[k] = 0;
         else
-            passed->thing[passed->n++] = thing[k];
+            passed->entity[passed->n++] = entity[k];
     }
 }
 
 /* Returns the handle of the nearest target that shot i hits and has not passed, or 0. */
-static int64_t next_thing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
-                          const struct hit_passed *passed)
+static int64_t next_entity(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
+                           const struct hit_passed *passed)
 {
     uint32_t foe = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
     int32_t bullet = solids ? nearer_solid(b, solids, i, foe, passed) : NO_SLOT;
@@ -502,9 +502,9 @@ static int64_t next_thing(struct board *b, const struct grid *g, const struct hi
     return foe != NO_ENEMY ? board_handle(b, H_ENEMY, (int32_t)foe) : 0;
 }
 
-static bool stops_all(const struct board *b, int64_t thing)
+static bool stops_all(const struct board *b, int64_t entity)
 {
-    return handle_kind(thing) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(thing)] == HP_FOREVER;
+    return handle_kind(entity) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(entity)] == HP_FOREVER;
 }
 
 /* Raises the events of piercing shot i. Returns false if the shot hits nothing. */
@@ -516,13 +516,13 @@ static bool raise_through(struct board *b, const struct grid *g, const struct hi
 
     find_passed(b, i, &passed);
     while (passed.n < PIERCED && (through == PIERCE_FOREVER || n <= through)) {
-        int64_t thing = next_thing(b, g, solids, i, &passed);
-        if (!thing)
+        int64_t entity = next_entity(b, g, solids, i, &passed);
+        if (!entity)
             break;
-        raise_shot(b, i, thing);
-        passed.thing[passed.n++] = thing;
+        raise_shot(b, i, entity);
+        passed.entity[passed.n++] = entity;
         n++;
-        if (stops_all(b, thing))
+        if (stops_all(b, entity))
             break;
     }
     return n > 0;
@@ -550,7 +550,7 @@ static void target_all(struct board *b, const struct grid *g, const struct hit_s
                 missed |= raise_through(b, g, solids, i) ? 0 : bits & -bits;
                 continue;
             }
-            uint32_t slot = g->n ? target(b, g, &f, i) : NO_ENEMY;
+            uint32_t slot = g->n ? find_target(b, g, &f, i) : NO_ENEMY;
             if (solids && raise_solid(b, solids, i, slot))
                 continue;
             if (slot != NO_ENEMY)

@@ -221,7 +221,7 @@ static void draw_enemies(struct draw_target *c)
     EACH_LIVE (i, &e->s) {
         if (e->flags[i] & ENEMY_HIDDEN)
             continue;
-        const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_white(e, k, i);
+        const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_is_flashing(e, k, i);
         const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_SOFT;
         const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
         if (white && soft && !blend)

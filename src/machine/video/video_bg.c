@@ -77,10 +77,10 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
 }
 
 /* Copies pixel row `in` of each tile to `to`, side by side. */
-static void put_tiles(const struct map *m, const struct tiles *t, int in, uint8_t *to)
+static void put_tiles(const struct map *m, const struct tiles *t, int tile_row, uint8_t *to)
 {
     for (int k = 0; k < t->n; k++)
-        memcpy(to + k * m->side, m->pix + t->at[k] + in * m->side, (size_t)m->side);
+        memcpy(to + k * m->side, m->pix + t->at[k] + tile_row * m->side, (size_t)m->side);
 }
 
 /* Returns a table that applies `first`, then `then`; a NULL table changes nothing. May store the result in `both`. */
@@ -154,10 +154,10 @@ static int64_t aside_at(const struct draw_target *c, uint32_t i, int y, int dx, 
 }
 
 /* Draws columns [from, to) of tile k, which is not wholly inside the safe area (fb.h). */
-static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d, int in,
-                    int rows, int from, int to, uint8_t add)
+static void lay_cut(const struct draw_target *c, const struct tiles *t, const struct map *m, int k, uint8_t *d,
+                    int tile_row, int rows, int from, int to, uint8_t add)
 {
-    const uint8_t *s = m->pix + t->at[k] + in * m->side;
+    const uint8_t *s = m->pix + t->at[k] + tile_row * m->side;
 
     for (int y = 0; y < rows && t->tile[k] != TILE_EMPTY; y++, d += c->fb->pitch, s += m->side)
         row_cover(d + from, s + from, to - from, add);
@@ -168,7 +168,7 @@ static void lay_cut(const struct draw_target *c, const struct tiles *t, const st
 static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map *m, const struct tiles *t,
                       const struct shown_rows *r)
 {
-    const int side = m->side, skip = (int)r->x & (side - 1), in = (int)r->my & (side - 1);
+    const int side = m->side, skip = (int)r->x & (side - 1), tile_row = (int)r->my & (side - 1);
     const int left = c->b->cart.m.field_x + (int)r->from - skip, end = skip + (int)(r->to - r->from);
     uint8_t *d = c->fb->pix + (c->b->cart.m.field_y + r->y) * c->fb->pitch + left;
     const bool cut_left = left < c->fb->sx0;
@@ -176,22 +176,22 @@ static void lay_tiles(const struct draw_target *c, uint8_t add, const struct map
     const int first = cut_left ? 1 : 0, last = t->n - (cut_right && t->n > first ? 1 : 0);
 
     if (cut_left)
-        lay_cut(c, t, m, 0, d, in, r->n, skip, end < side ? end : side, add);
-    tiles_draw(d + first * side, c->fb->pitch, m->pix + in * side, t->at + first, t->tile + first, last - first, side,
-               r->n, add);
+        lay_cut(c, t, m, 0, d, tile_row, r->n, skip, end < side ? end : side, add);
+    tiles_draw(d + first * side, c->fb->pitch, m->pix + tile_row * side, t->at + first, t->tile + first, last - first,
+               side, r->n, add);
     if (last < t->n)
-        lay_cut(c, t, m, last, d + last * side, in, r->n, 0, end - last * side, add);
+        lay_cut(c, t, m, last, d + last * side, tile_row, r->n, 0, end - last * side, add);
 }
 
 /* Draws rows one at a time, through a blend or a colour table. */
 static void lay_mixed(struct draw_target *c, const struct brush *b, const struct map *m, const struct tiles *t,
                       const struct shown_rows *r)
 {
-    const int skip = (int)r->x & (m->side - 1), in = (int)r->my & (m->side - 1);
+    const int skip = (int)r->x & (m->side - 1), tile_row = (int)r->my & (m->side - 1);
     uint8_t row[ROW];
 
     for (int k = 0; k < r->n; k++) {
-        put_tiles(m, t, in + k, row);
+        put_tiles(m, t, tile_row + k, row);
         lay(c, b, row + skip, (int)r->from, r->y + k, (int)(r->to - r->from), false);
     }
 }
@@ -309,7 +309,7 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
     struct brush brush = brush_of(c, BG_PLANE);
     uint8_t row[ROW], two[256], three[256];
     struct map m;
-    int fogged = -1;
+    int current_fog = -1;
 
     cart_map(&c->b->cart, g->map[BG_PLANE] - 1, &m);
     for (int y = 0; y < h; y++) {
@@ -318,8 +318,8 @@ static void draw_plane(struct draw_target *c, const uint8_t *shade)
             continue;
         int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
         int fog = fog_at(g, w, s);
-        if (fog != fogged)
-            brush.to = plane_table(c, fogged = fog, shade, two, three);
+        if (fog != current_fog)
+            brush.to = plane_table(c, current_fog = fog, shade, two, three);
         bool solid = walk_row(&m, skipped(walk_of(g, &m, w, s), &m, -shaken_x(c)), w, row);
         lay(c, &brush, row, 0, y, w, solid);
     }

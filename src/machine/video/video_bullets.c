@@ -41,11 +41,11 @@ struct style {
 
 struct lists {
     struct style style[MAX_KINDS];
-    uint32_t next[MAX_KINDS];    /* index in `list` for the kind's next bullet */
-    uint8_t open[MAX_KINDS];     /* 1: the kind's bullets are to be listed; used only for layers */
-    uint8_t by_slot[MAX_KINDS];  /* 1: all the kind's bullets are listed by slot */
-    bool some_by_slot, some_own; /* whether any kind has `by_slot` set; whether any kind's style has `alike` unset */
-    uint16_t order[MAX_KINDS];   /* kinds that have bullets, in draw order */
+    uint32_t next[MAX_KINDS];     /* index in `list` for the kind's next bullet */
+    uint8_t is_listed[MAX_KINDS]; /* 1: the kind's bullets are to be listed; used only for layers */
+    uint8_t by_slot[MAX_KINDS];   /* 1: all the kind's bullets are listed by slot */
+    bool some_by_slot, some_own;  /* whether any kind has `by_slot` set; whether any kind's style has `alike` unset */
+    uint16_t order[MAX_KINDS];    /* kinds that have bullets, in draw order */
     uint32_t kinds;
     struct stamp stamp;
     uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if some_own is set */
@@ -170,7 +170,7 @@ static void corner(const struct window *t, const struct lists *l, const struct b
 static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
-    uint32_t stood = bullets_stood(s, i, clock), delay = s->step_end[i] - s->born[i];
+    uint32_t stood = bullets_frames_since_born(s, i, clock), delay = s->step_end[i] - s->born[i];
 
     if (!style->cloud)
         return bullets_age(s, i, clock);
@@ -235,7 +235,7 @@ static struct window open_window(struct lists *l, uint32_t first, uint32_t to, c
     int from = INT32_MIN;
 
     if (!clips)
-        memset(l->open, 0, sizeof l->open);
+        memset(l->is_listed, 0, sizeof l->is_listed);
     l->some_by_slot = l->some_own = false;
     for (uint32_t o = first; o < to; o++) {
         const uint16_t kind = l->order[o];
@@ -244,7 +244,7 @@ static struct window open_window(struct lists *l, uint32_t first, uint32_t to, c
         if (!known)
             f = fit_of(fb, style->pic, x, y);
         const bool by_slot = !style->alike && (!clips || !f.c.wide || !f.c.high);
-        l->open[kind] = 1;
+        l->is_listed[kind] = 1;
         l->by_slot[kind] = by_slot;
         l->some_by_slot |= by_slot;
         l->some_own |= !style->alike;
@@ -302,7 +302,7 @@ static bool is_unclipped(const struct window *t, fx x, fx y)
     return px >= t->x0 && px <= t->x1 && py >= t->y0 && py <= t->y1;
 }
 
-static inline void list_one(struct lists *l, const struct bullets *s, uint32_t i, uint32_t dest)
+static inline void append_bullet(struct lists *l, const struct bullets *s, uint32_t i, uint32_t dest)
 {
     const uint32_t next = l->next[s->kind[i]]++;
 
@@ -321,9 +321,9 @@ static void list_other(struct lists *l, const struct bullets *s, const struct wi
 
     corner(t, l, s, i, &x, &y);
     if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
-        list_one(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
+        append_bullet(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
     else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
-        list_one(l, s, i, STAMP_OTHER | i);
+        append_bullet(l, s, i, STAMP_OTHER | i);
 }
 
 /* Lists the bullets of a block whose bit in m is set, one by one. */
@@ -332,11 +332,11 @@ static void list_some(struct lists *l, const struct bullets *s, const struct win
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         if (t->clips && l->by_slot[s->kind[i]])
-            list_one(l, s, i, STAMP_OTHER | i);
+            append_bullet(l, s, i, STAMP_OTHER | i);
         else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
-            list_one(l, s, i,
-                     ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
-                         (uint32_t)fx_floor(s->x[i]) + t->from);
+            append_bullet(l, s, i,
+                          ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
+                              (uint32_t)fx_floor(s->x[i]) + t->from);
         else
             list_other(l, s, t, i);
     }
@@ -419,7 +419,7 @@ static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32
     uint8_t is[SLOTS_BLOCK];
 
     for (int i = 0; i < SLOTS_BLOCK; i++)
-        is[i] = l->open[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
+        is[i] = l->is_listed[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
     return slots_gather(is) & s->s.used[block];
 }
 

@@ -180,9 +180,9 @@ static uint64_t bullets_and_shots(const struct board *b)
 /* Returns an upper bound of all work, as if each picture were as large as the screen and blended. */
 static uint64_t at_most(const struct board *b)
 {
-    const uint64_t things = (uint64_t)b->bullets.s.live + b->shots.s.live + b->sparks.s.live + b->items.s.live +
-                            (uint64_t)RIM * b->enemies.s.live + 2 * (uint64_t)b->sprites.s.live + b->options.s.live;
-    uint64_t work = things * (1 + screen_px(b) / BLEND_PX);
+    const uint64_t entities = (uint64_t)b->bullets.s.live + b->shots.s.live + b->sparks.s.live + b->items.s.live +
+                              (uint64_t)RIM * b->enemies.s.live + 2 * (uint64_t)b->sprites.s.live + b->options.s.live;
+    uint64_t work = entities * (1 + screen_px(b) / BLEND_PX);
 
     if (b->lines.s.live)
         work += b->lines.s.live * text(b, LINE_TEXT);

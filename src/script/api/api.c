@@ -24,7 +24,7 @@ static int call(lua_State *L)
     if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
         return api_error(L, e->name, "call it on a thing with a colon, as in thing:name()");
     const struct api_entry *fire;
-    int n = api_arguments_planned(L, f, v, &fire);
+    int n = api_read_planned_arguments(L, f, v, &fire);
     if (e->flags & API_CHANGES) {
         api_fold_call(L, b, f->hash, v, n);
         for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
@@ -45,7 +45,7 @@ int api_checked(lua_State *L, const struct api_entry *e)
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "can only be called while scripts load");
     const struct api_entry *fire;
-    int all = api_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
+    int all = api_read_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
     for (int i = 0; i < all; i++)
         fields += v[i].given || (i < e->count && e->params[i].def);
     lua_createtable(L, 0, fields); /* exact size, because patterns iterate over the table for each bullet */

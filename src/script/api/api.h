@@ -87,8 +87,8 @@ void api_bomb_afford(lua_State *L, struct board *b, uint32_t p);
  * started. */
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
 
-/* Pops a list of items packed by api_drops and drops the items at (x, y). Drops nothing if the popped value is not such
- * a list. */
+/* Pops a list of items packed by api_push_folded_drops and drops the items at (x, y). Drops nothing if the popped value
+ * is not such a list. */
 void api_drop_list(lua_State *L, struct board *b, fx x, fx y);
 
 /* Indices of the parameters PLACE, which are consecutive in every entry: the position x, y or the thing `from`, offset

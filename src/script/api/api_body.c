@@ -81,7 +81,7 @@ static int read_part(lua_State *L)
     const struct api_entry *fire;
     uint8_t out[PART_BYTES];
 
-    api_arguments(L, &part_entry, v, &fire);
+    api_read_arguments(L, &part_entry, v, &fire);
     bytes_put16(out, (uint16_t)v[P_KIND].i);
     bytes_put16(out + 2, v[P_TAG].given ? api_tag(L, part_entry.name, v[P_TAG].at) : 0);
     bytes_put32(out + 4, (uint32_t)v[P_DX].f);
@@ -216,9 +216,9 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
     if (p == BODY_SHARE)
         e->share[i] = v;
     else if (p == BODY_DX)
-        enemies_put(e, i, fx_add(e->x[body], v), e->y[i]);
+        enemies_set_position(e, i, fx_add(e->x[body], v), e->y[i]);
     else
-        enemies_put(e, i, e->x[i], fx_add(e->y[body], v));
+        enemies_set_position(e, i, e->x[i], fx_add(e->y[body], v));
 }
 
 /* ---- orbits and wandering ---- */
@@ -265,10 +265,10 @@ static bool forever(const struct api_value *v)
 static void check_orbit(lua_State *L, const struct api_value *v)
 {
     const char *name = api_bound(L)->entry->name;
-    const bool place = v[O_X].given || v[O_Y].given;
+    const bool has_centre = v[O_X].given || v[O_Y].given;
 
     api_body_check(L, name, "orbit");
-    if (v[O_AROUND].given ? place : !(v[O_X].given && v[O_Y].given))
+    if (v[O_AROUND].given ? has_centre : !(v[O_X].given && v[O_Y].given))
         api_error(L, name, "expected either `around` (a thing) or `x` and `y`");
     if (v[O_RADIUS_TO].given && forever(&v[O_OVER]))
         api_error(L, name, "radius_to: requires `over`");

@@ -147,7 +147,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
     struct player *s = &b->player;
     const struct player_kinds *k = &b->player_kinds;
     const uint16_t kind = s->kind[p];
-    const bool focus = b->input.held[p] & PAD_FOCUS, late = s->hit[p];
+    const bool focus = b->input.held[p] & PAD_FOCUS, late = s->deathbomb_left[p];
     const int i = focus && k->bomb_focus[kind] ? k->bomb_focus[kind] : k->bomb[kind], top = lua_gettop(L);
 
     if (!s->in[p] || !i || s->bombing[p])
@@ -155,7 +155,7 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
     const struct bomb *bomb = push_bomb(L, i);
     if (!pay(L, b, p, bomb))
         return lua_settop(L, top), false;
-    s->hit[p] = 0;
+    s->deathbomb_left[p] = 0;
     s->bombing[p] = (uint32_t)bomb->over;
     s->safe[p] = s->safe[p] > (uint32_t)bomb->safe ? s->safe[p] : (uint32_t)bomb->safe;
     s->bomb[p] = tasks_scope(b, board_handle(b, H_PLAYER, (int32_t)p), true);

@@ -195,7 +195,7 @@ static bool is_true(lua_State *L, int at, const char *name)
     return is;
 }
 
-static lua_Integer number(lua_State *L, int at, const char *name)
+static lua_Integer read_integer_field(lua_State *L, int at, const char *name)
 {
     field(L, at, name);
     lua_Integer n = lua_tointeger(L, -1);
@@ -209,9 +209,9 @@ static void check_bonus(lua_State *L, int at, const char *id)
         lua_pop(L, 1);
         return;
     }
-    if (lua_tointeger(L, -1) > number(L, at, "bonus"))
+    if (lua_tointeger(L, -1) > read_integer_field(L, at, "bonus"))
         api_error(L, "boss.def", "phase \"%s\": bonus_to: %d is greater than `bonus` (%d)", id,
-                  (int)lua_tointeger(L, -1), (int)number(L, at, "bonus"));
+                  (int)lua_tointeger(L, -1), (int)read_integer_field(L, at, "bonus"));
     lua_pop(L, 1);
 }
 
@@ -299,11 +299,11 @@ static void read_phase(struct reading *r, int i)
         lua_setfield(L, at, "clear");
     }
     if (field(L, at, "drops") != LUA_TNIL) {
-        api_drops(L, "boss.def", lua_gettop(L));
+        api_push_folded_drops(L, "boss.def", lua_gettop(L));
         lua_setfield(L, at, "drops");
     }
     read_cut_in(r, at, id);
-    if (number(L, at, "armour") > 0)
+    if (read_integer_field(L, at, "armour") > 0)
         api_body_check(L, "boss.def", "armour");
     r->last |= is_true(L, at, "last");
     lua_settop(L, at);

@@ -139,7 +139,7 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     if (v[D_DROPS].given) {
-        api_drops(L, "bullet.def", v[D_DROPS].at);
+        api_push_folded_drops(L, "bullet.def", v[D_DROPS].at);
         events_set_function(L, (uint16_t)i, "bullet's drops");
     }
     if (!v[D_ON_DEATH].given)
@@ -266,7 +266,7 @@ bool api_flight(lua_State *L, struct board *b, const char *entry, const struct a
                                 .by = tasks_serial(b) };
     if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
-    if (s->player && b->player.hit[s->player - 1]) /* a hit ship cannot fire */
+    if (s->player && b->player.deathbomb_left[s->player - 1]) /* a hit ship cannot fire */
         return false;
     if (v[FIRE_TAG].given)
         s->tag = api_tag(L, entry, v[FIRE_TAG].at);

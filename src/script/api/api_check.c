@@ -497,7 +497,7 @@ static check *const CHECKS[] = {
     [A_ASK] = check_word,
 };
 
-void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v)
+void api_check_value(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v)
 {
     assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
     CHECKS[p->type](L, entry, p, v->at, v);
@@ -507,7 +507,7 @@ void api_check(lua_State *L, const char *entry, const struct api_param *p, int a
 {
     api_look(L, at, at, v);
     if (v->given || !p->optional)
-        api_check_looked(L, entry, p, v);
+        api_check_value(L, entry, p, v);
 }
 
 static double default_of(const struct api_param *p)
@@ -692,7 +692,7 @@ static bool runs_bare(lua_State *L)
 
 enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
 
-int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
+int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
 {
     const struct api_entry *fire = *fire_of = api_fires(L, e, e->plain + 1);
     const enum name_kind names = api_value_names(fire ? fire : e);
@@ -733,7 +733,7 @@ int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, 
         if (v[i].given && i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
             lenient = true;
         if (v[i].given || !(p->optional || (lenient && i >= e->count)))
-            api_check_looked(L, e->name, p, &v[i]);
+            api_check_value(L, e->name, p, &v[i]);
         else
             api_fill_default(p, &v[i]);
     }

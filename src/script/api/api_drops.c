@@ -21,7 +21,7 @@ int64_t api_named_number(lua_State *L, const char *entry, const char *what, int 
 
 enum { DROP_BYTES = 4 /* bytes per list entry: kind and number, 16 bits each */ };
 
-/* Returns whether a string of `size` bytes (NULL: none) has the format of a list made by api_drops. */
+/* Returns whether a string of `size` bytes (NULL: none) has the format of a list made by api_push_folded_drops. */
 static bool is_list(const struct board *b, const uint8_t *list, size_t size)
 {
     if (!list || size % DROP_BYTES || size > MOST_ITEM_NAMES * DROP_BYTES)
@@ -56,7 +56,7 @@ void api_push_drops(lua_State *L, const char *entry, int at)
     lua_pushlstring(L, (const char *)list, (size_t)n * DROP_BYTES);
 }
 
-void api_drops(lua_State *L, const char *entry, int at)
+void api_push_folded_drops(lua_State *L, const char *entry, int at)
 {
     api_push_drops(L, entry, at);
     api_fold(L, vm_board(L), lua_gettop(L));

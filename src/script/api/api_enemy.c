@@ -111,7 +111,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     keep_function(L, &v[D_ON_HIT], i, "on_hit");
     keep_function(L, &v[D_ON_DEATH], i, "on_death");
     if (v[D_DROPS].given) {
-        api_drops(L, "enemy.def", v[D_DROPS].at);
+        api_push_folded_drops(L, "enemy.def", v[D_DROPS].at);
         events_set_function(L, (uint16_t)i, "drops");
     }
     define_body(L, k, i, v);
@@ -224,7 +224,7 @@ static void follow(lua_State *L, struct board *b, int64_t h, const struct api_va
 static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct api_value *drops)
 {
     if (drops && drops->given)
-        api_drops(L, "enemy.spawn", drops->at);
+        api_push_folded_drops(L, "enemy.spawn", drops->at);
     else if (b->items.s.cap)
         lua_pushnil(L);
     else
@@ -487,10 +487,10 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 
     switch (p) {
     case P_X:
-        enemies_put(e, i, v->f, e->y[i]);
+        enemies_set_position(e, i, v->f, e->y[i]);
         break;
     case P_Y:
-        enemies_put(e, i, e->x[i], v->f);
+        enemies_set_position(e, i, e->x[i], v->f);
         break;
     case P_HP:
         e->hp[i] = (int32_t)v->i;

@@ -74,7 +74,7 @@ static const struct api_prop *prop_named(const struct api_thing *t, uint8_t *gue
     return prop;
 }
 
-static int no_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
+static int raise_unknown_property(lua_State *L, const struct api_thing *t, int kind, const char *name)
 {
     const char *found = NULL;
     int best = EDIT_FAR;
@@ -108,7 +108,7 @@ static int read_only(lua_State *L, const struct api_thing *t, int kind, const ch
     lua_pop(L, 1);
     if (api_property(t, name) || (api_ends((enum handle_kind)kind) && !strcmp(name, "alive")))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s is read-only", t->name, name);
-    return no_property(L, t, kind, name);
+    return raise_unknown_property(L, t, kind, name);
 }
 
 /* Returns the index of a declared value of that kind of thing, or NO_SLOT. */
@@ -162,7 +162,7 @@ static int get_value(lua_State *L, struct board *b, const struct api_thing *t, i
     int k = value_named(L, b, kind, name);
 
     if (k == NO_SLOT)
-        return no_property(L, t, (int)kind, name);
+        return raise_unknown_property(L, t, (int)kind, name);
     if (handle_kind_group(kind))
         return vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name, name);
     if (board_there(b, h))
@@ -316,7 +316,7 @@ static int set_property(lua_State *L)
         return read_only(L, t, (int)handle_kind(h), name);
     check_on(L, b, t, handle_kind(h), name);
     if (v.given || !prop->value.optional)
-        api_check_looked(L, t->name, &prop->value, &v);
+        api_check_value(L, t->name, &prop->value, &v);
     if (alive)
         t->set(L, b, handle_slot(h), p, &v);
     return 0;

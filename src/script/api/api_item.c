@@ -100,7 +100,7 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
     if (v[D_GIVES].given)
         read_gives(L, k, i, v[D_GIVES].at);
     if (v[D_FULL].given)
-        k->full[i] = (uint16_t)(register_number(L, lua_tostring(L, v[D_FULL].at)) + 1);
+        k->full_register[i] = (uint16_t)(register_number(L, lua_tostring(L, v[D_FULL].at)) + 1);
     if (v[D_GIVES].given || v[D_FULL].given)
         api_note_place(L, DEF, lua_tostring(L, v[D_NAME].at));
     if (v[D_TAKE].given) {
@@ -118,14 +118,14 @@ static bool has_most(const struct board *b, uint32_t row)
 /* Returns whether any ship, or the run, has a register of that name with a max. */
 static bool can_fill(lua_State *L, const struct board *b, const char *name)
 {
-    const int of_run = api_run_register(L, name);
+    const int run_register = api_run_register(L, name);
 
     for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
         int reg = api_ship_register(L, (int32_t)ship, name);
         if (reg >= 0 && has_most(b, b->player_kinds.first[ship] + (uint32_t)reg))
             return true;
     }
-    return of_run >= 0 && has_most(b, b->registers.first + (uint32_t)of_run);
+    return run_register >= 0 && has_most(b, b->registers.first + (uint32_t)run_register);
 }
 
 /* Raises the error for the items' register r, which neither a ship nor the run has. */
@@ -135,7 +135,7 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
     const char *name = board_name(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
     uint32_t i = 0;
 
-    while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full[i] != r + 1)
+    while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full_register[i] != r + 1)
         i++;
     const char *item = board_name(b, N_ITEM, (int)i);
     if (near)
@@ -151,7 +151,7 @@ void api_items_check(lua_State *L, struct board *b)
         if (!api_register_declared(L, board_name(b, N_ITEM_REGISTER, r)))
             refuse_register(L, b, r);
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
-        const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full[i] - 1);
+        const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full_register[i] - 1);
         if (name && !can_fill(L, b, name))
             api_error_at(
                 L, DEF, board_name(b, N_ITEM, (int)i),

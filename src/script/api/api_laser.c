@@ -208,7 +208,7 @@ static struct bullet_shape head_of(lua_State *L, struct board *b, const char *en
 /* Returns whether the laser must not be fired: it is a ship's laser (LASER_SHOOTS), and the ship was hit. */
 static bool is_silent(const struct board *b, const struct bullet_shape *s)
 {
-    return s->player && b->player.hit[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
+    return s->player && b->player.deathbomb_left[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
 }
 
 static fx width_of(const struct board *b, const struct api_value *v)

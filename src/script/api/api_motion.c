@@ -165,7 +165,7 @@ static enum step_number step_number(int k)
     }
 }
 
-uint64_t api_step_name(lua_State *L, int step, const char *key, int at)
+uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
 {
     const struct board *b = vm_board(L);
     const char *name = lua_tostring(L, at), *found = NULL;
@@ -199,7 +199,7 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
         enum step_number number = step_number(k);
         v[k] = (struct api_value){ 0 };
         if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
-            named |= api_step_name(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
+            named |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
         } else
             api_check(L, where, &step_keys[k], lua_gettop(L), &v[k]);
@@ -279,7 +279,7 @@ static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum 
     char where[40];
 
     if (lua_type(L, at) == LUA_TSTRING)
-        return api_step_name(L, step, key, at) << number * NAMED_BITS;
+        return api_find_step_value(L, step, key, at) << number * NAMED_BITS;
     snprintf(where, sizeof where, "%s: step %d", DEF, step);
     api_check(L, where, &p, at, &v);
     *out = v.f;

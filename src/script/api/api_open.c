@@ -14,7 +14,7 @@ static int missing_field(lua_State *L)
     if (!of || lua_type(L, 2) != LUA_TSTRING)
         return 0;
     if (!api_push_member(L, of, '.', lua_tostring(L, 2))) {
-        api_no_field(L, of, lua_tostring(L, 2));
+        api_fault_missing_field(L, of, lua_tostring(L, 2));
         return 0;
     }
     lua_pushvalue(L, 2);

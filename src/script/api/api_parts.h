@@ -60,9 +60,9 @@ int api_error_at(lua_State *L, const char *entry, const char *name, const char *
 /* Pushes a description of the value at `at` for an error message. */
 const char *api_push_got(lua_State *L, int at);
 
-/* api_check_looked checks a value read by api_look, whether or not it was given. api_fill_default sets v to p's
+/* api_check_value checks a value read by api_look, whether or not it was given. api_fill_default sets v to p's
  * default. */
-void api_check_looked(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
+void api_check_value(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
 void api_fill_default(const struct api_param *p, struct api_value *v);
 
 /* Returns the element of a guess array (struct vm_guesses), below VM_GUESSES, that stores the index last found for a
@@ -189,11 +189,11 @@ const struct api_param *api_param_at(const struct api_entry *e, const struct api
 /* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v: one element per parameter,
  * then one per declared value the entry takes. Returns the number of elements. *fire receives the entry whose
  * parameters e takes in addition, or NULL. */
-int api_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
+int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
 
-/* Like api_arguments, for the running function f, but faster if the call's table has the same keys as the tables of
- * earlier calls. */
-int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire);
+/* Like api_read_arguments, for the running function f, but faster if the call's table has the same keys as the tables
+ * of earlier calls. */
+int api_read_planned_arguments(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire);
 
 /* api_fires returns the entry whose parameters a call of e takes in addition, chosen by the field `fire` of the table
  * at `at`, or NULL. api_search_param returns the index of the named parameter, or -1. */
@@ -236,7 +236,7 @@ const char *api_push_space(lua_State *L, int at);
 
 /* Raises the fault for reading a missing field of an API table, if the field is reserved, disabled in rom.lua, or
  * belongs to a library module that is not loaded. */
-void api_no_field(lua_State *L, const char *of, const char *name);
+void api_fault_missing_field(lua_State *L, const char *of, const char *name);
 
 /* Returns whether the name is a key of a motion step. */
 bool api_step_word(lua_State *L, const char *name);
@@ -281,7 +281,7 @@ struct api_param api_value_param(const char *name);
 /* Returns the column that stores value k of list `names`, one element per slot. */
 fx *api_value_column(struct board *b, enum name_kind names, int k);
 
-/* Sets the declared values of the new entity in slot i from v, the elements that api_arguments filled for them. */
+/* Sets the declared values of the new entity in slot i from v, the elements that api_read_arguments filled for them. */
 void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v);
 
 /* Converts a count (A_COUNT) to the 32 bits a chip stores, -1 for forever, and back. */
@@ -415,7 +415,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
 
 /* Reads the name of a declared value, at stack index `at`, that a motion step uses in place of a number. Returns the
  * value's NAMED_BITS (motion.h). */
-uint64_t api_step_name(lua_State *L, int step, const char *key, int at);
+uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at);
 
 /* Read the table of settings, at stack index `at`, of a step emit or wait_for (api_step.c). */
 enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
@@ -476,9 +476,9 @@ int64_t api_named_number(lua_State *L, const char *entry, const char *what, int 
                          double hi);
 
 /* Both functions pack the items in the table at `at` (drops = { NAME = n }) into a string, in byte order of the names,
- * and push the string; api_drops also folds the string. */
+ * and push the string; api_push_folded_drops also folds the string. */
 void api_push_drops(lua_State *L, const char *entry, int at);
-void api_drops(lua_State *L, const char *entry, int at);
+void api_push_folded_drops(lua_State *L, const char *entry, int at);
 
 /* Raises an error if an item gives a register that neither a ship nor the run has, or fills a register that has no max
  * on any ship or in the run. */

@@ -1,12 +1,12 @@
 /*
  * api_plan.c - faster argument passing for calls whose tables have the same keys as the tables of earlier calls.
  *
- * api_arguments (api_check.c) defines the arguments of a call and raises every error about them. A function that is
- * called repeatedly with a table gets a plan: the order of parameters in the last table that was iterated, the Lua
+ * api_read_arguments (api_check.c) defines the arguments of a call and raises every error about them. A function that
+ * is called repeatedly with a table gets a plan: the order of parameters in the last table that was iterated, the Lua
  * strings of the parameters' names, and the values of omitted arguments. Lua interns short strings, so a key that is
  * the plan's own string is that name, and no characters are compared. A key unknown to the plan is looked up and
- * learnt; if it is not a parameter, or not a string, api_arguments processes the call from the start, which is safe
- * because reading the table has had no other effects.
+ * learnt; if it is not a parameter, or not a string, api_read_arguments processes the call from the start, which is
+ * safe because reading the table has had no other effects.
  *
  * A plan is in Lua's heap. The plan's function keeps the plan alive, and the plan keeps the strings alive. A plan
  * changes no result, because the order of parameters only decides where a search starts.
@@ -136,11 +136,11 @@ static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, in
 static void check(lua_State *L, const struct api_entry *e, const struct api_plan *p, struct api_value *v, int i)
 {
     if (i < p->n) {
-        api_check_looked(L, e->name, api_param_at(e, p->fire, i), &v[i]);
+        api_check_value(L, e->name, api_param_at(e, p->fire, i), &v[i]);
         return;
     }
     const struct api_param param = api_value_param(board_name(vm_board(L), p->names, i - p->n));
-    api_check_looked(L, e->name, &param, &v[i]);
+    api_check_value(L, e->name, &param, &v[i]);
 }
 
 /* Checks a call whose arguments are all positional and all on the stack. */
@@ -149,14 +149,14 @@ static int check_plain(lua_State *L, const struct api_entry *e, struct api_value
     for (int i = 0; i < e->count; i++) {
         api_look(L, i + 1, i + 1, &v[i]);
         if (v[i].given || !e->params[i].optional)
-            api_check_looked(L, e->name, &e->params[i], &v[i]);
+            api_check_value(L, e->name, &e->params[i], &v[i]);
         else
             api_fill_default(&e->params[i], &v[i]);
     }
     return e->count;
 }
 
-int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire)
+int api_read_planned_arguments(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire)
 {
     const struct api_entry *e = f->entry;
     uint64_t given = 0;
@@ -169,11 +169,11 @@ int api_arguments_planned(lua_State *L, struct api_bound *f, struct api_value *v
     }
     struct api_plan *p = plan_for(L, f, fire);
     if (!p)
-        return api_arguments(L, e, v, fire);
+        return api_read_arguments(L, e, v, fire);
     memcpy(v, p->start, (size_t)(p->n + p->values) * sizeof *v);
     if (!walk(L, e, p, at, v, &given)) {
         lua_settop(L, at);
-        return api_arguments(L, e, v, fire);
+        return api_read_arguments(L, e, v, fire);
     }
     luaL_checkstack(L, FURTHER, NULL);
     vm_board(L)->vm.planned++;

@@ -149,7 +149,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     api_names_declare(L, N_PLAYER, "player.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = r;
-    k->graze[i] = v[D_GRAZE].f;
+    k->graze_radius[i] = v[D_GRAZE].f;
     k->speed[i] = v[D_SPEED].f;
     k->focus[i] = v[D_FOCUS].f;
     k->lives[i] = (int32_t)v[D_LIVES].i;
@@ -189,7 +189,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
             player_place(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
-    registers_start(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
+    registers_reset(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
     api_items_check(L, b);
     options_drop_of(&b->options, i, 0); /* left over from the previous game */
     b->core.extended[i] = 0;
@@ -320,7 +320,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, s->score[i]);
         break;
     case P_STATE:
-        lua_pushstring(L, s->hit[i] ? "hit" : "fly");
+        lua_pushstring(L, s->deathbomb_left[i] ? "hit" : "fly");
         break;
     case P_INDEX:
         lua_pushinteger(L, i + 1);

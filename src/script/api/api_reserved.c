@@ -81,7 +81,7 @@ const char *api_off(const struct manifest *m, const char *name)
     return NULL;
 }
 
-void api_no_field(lua_State *L, const char *of, const char *name)
+void api_fault_missing_field(lua_State *L, const char *of, const char *name)
 {
     const char *full = lua_pushfstring(L, "%s.%s", of, name), *line = api_off(&vm_board(L)->cart.m, full);
 
@@ -90,12 +90,12 @@ void api_no_field(lua_State *L, const char *of, const char *name)
     lua_pop(L, 1);
     if (api_reserved(of, '.', name))
         vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, name, NOT_YET);
-    if (std_of_field(of, name) >= 0)
+    if (std_module_of_field(of, name) >= 0)
         vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, name, STD_NOT_HERE);
 }
 
 /* If the global `table` is a table without a metatable, makes reads of its missing fields raise an error that explains
- * why (api_no_field). */
+ * why (api_fault_missing_field). */
 static void explain_missing(lua_State *L, const char *table)
 {
     int top = lua_gettop(L);

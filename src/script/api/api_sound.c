@@ -83,7 +83,7 @@ static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
 static int music_play(lua_State *L, struct board *b, struct api_value *v)
 {
     static const char *const places[] = { "beat", "bar" };
-    struct music_how how = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
+    struct music_options how = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
     const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
 
     if (at && v[M_FADE].i)

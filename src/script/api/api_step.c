@@ -127,7 +127,7 @@ static void check(lua_State *L, struct reader *r, int k, const struct api_param 
 
     r->v[k] = (struct api_value){ 0 };
     if (number != EMIT_NUMBERS && lua_type(L, at) == LUA_TSTRING) {
-        r->named |= api_step_name(L, r->step, p->name, at) << number * NAMED_BITS;
+        r->named |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_BITS;
         r->v[k].given = true;
         return;
     }
@@ -255,7 +255,7 @@ static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AW
         const struct api_param *p = &api_await_params[k];
         v[k] = (struct api_value){ 0 };
         if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBERS) {
-            named |= api_step_name(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
+            named |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = 1 };
         } else
             api_check(L, where, p, lua_gettop(L), &v[k]);

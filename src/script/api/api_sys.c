@@ -145,7 +145,7 @@ static int sys_keys(lua_State *L, struct board *b, struct api_value *v)
 static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    api_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
+    api_push_folded_drops(L, lua_tostring(L, v[DROPS_ENTRY].at), v[DROPS_LIST].at);
     return 1;
 }
 
@@ -309,7 +309,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct practice *practice = &b->start.practice;
 
-    registers_start(&b->registers, b->registers.first, b->registers.count, 0);
+    registers_reset(&b->registers, b->registers.first, b->registers.count, 0);
     b->core.since = b->core.clock;
     if (b->voices.s.cap)
         sound_game(b);
@@ -621,7 +621,7 @@ static int32_t least_fade(const struct api_value *v)
 
 static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+    const struct music_options how = { .fade = least_fade(&v[ON_FADE]), .suspend_current = true };
 
     lua_pushboolean(L, sound_music(b, (int)v[ON_NAME].i - 1, &how));
     return 1;
@@ -646,7 +646,7 @@ static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
 /* While music fast-forwards to a mark, applies all music changes of boss/fight.lua at once; otherwise does nothing. */
 static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct music_how how = { .fade = least_fade(&v[ON_FADE]), .back = true };
+    const struct music_options how = { .fade = least_fade(&v[ON_FADE]), .suspend_current = true };
 
     if (!b->music.passes)
         return 0;

@@ -76,7 +76,7 @@ static void near_call(struct near_calls *c, const char *name)
     c->n++;
 }
 
-bool api_near_calls(const struct api_table *t, const char *name, char *out, size_t size)
+bool api_suggest_calls(const struct api_table *t, const char *name, char *out, size_t size)
 {
     struct near_calls c = { .word = name, .best = EDIT_FAR };
     size_t n = 0;

@@ -217,6 +217,6 @@ const char *api_instead_field(const char *name, const char **space);
 
 /* Writes to `out` the names of the callable functions whose last word is nearest to `name`, as in "bullet.fire or
  * shot.fire". Returns false if there are none, or more than three. */
-bool api_near_calls(const struct api_table *t, const char *name, char *out, size_t size);
+bool api_suggest_calls(const struct api_table *t, const char *name, char *out, size_t size);
 
 #endif

@@ -207,7 +207,7 @@ static int volley(lua_State *L)
     if (is_for_lua(L))
         return lua_pushboolean(L, false), 1;
     vm_charge(L, WORK_CALL);
-    const int n = api_arguments_planned(L, f, v, &fires);
+    const int n = api_read_planned_arguments(L, f, v, &fires);
     const struct api_value *skip = v + e->count - OWN_SKIP_BACK;
     api_fold_call(L, b, f->hash, v, n);
     for (int i = 1; skip->given && i <= 2; i++)
