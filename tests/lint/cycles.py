@@ -1,6 +1,6 @@
 """cycles.py OUT: which objects need each other, by their symbols, a table of function pointers like a call. Prints the
-cycles, longest first; none may be longer than LONGEST, but for those of DIRECTORIES that are yet to be untangled, which
-may not grow. No symbol is used in a layer below the one that defines it, and no file is longer than LINES."""
+cycles, longest first; none may be longer than LONGEST. No symbol is used in a layer below the one that defines it, and
+no file is longer than LINES."""
 import os
 import subprocess
 import sys
@@ -8,7 +8,6 @@ import sys
 from layers import LAYERS, layer
 
 LONGEST, LINES = 8, 1000
-DIRECTORIES = {"src/cab/play": 18}
 GENERATED = {"src/base/trig_tables.h"}
 
 
@@ -67,10 +66,9 @@ def wrong(graph):
     found = ["%s uses %s of %s, a higher layer" % (a, s, b) for a in sorted(graph) for b, s in sorted(graph[a].items())
              if LAYERS.index(layer(os.path.dirname(b))) > LAYERS.index(layer(os.path.dirname(a)))]
     for cycle in cycles(graph):
-        most = max([LONGEST] + [n for d, n in DIRECTORIES.items() if all(p.startswith(d + "/") for p in cycle)])
         print("cycle of %d: %s" % (len(cycle), " ".join(cycle)))
-        if len(cycle) > most:
-            found.append("a cycle of %d objects, at most %d: %s" % (len(cycle), most, " ".join(cycle)))
+        if len(cycle) > LONGEST:
+            found.append("a cycle of %d objects, at most %d: %s" % (len(cycle), LONGEST, " ".join(cycle)))
     return found
 
 

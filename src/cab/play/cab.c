@@ -12,17 +12,15 @@
 #include <string.h>
 #include "../../../platform/platform.h"
 #include "../run/clock.h"
-#include "../../machine/nvram.h"
 #include "cab_parts.h"
 #include "../../common/files.h"
 
 enum {
     SECOND = 1000000,
-    MAX_TURBO = 32,                 /* ticks a frame */
-    TURBO_USEC = 12000,             /* of a frame spent on them */
-    LOOK_USEC = 1000,               /* between two looks at what waits at the speaker */
-    SAVE_EVERY = 60,                /* frames */
-    MAX_NVRAM_KEPT = 2 * NVRAM_MOST /* bytes that are kept of a damaged score file */
+    MAX_TURBO = 32,     /* ticks a frame */
+    TURBO_USEC = 12000, /* of a frame spent on them */
+    LOOK_USEC = 1000,   /* between two looks at what waits at the speaker */
+    SAVE_EVERY = 60     /* frames */
 };
 
 /* ---- time ---- */
@@ -127,76 +125,6 @@ static void run(struct cab *cab, int frames, const struct keys_read *k, uint64_t
 
 /* ---- nvram ---- */
 
-static void nvram_name(struct cab *cab, char name[CAB_NAME])
-{
-    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart(cab)->m.id);
-}
-
-static bool keeps_nvram(struct cab *cab)
-{
-    const struct session *s = &cab->session;
-    unsigned flags = s->now ? s->now->writer.demo.flags : 0;
-
-    return !cab->no_scores && !s->rewound && !cab->options.demo && !cab->start.practice.section[0] &&
-           !cab->options.start.nvram && !s->demo && (!cab->guest.demo || cab->guest.same) &&
-           !(flags & (DEMO_BRANCHED | DEMO_TOUCHED | DEMO_ASSISTED));
-}
-
-/* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
-static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image, size_t size)
-{
-    char beside[CAB_NAME + 32], shown[FILES_PATH], shown_beside[FILES_PATH];
-
-    snprintf(beside, sizeof beside, "%s.damaged", name);
-    for (int i = 2; plat_size(beside) >= 0; i++)
-        snprintf(beside, sizeof beside, "%s.damaged-%d", name, i);
-    bool kept = plat_save(beside, image, size);
-    cab->no_scores = !kept; /* then the file is not written either */
-    cab_say(cab,
-            kept ? "curtain: %s is damaged; renamed to %s, and the score table starts empty"
-                 : "curtain: %s is damaged and cannot be renamed to %s; scores are not saved",
-            files_shown(name, shown), files_shown(beside, shown_beside));
-}
-
-uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
-{
-    char name[CAB_NAME], shown[FILES_PATH];
-    size_t waits;
-    nvram_name(cab, name);
-    const uint8_t *newer = unsaved_bytes(cab->unsaved.files, name, &waits);
-    long size = newer ? (long)waits : plat_size(name);
-    if (start->nvram || start->practice.section[0] || cab->options.demo || size < 0)
-        return NULL;
-    size = size < MAX_NVRAM_KEPT ? size : MAX_NVRAM_KEPT;
-    uint8_t *image = malloc((size_t)size + 1);
-    if (image && newer)
-        memcpy(image, newer, waits);
-    if (!image || (!newer && plat_load(name, image, (size_t)size) != size)) {
-        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
-        cab->no_scores = true;
-    } else if (nvram_valid(image, (size_t)size)) {
-        start->nvram = image;
-        start->nvram_size = (size_t)size;
-        return image;
-    } else
-        keep_damaged(cab, name, image, (size_t)size);
-    free(image);
-    return NULL;
-}
-
-void cab_save_nvram(struct cab *cab)
-{
-    char name[CAB_NAME];
-    uint32_t changed;
-    size_t size;
-    const uint8_t *image = board_nvram(cab_live(cab), &size, &changed);
-    if (changed == cab->nvram_saved || !keeps_nvram(cab))
-        return;
-    nvram_name(cab, name);
-    cab->nvram_saved = changed; /* or it waits */
-    cab_save(cab, name, image, size);
-}
-
 static void save_records(struct cab *cab)
 {
     char err[FILES_ERR];
@@ -206,18 +134,6 @@ static void save_records(struct cab *cab)
 }
 
 /* ---- power ---- */
-
-void cab_powered(struct cab *cab, const struct board_start *start)
-{
-    cab->start = *start;
-    cab->nvram_saved = 0;
-    cab->fault_reported = cab->paused = cab->scrubbed = cab->awaits = cab->taken = false;
-    cab->timebar_left = cab->slow_frames = 0;
-    memset(cab->pads, 0, sizeof cab->pads);
-    cab_pads_power(cab);
-    if (cab->slow > 1 && !cab->session.demo)
-        cab_mark_assisted(cab);
-}
 
 static void report_sound(struct cab *cab)
 {
@@ -346,14 +262,6 @@ static void take_options(struct cab *cab)
 
     cab->config.scale = o->scale ? o->scale : cab->config.scale;
     cab->config.fullscreen = o->fullscreen || cab->config.fullscreen;
-}
-
-void cab_take_lang(struct cab *cab, struct board_start *start)
-{
-    struct words words;
-
-    if (cart_lang(cab->options.cart, cab->config.lang, &words))
-        snprintf(start->lang, sizeof start->lang, "%s", cab->config.lang);
 }
 
 /* Why plat_open failed. */

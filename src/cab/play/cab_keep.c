@@ -552,3 +552,17 @@ void cab_retry_last(struct cab *cab)
         free(run);
     }
 }
+
+void cab_check_recording(struct cab *cab, bool good)
+{
+    const struct demo_writer *writer = &cab->session.now->writer;
+
+    if (good)
+        return;
+    if (writer->file.lost) { /* it is tried again, and the last time when the session closes */
+        cab_save_failed(cab, cab->session.err);
+        return;
+    }
+    cab_say(cab, "curtain: %s", cab->session.err);
+    cab->result = RESULT_HOST;
+}

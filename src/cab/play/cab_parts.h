@@ -229,19 +229,6 @@ bool cab_power(struct cab *cab);
 /* Begins with the settings there are: powers on, or waits for a folder. */
 void cab_begin(struct cab *cab);
 
-/* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
-void cab_powered(struct cab *cab, const struct board_start *start);
-
-/* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
- * is wanted: a practice run starts with a blank one. */
-uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start);
-
-/* Gives a start the settings' language, if the game has it. */
-void cab_take_lang(struct cab *cab, struct board_start *start);
-
-/* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
-void cab_save_nvram(struct cab *cab);
-
 /* ---- cab_screens.c ---- */
 
 /* Looks whether a game was dropped on the window: asks if that would end a run, and says what cannot be played. */
@@ -264,8 +251,8 @@ void cab_wait_frame(struct cab *cab);
 /* Makes ready what a crash would leave: to be called when a board was powered, and when settings changed. */
 void cab_report_ready(struct cab *cab);
 
-/* Writes a report of a live run's fault, and a line that says where it is; once for each fault. */
-void cab_report_write(struct cab *cab, const struct board_fault *fault);
+/* Writes the board's fault to the log, and a report of it to a file; once for each fault. */
+void cab_report_fault(struct cab *cab);
 
 /* Tells, once, of a crash that ended Curtain when it last ran. */
 void cab_report_last_crash(struct cab *cab);
@@ -275,7 +262,10 @@ void cab_report_arm(struct cab *cab);
 
 void cab_report_close(struct cab *cab);
 
-/* ---- cab_run.c ---- */
+/* ---- cab_state.c ---- */
+
+/* Adds a line to the window's log, which stores the frame with it. */
+void cab_note(struct cab *cab, enum log_kind kind, const char *line);
 
 /* Writes a line to the port's log and to that of the window, cleaned of control characters. */
 CAB_PRINTF(2, 3) void cab_say(struct cab *cab, const char *format, ...);
@@ -283,18 +273,11 @@ CAB_PRINTF(2, 3) void cab_say(struct cab *cab, const char *format, ...);
 /* Shows a line over the picture for so many frames; -1: until a reload works. */
 CAB_PRINTF(3, 4) void cab_notice(struct cab *cab, int frames, const char *format, ...);
 
-/* Takes the result of a call that may write the recording. false: session.err goes to the log, and the exit code is
- * 3. */
-void cab_check_recording(struct cab *cab, bool good);
-
 /* The name the user typed for the game; the cart that runs, its board, and its fault or NULL. */
 const char *cab_game(const struct cab *cab);
 const struct cart *cab_cart(const struct cab *cab);
 struct board *cab_live(const struct cab *cab);
 const struct board_fault *cab_fault(const struct cab *cab);
-
-/* Flags the recording: slow motion or steps were used. */
-void cab_mark_assisted(struct cab *cab);
 
 /* Finds a name "ID-N.what" that no file of a folder has: where is what stands before it, "pictures:", or "" for the
  * current one. */
@@ -303,19 +286,25 @@ void cab_free_name(struct cab *cab, char name[CAB_NAME], const char *where, cons
 /* Writes to the log what scripts printed in the last tick. */
 void cab_log_lines(struct cab *cab, const struct board_out *out);
 
-/* Writes the board's fault to the log, once. */
-void cab_report_fault(struct cab *cab);
-
 /* The frame that was reached is heard, for a sixtieth. */
 void cab_hear_once(struct cab *cab, enum speaker_way way);
 
 /* Ends the attract demo. */
 void cab_attract_end(struct cab *cab);
 
-/* cab_tick runs one frame, of the attract demo if one is shown. cab_step does too, but repeats what is recorded if the
- * present is not the end of the recording. */
-void cab_tick(struct cab *cab);
-void cab_step(struct cab *cab);
+/* ---- cab_nvram.c ---- */
+
+/* Loads the saved image for a start without nvram: malloc'ed, and start points to it. NULL where there is none or none
+ * is wanted: a practice run starts with a blank one. */
+uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start);
+
+/* Saves nvram if it has changed, in a live run that was neither rewound nor touched. */
+void cab_save_nvram(struct cab *cab);
+
+/* Flags the recording: slow motion or steps were used. What was reached until now is saved, and nothing after it. */
+void cab_mark_assisted(struct cab *cab);
+
+/* ---- cab_seek.c ---- */
 
 /* Moves to a frame, or so many frames back, and shows the time bar. */
 void cab_goto(struct cab *cab, uint32_t frame);
@@ -324,16 +313,31 @@ void cab_rewind(struct cab *cab, uint32_t frames);
 /* Ends a playback: from here the player plays. */
 void cab_take_over(struct cab *cab);
 
-/* Reloads the game from its folder; reloads if files in the folder have changed; goes on with a seek or a reload
- * that is under way, until now + a slice of a frame. */
+/* Reloads the game from its folder. Reports that a reload failed. Reloads if files in the folder have changed. */
 void cab_reload(struct cab *cab);
-
-/* Picture, window and practice for another ROM in the session. */
-void cab_fit_cart(struct cab *cab);
+void cab_reload_failed(struct cab *cab);
 void cab_check_folder(struct cab *cab);
+
+/* Fits the picture, the window and practice to another ROM in the session. */
+void cab_fit_cart(struct cab *cab);
+
+/* ---- cab_run.c ---- */
+
+/* cab_tick runs one frame, of the attract demo if one is shown. cab_step does too, but repeats what is recorded if the
+ * present is not the end of the recording. */
+void cab_tick(struct cab *cab);
+void cab_step(struct cab *cab);
+
+/* Continues a seek or a reload until `now` plus a part of a frame. */
 void cab_seek_or_reload(struct cab *cab, uint64_t now);
 
 /* ---- cab_practice.c ---- */
+
+/* Powers on from this start: what the player had chosen and seen of the run before is forgotten. */
+void cab_powered(struct cab *cab, const struct board_start *start);
+
+/* Gives a start the settings' language, if the game has it. */
+void cab_take_lang(struct cab *cab, struct board_start *start);
 
 uint64_t cab_seed_from_clock(void);
 
@@ -349,6 +353,10 @@ void cab_begin_anew(struct cab *cab);
 void cab_home_start(struct cab *cab, struct board_start *start);
 
 /* ---- cab_keep.c: replays of runs, and where a run was left ---- */
+
+/* Takes the result of a call that may write the recording. false: session.err goes to the log, and the exit code is
+ * 3. */
+void cab_check_recording(struct cab *cab, bool good);
 
 /* After each new tick of the session; before the session ends or the game is powered anew: a run that is on is kept. */
 void cab_keep_tick(struct cab *cab);
@@ -396,17 +404,17 @@ bool cab_was_left(struct cab *cab, struct card *c);
 
 /* ---- cab_screens.c, screen_*.c: the cabinet's own screens ---- */
 
-/* Is something on that leaving would throw away? */
-bool cab_run_is_on(const struct cab *cab);
-
-/* Makes so what cab->config says; to be called after any change of it. */
-void cab_apply_settings(struct cab *cab);
-
 /* Writes the settings that differ from their file's into it; says so where it cannot. */
 void cab_save_settings(struct cab *cab);
 
 /* The game asks for a screen: only in a live run's new ticks. */
 void cab_asked(struct cab *cab, enum board_ask what);
+
+/* Is something on that leaving would throw away? */
+bool cab_run_is_on(const struct cab *cab);
+
+/* Makes so what cab->config says; to be called after any change of it. */
+void cab_apply_settings(struct cab *cab);
 
 void cab_open_menu(struct cab *cab);
 void cab_open_settings(struct cab *cab);
@@ -420,9 +428,6 @@ void cab_open_resume(struct cab *cab);
 /* Switches of a frame for the screens, and for what opens them. True: the screens have them, the board stands, and what
  * is left in k->pressed are the cabinet's keys that none of them took. */
 bool cab_screen_keys(struct cab *cab, const struct plat_input *in, struct keys_read *k);
-
-/* The line below a screen: what to press. */
-void cab_screens_foot(struct cab *cab, char *text, size_t size);
 
 /* ---- cab_show.c ---- */
 
@@ -441,6 +446,9 @@ void cab_picture_show(struct cab *cab, struct picture *p);
 
 /* Is the time bar shown? It is while the player moves in time, and in a playback when the mouse is on it. */
 bool cab_timebar_shown(const struct cab *cab);
+
+/* The line below a screen: what to press. */
+void cab_screens_foot(struct cab *cab, char *text, size_t size);
 
 /* Saves the board's picture, without the overlay and as no view changes it, in the user's pictures under the first free
  * number, and says where. */

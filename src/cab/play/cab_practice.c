@@ -137,3 +137,23 @@ void cab_practice_screen(struct cab *cab)
     if (!start.practice.section[0])
         cab_open_resume(cab);
 }
+
+void cab_powered(struct cab *cab, const struct board_start *start)
+{
+    cab->start = *start;
+    cab->nvram_saved = 0;
+    cab->fault_reported = cab->paused = cab->scrubbed = cab->awaits = cab->taken = false;
+    cab->timebar_left = cab->slow_frames = 0;
+    memset(cab->pads, 0, sizeof cab->pads);
+    cab_pads_power(cab);
+    if (cab->slow > 1 && !cab->session.demo)
+        cab_mark_assisted(cab);
+}
+
+void cab_take_lang(struct cab *cab, struct board_start *start)
+{
+    struct words words;
+
+    if (cart_lang(cab->options.cart, cab->config.lang, &words))
+        snprintf(start->lang, sizeof start->lang, "%s", cab->config.lang);
+}

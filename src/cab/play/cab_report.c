@@ -337,7 +337,7 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
     return cab_save(cab, name, r->text, r->used);
 }
 
-void cab_report_write(struct cab *cab, const struct board_fault *fault)
+static void write_fault_report(struct cab *cab, const struct board_fault *fault)
 {
     struct report *r = &cab->report;
     const uint32_t frame = cab->session.now->writer.demo.frames;
@@ -352,4 +352,24 @@ void cab_report_write(struct cab *cab, const struct board_fault *fault)
             return;
     }
     cab_say(cab, "curtain: report: %s", r->where);
+}
+
+void cab_report_fault(struct cab *cab)
+{
+    char line[FILES_PATH + sizeof((struct board_fault *)0)->message];
+
+    if (!cab->fault_reported) {
+        struct board_fault fault = *cab_fault(cab);
+        snprintf(line, sizeof line, "curtain: %s: %s", cab_game(cab), fault.message);
+        clean_line(line);
+        plat_log(line);
+        cab_note(cab, LOG_WRONG, fault.message);
+        clean_lines(fault.trace);
+        if (fault.trace[0])
+            plat_log(fault.trace);
+        cab_note(cab, LOG_WRONG, fault.trace);
+        cab->fault_top = 0;
+        write_fault_report(cab, cab_fault(cab));
+    }
+    cab->fault_reported = true;
 }

@@ -6,29 +6,6 @@
 #include "cab_parts.h"
 #include "../../../platform/platform.h"
 
-bool cab_run_is_on(const struct cab *cab)
-{
-    const bool menu = board_last(cab_live(cab))->menu && !cab->keep.on;
-
-    return !cab->session.demo && !cab_fault(cab) && board_frame(cab_live(cab)) > 0 && !menu;
-}
-
-/* Other settings than these are read where they are used. */
-void cab_apply_settings(struct cab *cab)
-{
-    const struct config *c = &cab->config;
-    const int slow = 1 << c->speed;
-
-    cab_pads_apply(cab);
-    cab->speaker.volume = c->volume;
-    cab->speaker.muted = c->mute;
-    speaker_levels(&cab->speaker, c->music, c->sounds);
-    if (slow != cab->slow)
-        cab_mark_assisted(cab);
-    cab->slow = slow;
-    cab->quit = !cab_open_window(cab) || cab->quit;
-}
-
 static void open_asked(struct cab *cab, enum board_ask what)
 {
     switch (what) {
@@ -68,13 +45,6 @@ static void heed_focus(struct cab *cab, const struct plat_input *in)
         cab->paused = true;
     else if (!cab_fault(cab))
         cab_open_menu(cab);
-}
-
-void cab_open_log(struct cab *cab)
-{
-    if (cab->attracting)
-        cab_attract_end(cab);
-    log_open(&cab->log, &cab->screens);
 }
 
 /* The keys that open a screen, while none is open. */
@@ -169,21 +139,4 @@ void cab_drop(struct cab *cab)
                     cab->keep.on && cab->keep.spare ? "Play another game? You can resume this run next time."
                                                     : "Play another game and lose this run?",
                     "Play", play_dropped, cab);
-}
-
-/* The player's own switch for it; one that no setting takes away, where the keyboard has none. */
-static void foot_switch(struct cab *cab, const char *action, const char *always, char *name, size_t size)
-{
-    keys_first(&cab->config.keys, action, name, size);
-    if (!cab->config.keys.player[0].controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
-        snprintf(name, size, "%s", always);
-}
-
-void cab_screens_foot(struct cab *cab, char *text, size_t size)
-{
-    char yes[32], no[32];
-
-    foot_switch(cab, "p1.fire", "enter", yes, sizeof yes);
-    foot_switch(cab, "p1.bomb", "escape", no, sizeof no);
-    snprintf(text, size, "%s: Select  %s: Back", yes, no);
 }

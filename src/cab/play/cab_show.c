@@ -356,3 +356,20 @@ void cab_film(struct cab *cab, struct picture *p)
     }
     gif_close(&gif);
 }
+
+/* The player's own switch for it; one that no setting takes away, where the keyboard has none. */
+static void foot_switch(struct cab *cab, const char *action, const char *always, char *name, size_t size)
+{
+    keys_first(&cab->config.keys, action, name, size);
+    if (!cab->config.keys.player[0].controller && (strncmp(name, "pad", 3) == 0 || strcmp(name, "none") == 0))
+        snprintf(name, size, "%s", always);
+}
+
+void cab_screens_foot(struct cab *cab, char *text, size_t size)
+{
+    char yes[32], no[32];
+
+    foot_switch(cab, "p1.fire", "enter", yes, sizeof yes);
+    foot_switch(cab, "p1.bomb", "escape", no, sizeof no);
+    snprintf(text, size, "%s: Select  %s: Back", yes, no);
+}

@@ -145,3 +145,17 @@ void cab_open_menu(struct cab *cab)
         cab_attract_end(cab);
     screens_open(&cab->screens, &menu, cab);
 }
+
+bool cab_run_is_on(const struct cab *cab)
+{
+    const bool in_menu = board_last(cab_live(cab))->menu && !cab->keep.on;
+
+    return !cab->session.demo && !cab_fault(cab) && board_frame(cab_live(cab)) > 0 && !in_menu;
+}
+
+void cab_open_log(struct cab *cab)
+{
+    if (cab->attracting)
+        cab_attract_end(cab);
+    log_open(&cab->log, &cab->screens);
+}

@@ -168,3 +168,19 @@ void cab_save_settings(struct cab *cab)
     /* a small menu has three lines: the why matters, the folder stands in the notice and the log */
     screens_say(&cab->screens, "Not saved: %s", strncmp(err, path, folder) == 0 ? err + folder : err);
 }
+
+/* Other settings than these are read where they are used. */
+void cab_apply_settings(struct cab *cab)
+{
+    const struct config *c = &cab->config;
+    const int slow = 1 << c->speed;
+
+    cab_pads_apply(cab);
+    cab->speaker.volume = c->volume;
+    cab->speaker.muted = c->mute;
+    speaker_levels(&cab->speaker, c->music, c->sounds);
+    if (slow != cab->slow)
+        cab_mark_assisted(cab);
+    cab->slow = slow;
+    cab->quit = !cab_open_window(cab) || cab->quit;
+}
