@@ -1,9 +1,10 @@
 /*
- * host.h - the half of the platform's defaults that differs between hosts. stdio.c is the other half.
+ * host.h - the part of the platform API's defaults that depends on the host. stdio.c has the other part.
  *
- * Two files of a host define all of this, and the functions of platform.h under "the host": posix.c and
- * posix_process.c; win.c and win_process.c; iso.c for hosts with nothing but ISO C, and no_process.c for those without
- * processes. Paths are UTF-8, with / between folders. A function that fails sets errno where the host gives a reason.
+ * Each host has its own files that define these functions, and those of platform.h under "the host": posix.c and
+ * posix_process.c; win.c, win_process.c and win_register.c; iso.c for hosts that have only ISO C, and no_process.c for
+ * hosts without processes. Paths are UTF-8, with / between folders. A function that fails sets errno if the host gives
+ * a reason.
  */
 #ifndef PLATFORM_HOST_H
 #define PLATFORM_HOST_H
@@ -13,63 +14,67 @@
 #include <stdio.h>
 #include "platform.h"
 
-/* A port overrides a default by defining the same function. PE has no weak symbols: there the build names the
- * overrides with -DPLAT_OWN_... */
+/* A port overrides a default by defining the same function. PE has no weak symbols, so builds for PE name each
+ * overridden function with -DPLAT_OWN_... */
 #if (defined(__GNUC__) || defined(__clang__)) && !defined(_WIN32)
 #define DEFAULT __attribute__((weak))
 #else
 #define DEFAULT
 #endif
 
-enum { HOST_PATH = 2048 }; /* bytes of a path, with its NUL */
+enum { HOST_PATH = 2048 }; /* maximum size of a path in bytes, including the NUL */
 
 /* ---- names ---- */
 
-/* The user's folders for program data and for pictures. False: there is none. */
+/* Write the path of the user's folder for program data or for pictures. Return false if there is none or its path is
+ * too long. */
 bool host_data_folder(char out[HOST_PATH]);
 bool host_pictures_folder(char out[HOST_PATH]);
 
-/* The current folder and a slash if the path is relative; "" if it is absolute or the folder is unknown. */
+/* Writes the prefix that makes `path` absolute: the current folder and a slash, or "" if `path` is absolute or the
+ * folder is unknown. */
 void host_folder_before(const char *path, char out[HOST_PATH + 1]);
 
-/* The path of the running program's file, with links resolved. */
+/* Writes the path of the running program's file, on POSIX with links resolved. Returns false if the host does not know
+ * the path. */
 bool host_program_path(char out[HOST_PATH]);
 
 /* ---- files ---- */
 
 enum host_mode {
-    HOST_READ,   /* a regular file; a pipe is not waited for */
-    HOST_STREAM, /* reads whatever it is */
-    HOST_NEW,    /* writes a file that must not exist */
-    HOST_WRITE,  /* empties it first */
+    HOST_READ,   /* reads a regular file; fails for a pipe without waiting for it */
+    HOST_STREAM, /* reads a file of any kind */
+    HOST_NEW,    /* creates a file that must not exist yet */
+    HOST_WRITE,  /* creates a file, or empties an existing one */
     HOST_APPEND
 };
 
 FILE *host_open(const char *path, enum host_mode mode);
 
-/* Like plat_size. */
+/* Returns what plat_size returns. */
 long host_size(const char *path);
 
-/* True if it exists. */
+/* Returns whether the file or folder exists. */
 bool host_exists(const char *path);
 
-/* True if it exists and is not a regular file: a device, a pipe, a folder. */
+/* Returns whether the path exists and is not a regular file: a device, a pipe, a folder. */
 bool host_special(const char *path);
 
-/* True if both exist and are the same file or folder. */
+/* Returns whether both paths exist and are the same file or folder. */
 bool host_same_file(const char *a, const char *b);
 
-/* Replaces a path by the target of its symbolic links, which need not exist. False: a loop, or too long. */
+/* Replaces a path by the target of its symbolic links, which need not exist. Returns false if the links form a loop or
+ * the target's path is too long. */
 bool host_follow(char path[HOST_PATH]);
 
-/* True if the folder exists afterwards. */
+/* Creates a folder. Returns whether it exists afterwards. */
 bool host_make_folder(const char *path);
 
-/* Writes a file, or the names in a folder, to the disk before returning. */
+/* Flush a file, or a folder's entries, to the disk. */
 bool host_to_disk(FILE *f);
 void host_folder_to_disk(const char *folder);
 
-/* Copies the permissions of the file at path, if there is one. */
+/* Copies the permissions of the file at `path`, if it exists, to f. */
 void host_keep_mode(FILE *f, const char *path);
 
 bool host_replace(const char *from, const char *to);
@@ -79,22 +84,24 @@ int host_list(const char *folder, void (*each)(void *user, const struct plat_fil
 
 /* ---- the process ---- */
 
-/* A number that differs between programs that run at the same time. */
+/* Returns the process ID, which no other running program has; 0 on hosts without processes. */
 long host_process(void);
 
 /* Writes to standard error immediately. */
 void host_log(const char *text, size_t size);
 
-/* Calls `crashed` when the program is about to crash; then the crash takes its course. A second fault inside `crashed`
- * exits immediately. False: the host cannot do that. */
+/* Installs a handler that calls `crashed` when the program crashes; the program then ends as it would have without the
+ * handler. A second fault inside `crashed` ends the program immediately. Returns false if the host does not support
+ * this. */
 bool host_crash_arm(void (*crashed)(const char *what));
 void host_crash_disarm(void);
 
-/* plat_each without processes: runs the pieces one after another in this process. stdio.c defines it. */
+/* Does the work of plat_each without processes: runs the pieces one after another in this process. Defined in
+ * stdio.c. */
 bool host_each(int n, const struct plat_work *work);
 
-/* Files for `crashed`: these and host_log are safe in a signal handler. host_crash_open creates a file that only the
- * user can read; -1: it cannot. */
+/* File functions for `crashed`; they and host_log are safe in a signal handler. host_crash_open creates a file, on
+ * POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */
 int host_crash_open(const char *path);
 void host_crash_write(int file, const void *bytes, size_t size);
 void host_crash_close(int file);

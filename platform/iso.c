@@ -1,7 +1,7 @@
 /*
- * iso.c - host.h with nothing but ISO C: names and files.
+ * iso.c - host.h in pure ISO C: names and files.
  *
- * ISO C knows no folders, links or devices. A path is what the user typed.
+ * ISO C has no folders, links or devices. Paths are used as typed.
  */
 #include "host.h"
 
@@ -98,7 +98,7 @@ void host_keep_mode(FILE *f, const char *path)
     (void)path;
 }
 
-/* In ISO C, rename may refuse an existing name. */
+/* In ISO C, rename may fail if the new name exists. */
 bool host_replace(const char *from, const char *to)
 {
     if (rename(from, to) == 0)

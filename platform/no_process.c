@@ -1,5 +1,5 @@
 /*
- * no_process.c - host.h for a host where a program cannot start another, handle signals or find its own file.
+ * no_process.c - host.h for hosts where a program cannot start another, handle signals, or find its own file.
  */
 #include "host.h"
 

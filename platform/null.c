@@ -1,7 +1,7 @@
 /*
- * null.c - the port with no window: for servers, tests, and hosts where only headless commands are wanted.
+ * null.c - the port without a window: for servers, tests, and hosts that need only headless commands.
  *
- * It cannot be played in: plat_open says so, and `curtain play` ends with exit code 3.
+ * Games cannot be played: plat_open fails, and `curtain play` ends with exit code 3.
  */
 #include <string.h>
 #include "platform.h"

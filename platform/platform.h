@@ -1,17 +1,17 @@
 /*
- * platform.h - the seam: all the cabinet asks of the machine it stands in. A port is one file that defines these
- * functions.
+ * platform.h - the platform API: everything that Curtain needs from the host it runs on. A port is one C file that
+ * defines these functions.
  *
- * To port: copy template.c, write its six functions. The others have defaults in stdio.c and in the host's two files
- * (posix.c, win.c, iso.c: see host.h). These are weak symbols (gcc and clang, ELF and Mach-O): to define one of them is
- * enough to override it. Where there are none, as on Windows, build these files with one -DPLAT_OWN_... for each
- * override, as -DPLAT_OWN_SOUND.
+ * To write a port, copy template.c and write its six functions. The other functions have defaults in stdio.c and in the
+ * host's files (posix.c, win.c, iso.c and others; see host.h). The defaults are weak symbols (gcc and clang, ELF and
+ * Mach-O), so a port overrides one by defining the same function. If there are no weak symbols, as on Windows, compile
+ * the files with the defaults with one -DPLAT_OWN_... for each override, such as -DPLAT_OWN_SOUND.
  *
- * A port has no logic and no table of keys: switches are raw numbers, the cabinet maps them. It includes this header
- * and nothing else of ours. Everything is called from one thread.
+ * A port has no logic and no table of key bindings: it reports keys and buttons by number, and src/cab maps them. It
+ * includes this header and no other header of Curtain. All functions are called from one thread.
  *
- * What a port calls itself are the three functions of the program, below, and that only where the host has the loop:
- * elsewhere src/cab/main.c is the loop.
+ * On a host that has the main loop, the port calls the three program_ functions below. On other hosts, src/cab/main.c
+ * is the loop.
  */
 #ifndef PLATFORM_PLATFORM_H
 #define PLATFORM_PLATFORM_H
@@ -22,13 +22,13 @@
 #include <stdio.h>
 
 enum {
-    PLAT_KEYS = 256, /* keyboard switches: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
+    PLAT_KEYS = 256, /* keys of a keyboard: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
     PLAT_CONTROLLERS = 4,
     PLAT_TEXT = 64
 };
 
-/* Switches of a controller, named by where they are, as bit numbers. A stick or trigger pushed over halfway is a
- * switch. */
+/* Buttons of a controller, named by position, as bit numbers. A stick or trigger pushed more than halfway counts as a
+ * button. */
 enum plat_switch {
     PLAT_DPAD_UP,
     PLAT_DPAD_DOWN,
@@ -45,7 +45,7 @@ enum plat_switch {
     PLAT_START,
     PLAT_SELECT,
     PLAT_GUIDE,
-    PLAT_STICK_LEFT, /* pressed in */
+    PLAT_STICK_LEFT, /* the left stick pressed in */
     PLAT_STICK_RIGHT,
     PLAT_LEFT_UP, /* the left stick's directions */
     PLAT_LEFT_DOWN,
@@ -58,46 +58,46 @@ enum plat_switch {
     PLAT_SWITCHES
 };
 
-/* What is printed on a controller's buttons. Where they are does not depend on it: Nintendo's A is PLAT_EAST. */
+/* The labels of a controller's buttons. A button's position does not depend on its label: Nintendo's A is PLAT_EAST. */
 enum plat_kind {
     PLAT_UNKNOWN,
-    PLAT_XBOX,     /* A below, B on the right; Menu, View; and all that are lettered so */
-    PLAT_XBOX_360, /* the same, with Start and Back */
+    PLAT_XBOX,     /* A at the bottom, B on the right, Menu, View; also other controllers with this lettering */
+    PLAT_XBOX_360, /* like PLAT_XBOX, with Start and Back */
     PLAT_PS3,
     PLAT_PS4,
     PLAT_PS5,
-    PLAT_NINTENDO, /* B below, A on the right */
+    PLAT_NINTENDO, /* B at the bottom, A on the right */
     PLAT_KINDS
 };
 
 struct plat_controller {
-    uint32_t id; /* another one each time that one is plugged in */
+    uint32_t id; /* a different number each time a controller is plugged in */
     enum plat_kind kind;
-    char name[64]; /* as the host calls it; "": not known */
+    char name[64]; /* the host's name for the controller; "": unknown */
 };
 
 struct plat_want {
-    int w, h;  /* the picture */
-    int scale; /* window pixels a picture pixel; 0: the largest that is comfortable on this screen */
-    bool any;  /* with scale 0: it need be no whole number */
+    int w, h;  /* size of the picture in pixels */
+    int scale; /* window pixels per picture pixel; 0: the largest scale that fits the screen */
+    bool any;  /* with scale 0: allow a scale that is not a whole number */
     bool fullscreen;
-    bool vsync;        /* showing a picture is to wait until the screen takes it, if the port can and knows its rate */
-    bool text;         /* plat_input.text is wanted; else input methods stay out of the way */
-    const char *title; /* NULL: none */
-    int rate;          /* sound frames a second; 0: no sound: no speaker is touched */
+    bool vsync;        /* wait for vertical sync, if the port supports it and knows the refresh rate */
+    bool text;         /* fill in plat_input.text; false: keep input methods off */
+    const char *title; /* title of the window; NULL: none */
+    int rate;          /* sound frames per second; 0: no sound, and no sound device is opened */
 };
 
-/* "Held" means down now, or pressed since the last poll, so that no tap is lost however slow the poll. */
+/* "Held" means down now or pressed since the last poll, so that no tap is lost however rare the polls are. */
 struct plat_input {
-    uint8_t keys[PLAT_KEYS / 8];            /* held: usage u is bit u & 7 of byte u >> 3 */
-    uint32_t controllers[PLAT_CONTROLLERS]; /* held: bit numbers of enum plat_switch; 0 when there is none */
-    bool quit;                              /* the host wants us gone: stays set */
-    bool focus;                             /* keys reach us; a host that cannot tell says so always */
-    bool hidden;                            /* nobody sees the window: it is minimised; false if that is not known */
-    int mouse_x, mouse_y;                   /* pixels of what was shown last; -1, -1: not on it */
-    uint8_t mouse;                          /* held: bit 0 left, 1 right, 2 middle */
-    int wheel;                              /* notches since the last poll, up is positive */
-    char text[PLAT_TEXT]; /* what was typed since the last poll: UTF-8, whole characters, ends in NUL */
+    uint8_t keys[PLAT_KEYS / 8];            /* held keys: usage u is bit u & 7 of byte u >> 3 */
+    uint32_t controllers[PLAT_CONTROLLERS]; /* held buttons: bit n is value n of enum plat_switch; 0: not connected */
+    bool quit;                              /* the host asks the program to quit; once set, stays set */
+    bool focus;                             /* the window has keyboard focus; true if the host cannot tell */
+    bool hidden;                            /* the window is minimised or hidden; false if the host cannot tell */
+    int mouse_x, mouse_y;                   /* position in pixels of the last picture shown; -1, -1: outside it */
+    uint8_t mouse;                          /* held buttons: bit 0 left, 1 right, 2 middle */
+    int wheel;                              /* notches since the last poll; up is positive */
+    char text[PLAT_TEXT]; /* text typed since the last poll: UTF-8, whole characters, NUL-terminated */
 };
 
 static inline bool plat_key(const struct plat_input *in, unsigned usage)
@@ -105,247 +105,266 @@ static inline bool plat_key(const struct plat_input *in, unsigned usage)
     return in->keys[usage >> 3 & 31] >> (usage & 7) & 1;
 }
 
-/* ---- what a port calls, where the host has the loop ---- */
+/* ---- the program, for ports whose host has the main loop ---- */
 
-/* The program, with its arguments as those of main: "curtain", "play", a game, and so on. What has no window is done
- * when program_open returns. argv may be rearranged, and must last until program_close. Several may be open at once,
- * also of different games: what one of them asks of the port, it asks in these calls of its own. NULL: no memory. */
+/* Starts the program with the arguments of main: "curtain", "play", a game, and so on. A command that needs no window
+ * is finished when program_open returns. argv may be rearranged, and must stay valid until program_close. Several
+ * programs may be open at once, also with different games; each calls the port only during its own program_ calls.
+ * Returns NULL when memory is short. */
 struct program;
 struct program *program_open(int argc, char **argv);
 
-/* Does what is due by plat_usec, and shows a picture if a frame was: to be called at each refresh of the screen, or
- * more often. False: it is over; close it. */
+/* Does what is due at plat_usec(), and shows a picture if a frame was due. Call it at each refresh of the screen, or
+ * more often. Returns false when the program is over; then call program_close. */
 bool program_frame(struct program *program);
 
-/* Ends it, in the middle as well, and gives back all that it took: a host that plays one game after another does not
- * grow. Returns the exit code. */
+/* Ends the program, also in the middle of a run, and frees everything it allocated, so that a host that plays one game
+ * after another does not grow. Returns the exit code. */
 int program_close(struct program *program);
 
-/* ---- the six of a port ---- */
+/* ---- the six functions of a port ---- */
 
-/* Opens the window, or changes the open one to `want`: another picture, scale, title, or fullscreen. False after a
- * plat_log that says why. A missing sound card is not a failure. */
+/* Opens the window, or changes the open window to `want`: a different picture size, scale, title, or fullscreen. On
+ * failure, logs the reason with plat_log and returns false. A missing sound card is not a failure. */
 bool plat_open(const struct plat_want *want);
 
-/* Gives everything back. Harmless when nothing is open. */
+/* Closes the window and releases everything. Does nothing when no window is open. */
 void plat_close(void);
 
-/* Fills *in. Never blocks. */
+/* Fills in *in. Never blocks. */
 void plat_poll(struct plat_input *in);
 
-/* Shows a picture of palette indices; colours are 0xRRGGBB. Scaled by a whole number, the rest of the window black. */
+/* Shows a picture of palette indices; colours are 0xRRGGBB. The picture is scaled by a whole number, and the rest of
+ * the window is black. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
-/* Microseconds from any fixed moment, never going back. Works before plat_open. Hosts with clock_gettime have defaults
- * for this and plat_wait. */
+/* Returns microseconds since an arbitrary moment. Monotonic where the host has a monotonic clock. May be called before
+ * plat_open. stdio.c has defaults for this and plat_wait. */
 uint64_t plat_usec(void);
 
-/* Returns when plat_usec() has reached `until`, or at once where the host has the loop. */
+/* Returns when plat_usec() has reached `until`, or immediately if the host has the main loop. */
 void plat_wait(uint64_t until);
 
-/* ---- those with defaults ---- */
+/* ---- functions with defaults ---- */
 
-/* For plat_show of a port whose screen has no palette: out[y * out_pitch + x] = rgb[pix[y * pitch + x]]. out_pitch is
- * in pixels. What rgb holds is the port's: bits of its own beside 0xRRGGBB, or another order. */
+/* Converts palette indices to colours, for plat_show of a port whose screen has no palette: out[y * out_pitch + x] =
+ * rgb[pix[y * pitch + x]]. out_pitch is in pixels. The port chooses the format of the colours in rgb: it may set more
+ * bits than 0xRRGGBB, or use a different order. */
 void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
-/* For plat_open of a port with windows, and want->scale 0 or not: the window's size for want where there is room for so
- * many pixels, borders and title deducted. Scale 0 is the largest one that fits, a whole number or, with `any`, a
- * multiple of a quarter, and never less than 1. */
+/* Computes the window's size for `want`, for plat_open of a port with windows. room_w, room_h: pixels available for the
+ * window's content, without borders and title. With want->scale 0, takes the largest scale that fits: a whole number
+ * or, with want->any, a multiple of a quarter; at least 1. */
 void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h);
 
-/* What is known of the open window; false: nothing. */
+/* Facts about the open window. plat_window gets them, and returns false if none are known. */
 struct plat_window {
-    int w, h;    /* pixels of what plat_paint fills */
-    int refresh; /* of the screen it is on, in thousandths of a Hz; 0: unknown */
-    bool waits;  /* showing a picture returns when the screen takes it, at a refresh */
+    int w, h;    /* size in pixels of the area that plat_paint fills */
+    int refresh; /* refresh rate of the window's screen in thousandths of a Hz; 0: unknown */
+    bool waits;  /* showing a picture waits for vertical sync */
 };
 bool plat_window(struct plat_window *out);
 
-/* Shows a picture of full colours, 0xRRGGBB, over the whole window, stretched if it is not as large. pitch is in
- * pixels. False: the port only has plat_show. The cabinet asks for it where plat_window is known and there is more to
- * show than plat_show can: a picture turned, smooth, with lines, a border, or panels beside it. */
+/* Shows a picture of colours, 0xRRGGBB, over the whole window, stretched if the sizes differ. pitch is in pixels.
+ * Returns false if the picture cannot be shown, or the port only has plat_show. Called if plat_window succeeds and
+ * plat_show cannot show what is wanted: a rotated picture, smooth scaling, a CRT filter, a border, or panels next to
+ * the picture. */
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
-/* Gives the open window an icon: bytes R G B A a pixel, a row after another. */
+/* Sets the open window's icon: 4 bytes R, G, B, A per pixel, row by row. */
 void plat_icon(const uint8_t *rgba, int w, int h);
 
-/* The path of a file or folder that was dropped on the window since the last call; of several, the last. False: none
- * was. */
+/* Gets the path of a file or folder that was dropped on the window since the last call; of several, the last one.
+ * Returns false if none was. */
 bool plat_dropped(char *path, size_t size);
 
-/* Says what is plugged in as number i of plat_input.controllers, from 0. False: nothing. A number stays a controller's
- * while it is plugged in. The default knows of none: each is there, unknown, without a name, and never goes. */
+/* Describes controller i of plat_input.controllers, counted from 0. Returns false if there is none. A controller keeps
+ * its number while it is plugged in. The default reports that all are plugged in at all times, with unknown kinds and
+ * no names. */
 bool plat_controller(int i, struct plat_controller *controller);
 
-/* Writes what is printed on a key, in UTF-8, in the keyboard layout in use: "w" on the key of usage 29 of a French
- * keyboard. False, the default: not known, or a key that prints no character, and it is called as on a US keyboard. */
+/* Writes a key's label in the current keyboard layout, in UTF-8: "w" or "W" for usage 29 on a French keyboard. Returns
+ * false if the label is unknown or the key prints no character; the key is then named as on a US keyboard. The default
+ * returns false. */
 bool plat_key_label(unsigned usage, char *text, size_t size);
 
-/* Queues stereo frames, all of them, or drops all when far too many wait. Returns how many were waiting before, those
- * that the card has taken and not played yet included, as far as that is known; 0: nothing was. -1: no speaker now.
- * With 0 frames it only says so. */
+/* Queues all of these stereo frames, or drops all of them if far too many are waiting. Returns how many were waiting
+ * before the call, including frames that the card has taken but not played, as far as that is known; 0: none; -1: there
+ * is no speaker at present. With frames 0, only returns the number. */
 int plat_sound(const int16_t *lr, int frames);
 
-/* Files. A name is a path as the user typed it, with / between folders, in UTF-8; `user:NAME` is NAME in the user's own
- * folder for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain; Windows: %APPDATA%\curtain);
- * `pictures:NAME` is NAME in the folder Curtain of where the user keeps pictures (desktop: XDG_PICTURES_DIR, as the
- * environment or user-dirs.dirs says, or ~/Pictures; without a home, the current folder). Saving makes the folders a
- * name asks for. */
+/* Files. A name is a path as the user typed it, with / between folders, in UTF-8. `user:NAME` is NAME in the user's
+ * folder for Curtain (desktop: $XDG_DATA_HOME/curtain or ~/.local/share/curtain; Windows: %APPDATA%\curtain).
+ * `pictures:NAME` is NAME in the folder Curtain of the user's pictures folder (desktop: XDG_PICTURES_DIR from the
+ * environment or user-dirs.dirs, or ~/Pictures; without a home, the current folder). Saving creates the folders in a
+ * name. */
 
-/* Replaces the host's other path separator by /: \ on Windows, nothing elsewhere. Call it for every path that comes
- * from the user or the host. */
+/* Replaces the host's other path separator with /: \ on Windows, none elsewhere. Call it for every path that comes from
+ * the user or the host. */
 void plat_slashes(char *path);
 
-/* From now on the program is called so, 1 to 63 of a-z 0-9 _: user: is the folder curtain-NAME instead of curtain,
- * pictures: the folder NAME instead of Curtain, and a line of the log that would begin with "curtain: " begins with
- * "NAME: ". */
+/* Sets the program's name: 1 to 63 characters of a-z 0-9 _. From then on, user: is the folder curtain-NAME instead of
+ * curtain, pictures: is the folder NAME instead of Curtain, and NAME replaces curtain in log lines that start with
+ * "curtain: ". */
 void plat_name(const char *name);
 
-/* Shows a sentence in a window and waits until the user closes it; works before plat_open and after plat_close. The
- * default does nothing. */
+/* Shows a message box and waits until the user closes it. Works before plat_open and after plat_close. The default does
+ * nothing. */
 void plat_alert(const char *text);
 
-/* Writes a name by which the program's own file can be read, whatever it is called by now. False: the host does not
- * say. */
+/* Writes a name under which the program's own file can be read, if possible even after the file was renamed. Returns
+ * false if the host does not know the name. */
 bool plat_program(char *name, size_t size);
 
-/* Writes the name of a file that came with the program, by its path from the program's own folder, as
- * "../share/curtain/player.html"; whether it is there is another question. False: the host does not say where the
- * program is. */
+/* Writes the name of a file that was installed with the program, given its path from the program's folder, such as
+ * "../share/curtain/player.html". The file may not exist. Returns false if the host does not know where the program
+ * is. */
 bool plat_beside(const char *path, char *name, size_t size);
 
-/* Writes the path of the program's own file, from the root, links followed. False: the host does not say. */
+/* Writes the absolute path of the program's own file, on POSIX with links resolved. Returns false if the host does not
+ * know it. */
 bool plat_program_path(char *path, size_t size);
 
-/* Lets those who can read a file run it as a program; where there is no such thing, nothing. False: it cannot be. */
+/* Makes a file executable for everyone who can read it; does nothing on hosts without such a permission. Returns false
+ * on failure. */
 bool plat_runnable(const char *name);
 
-/* Writes the path by which the user finds the file of a name, from the root where that can be told. False: there is
- * none, or it does not fit. */
+/* Writes the path under which the user finds a file, absolute if the host can tell. Returns false if there is no such
+ * path or it does not fit. */
 bool plat_path(const char *name, char *path, size_t size);
 
-/* Bytes of a file; -1: no such file (a folder is none). Of what is no file on a disk, such as a pipe: 0. */
+/* Returns the size of a file in bytes, or -1 if there is no such file (a folder is not a file). The size of a pipe or
+ * device is 0. */
 long plat_size(const char *name);
 
-/* Reads at most cap bytes from the start; returns how many, -1: cannot be read. */
+/* Reads at most cap bytes from the start of a file. Returns the number of bytes read, or -1 if the file cannot be
+ * read. */
 long plat_load(const char *name, void *buf, size_t cap);
 
 /* Opens a file for reading, or for writing, which empties it: for pipes, and for files that need not be replaced
- * atomically. NULL: errno may say why. */
+ * atomically. Returns NULL on failure; errno may have the reason. */
 FILE *plat_stream(const char *name, bool write);
 
-/* Do two names lead to one file on a disk? Of two that are not there yet: would they, links followed, and the case of
- * letters left aside? A port that cannot tell compares the names. */
+/* Returns whether two names refer to the same file on a disk. If neither exists, returns whether they would, with links
+ * followed and the case of letters ignored. A port that cannot tell compares the names. */
 bool plat_same(const char *a, const char *b);
 
-/* Replaces a whole file: afterwards it holds either this or, with false, what it held before. A symbolic link stays
- * one: what it leads to is replaced. A device or a pipe is written to. With false, errno may say why; so it may of
- * plat_append. */
+/* Replaces a whole file. Afterwards the file holds the new data, or its old data if this returns false. A symbolic link
+ * stays, and its target is replaced. A device or a pipe is written to. If this or plat_append returns false, errno may
+ * have the reason. */
 bool plat_save(const char *name, const void *buf, size_t len);
 
-/* Adds to a file's end, on its way to the disk when this returns. */
+/* Appends to a file, and hands the data to the host before returning, without waiting for the disk. */
 bool plat_append(const char *name, const void *buf, size_t len);
 
-/* Removes a file; false: it is still there, or never was. */
+/* Removes a file. Returns false if the file cannot be removed or did not exist. */
 bool plat_remove(const char *name);
 
 struct plat_file {
-    const char *name; /* without the folder */
+    const char *name; /* the file's name without its folder */
     bool folder;
-    int64_t time; /* of the last change; only good to compare */
+    int64_t time; /* time of the last change, in host-dependent units; good only for comparisons */
 };
 
-/* Calls each for every entry of a folder, in any order, but . and .. ; returns how many, -1: cannot be read. */
+/* Calls `each` for every entry of a folder except . and .., in any order. Returns the number of entries, or -1 if the
+ * folder cannot be read. */
 int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
 
-/* From now on, when the program is about to die of a fault of its own (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT;
- * Windows: an exception that nothing handles, and abort), fn is called with context and what it was, as "SIGSEGV" or
- * "access violation", and may write a file by handing out its bytes: STEM-N.txt, with the first N from 1 on that is
- * free. Then a line says where that is, and the program dies as it would have. fn runs in a signal handler: it may read
- * memory and call `out`, and nothing else. stem is a name as that of a file; fn NULL: no more. The last call holds.
- * False: the host has nothing like it. */
+/* Installs a crash handler. When the program crashes (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; Windows: an
+ * unhandled exception or abort), fn is called with context and the cause, such as "SIGSEGV" or "access violation". fn
+ * passes the bytes of a report to `out`, which writes them to STEM-N.txt, with the first unused N from 1 on. Then a log
+ * line names that file, and the program ends as it would have without a handler. fn runs in a signal handler: it may
+ * only read memory and call `out`. stem is a file name as above; fn NULL removes the handler. Each call replaces the
+ * handler of the previous one. Returns false if the host does not support this. */
 bool plat_crash(const char *stem, void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
                 void *context);
 
-/* For reports: what the port is made with, as "SDL 2.28.5, x11", or "no window" if nothing can be played in it; and
- * what it runs on, as "Linux 6.1.0 x86_64". */
+/* Write, for reports, what the port is built with, such as "SDL 2.28.5, x11", or "no window" if it cannot play games;
+ * and what it runs on, such as "Linux 6.1.0 x86_64". */
 void plat_about(char *text, size_t size);
 void plat_system(char *text, size_t size);
 
-/* One line, without its end, for whoever reads logs (desktop: stderr). */
+/* Logs one line, given without its newline (desktop: to stderr). */
 void plat_log(const char *line);
 
-/* ---- the host: its two files define these; without support they report failure ---- */
+/* ---- the host: defined in the host's files (host.h); without support they report failure ---- */
 
-/* For ports: with true, closing the terminal or ending the session no longer ends the program immediately;
- * plat_hung_up reports it, and the port must set plat_input.quit. */
+/* For ports. With `on`, closing the terminal or ending the session no longer ends the program immediately; plat_hung_up
+ * reports it, and the port must set plat_input.quit. */
 void plat_heed_hangup(bool on);
 bool plat_hung_up(void);
 
-/* True if standard error is a terminal on which a line can be overwritten. */
+/* Returns whether standard error is a terminal on which a line can be overwritten. */
 bool plat_terminal(void);
 
-/* Writes `last` to standard error before the program ends by Ctrl+C or SIGTERM. NULL: nothing. */
+/* Sets the text that is written to standard error when Ctrl+C or SIGTERM ends the program. The text must stay valid.
+ * NULL: none. */
 void plat_last_word(const char *last);
 
-/* A type of file that a double click opens with this program: files that end in .ENDING. */
+/* A file type that this program opens on a double click: files that end in .ENDING. */
 struct plat_file_type {
     const char *ending; /* "rom" */
-    const char *name;   /* the type's own name in the registry: "Curtain.Game" */
-    const char *title;  /* for the user: "Curtain game" */
+    const char *name;   /* the type's name in the registry: "Curtain.Game" */
+    const char *title;  /* the name shown to users: "Curtain game" */
 };
 
 enum plat_registered {
-    PLAT_NO_REGISTRY,    /* this host stores file types in another way */
-    PLAT_NOT_REGISTERED, /* it failed; errno says why */
-    PLAT_SECOND,         /* another program stays the default; this one can be chosen */
-    PLAT_REGISTERED      /* or, with on = false, removed */
+    PLAT_NO_REGISTRY,    /* not supported: this host stores file types in another way */
+    PLAT_NOT_REGISTERED, /* failed; errno has the reason */
+    PLAT_SECOND,         /* registered, but another program remains the default; users can choose this one */
+    PLAT_REGISTERED      /* registered; with on = false, removed */
 };
 
-/* For the current user, and hosts with a registry of file types (Windows): with `on`, a double click on such a file
- * runs this program as `play FILE`, unless another program is the default; else removes what that call wrote. */
+/* Registers a file type for the current user, on hosts with a registry of file types (Windows). With `on`, a double
+ * click on such a file runs this program as `play FILE`, unless another program is the default. Without `on`, removes
+ * what registering wrote. */
 enum plat_registered plat_register(const struct plat_file_type *type, bool on);
 
-/* True if a program of that name can be run. name: letters, digits and dashes. */
+/* Returns whether a program of that name can be run. name: letters, digits and dashes. */
 bool plat_has_command(const char *name);
 
-/* Starts the program words[0] with these words, which end with NULL, and returns its standard input. One at a time.
- * From then on, writing to a pipe that nobody reads is an error, not a signal. NULL: it failed; errno may say why. */
+/* Starts the program words[0] with these words, which end with NULL, and returns a stream to its standard input. Only
+ * one program at a time. Until plat_command_close, writing to a pipe that nobody reads is an error, not a signal.
+ * Returns NULL on failure; errno may have the reason. */
 FILE *plat_command_open(const char *const words[]);
 
-/* True: everything was written and the program ended with exit code 0. */
+/* Closes the stream and waits for the program to end. Returns whether everything was written and the program ended with
+ * exit code 0. */
 bool plat_command_close(FILE *f);
 
-/* A private temporary file, deleted by fclose. NULL: the host has none. */
+/* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
 FILE *plat_scratch(void);
 
 /* Shared libraries. Opens a library for the rest of the process: "expat" of version 1 is libexpat.so.1 or
- * libexpat-1.dll. NULL: there is none. */
+ * libexpat-1.dll. Returns NULL if the library is not found. */
 void *plat_library(const char *name, int version);
 
-/* Writes where to get it, such as "Debian package: libexpat1". False: the host loads no libraries. */
+/* Writes how to install the library, such as "Debian package: libexpat1". Returns false if the host cannot load
+ * libraries. */
 bool plat_library_hint(const char *name, int version, char *text, size_t size);
 
-/* Finds a function; `function` points to a function pointer. False: the library lacks it. */
+/* Finds a function in a library; `function` points to the function pointer to set. Returns false if the library does
+ * not have the function. */
 bool plat_symbol(void *library, const char *name, void *function);
 
 enum { PLAT_JOBS = 64 };
 
-/* The number of processors, 1 to PLAT_JOBS. */
+/* Returns the number of processors, 1 to PLAT_JOBS. */
 int plat_cores(void);
 
-/* Work in pieces, from 0 to n - 1, up to `jobs` of them at a time: each in a process of its own where the host can copy
- * one, so that what it does to memory, and how it ends, is nobody else's; elsewhere one after another. */
+/* Work in n pieces, 0 to n - 1, of which up to `jobs` run at a time. On hosts with fork, each piece runs in a separate
+ * process, so that its changes to memory and its crashes affect nothing else. On other hosts, the pieces run one after
+ * another in this process. */
 struct plat_work {
     void *context;
     void (*work)(void *context, int i, FILE *out);
     void (*done)(void *context, int i, const char *text, size_t n,
-                 int signal);     /* what it wrote; 0: it has ended well */
-    void (*waits)(void *context); /* called a few times a second */
+                 int signal);     /* text: the piece's output; signal: 0 if it succeeded */
+    void (*waits)(void *context); /* called a few times a second, or after each piece */
 };
 
-/* Returns when all is done. done is called in any order. False: no process, or no memory; some pieces are not done. */
+/* Does all pieces, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
+ * started or memory is short; some pieces are then not done. */
 bool plat_each(int n, int jobs, const struct plat_work *w);
 
 #endif

@@ -4,7 +4,7 @@
  * WASI has this part of POSIX, but no file modes.
  */
 #ifndef _FILE_OFFSET_BITS
-#define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir refuse what lies far out on a large disk */
+#define _FILE_OFFSET_BITS 64 /* with 32 bits, stat and readdir can fail on a large disk (EOVERFLOW) */
 #endif
 
 #include "host.h"
@@ -18,7 +18,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The folder for program data, below the user's; the field of struct stat with the time of the last change. */
+/* DATA_FOLDER: the folder for program data in the home folder. CHANGED: the field of struct stat with the time of the
+ * last change. */
 #ifdef __APPLE__
 #define DATA_FOLDER "Library/Application Support"
 #define CHANGED     st_mtimespec
@@ -36,7 +37,8 @@ static bool fits(int n)
     return n < HOST_PATH;
 }
 
-/* By the XDG rules a relative path counts as unset. */
+/* Returns an environment variable's value if it is an absolute path, otherwise NULL: by the XDG rules a relative path
+ * counts as unset. */
 static const char *absolute_variable(const char *name)
 {
     const char *value = getenv(name);
@@ -51,8 +53,8 @@ bool host_data_folder(char out[HOST_PATH])
     return home && home[0] && fits(snprintf(out, HOST_PATH, "%s/" DATA_FOLDER, home));
 }
 
-/* The value of a line NAME="VALUE" of user-dirs.dirs, where VALUE begins with / or $HOME, and \ is before a letter that
- * would mean something to a shell. */
+/* Parses the value of a line NAME="VALUE" of user-dirs.dirs. VALUE starts with / or $HOME; a \ precedes a character
+ * that is special to a shell. Returns false if the value is invalid or too long. */
 static bool shell_value(const char *value, const char *home, char *out, size_t size)
 {
     static const char variable[] = "$HOME";
@@ -75,7 +77,7 @@ static bool shell_value(const char *value, const char *home, char *out, size_t s
     return *value == '"' && out[0] == '/';
 }
 
-/* A folder as set in user-dirs.dirs. */
+/* Reads a folder's path from user-dirs.dirs. Returns false if it is not set there. */
 static bool user_dir(const char *name, const char *home, char *out, size_t size)
 {
     char line[2 * HOST_PATH];
@@ -120,7 +122,7 @@ void plat_slashes(char *path)
 
 /* ---- files ---- */
 
-/* Does not wait for a pipe. */
+/* Opens a regular file for reading. Returns NULL for any other file, without waiting for a pipe. */
 static FILE *open_regular(const char *path)
 {
     struct stat st;
@@ -250,7 +252,8 @@ static bool entry(struct plat_file *file, const char *folder, const char *name)
         return false;
     if (snprintf(path, sizeof path, "%s/%s", folder, name) >= (int)sizeof path || lstat(path, &st) != 0)
         return false;
-    if (S_ISLNK(st.st_mode) && (stat(path, &st) != 0 || S_ISDIR(st.st_mode))) /* links to folders are not entered */
+    if (S_ISLNK(st.st_mode) && (stat(path, &st) != 0 || S_ISDIR(st.st_mode))) /* skip broken links and links to
+                                                                               * folders */
         return false;
     file->name = name;
     file->folder = S_ISDIR(st.st_mode);

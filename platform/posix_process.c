@@ -1,5 +1,5 @@
 /*
- * posix_process.c - host.h on POSIX: the process, its signals, other programs, shared libraries.
+ * posix_process.c - host.h on POSIX: the process, its signals, other programs, and shared libraries.
  */
 #include "host.h"
 
@@ -34,8 +34,8 @@ DEFAULT bool plat_program(char *name, size_t size)
     return _NSGetExecutablePath(name, &room) == 0;
 }
 #else
-/* The link follows a rename and resolves a name found in PATH. Without /proc, Linux still reports the name under which
- * the program was started. */
+/* The link in /proc stays valid when the file is renamed, also for a program found in PATH. Without /proc, Linux still
+ * reports the name under which the program was started. */
 DEFAULT bool plat_program(char *name, size_t size)
 {
     static const char *const links[] = { "/proc/self/exe", "/proc/curproc/file", "/proc/curproc/exe" };
@@ -109,10 +109,10 @@ static struct {
     void (*crashed)(const char *what);
     bool armed;
     struct sigaction before[CRASH_SIGNALS];
-    char stack[CRASH_STACK]; /* its stack: the program's may have overflowed */
+    char stack[CRASH_STACK]; /* the handler's stack; the program's may have overflowed */
 } crash;
 
-/* Restores the earlier handlers. */
+/* Restores the handlers from before host_crash_arm. */
 void host_crash_disarm(void)
 {
     for (int i = 0; crash.armed && i < CRASH_SIGNALS; i++)
@@ -127,7 +127,7 @@ static void crash_signal(int sig)
         what = crash_signals[i].sig == sig ? crash_signals[i].name : what;
     host_crash_disarm();
     crash.crashed(what);
-    raise(sig); /* once this has returned */
+    raise(sig); /* delivered to the earlier handler when this one returns */
 }
 
 bool host_crash_arm(void (*crashed)(const char *what))
@@ -160,9 +160,9 @@ void host_crash_close(int file)
     close(file);
 }
 
-/* ---- signals: earlier handlers are restored afterwards ---- */
+/* ---- signals, whose earlier handlers are restored afterwards ---- */
 
-/* A signal that is handled here temporarily. */
+/* A signal that this file handles temporarily. */
 struct heeded {
     int sig;
     bool on;
@@ -186,7 +186,7 @@ static void heed_no_more(struct heeded *h)
     h->on = false;
 }
 
-/* A signal that was ignored at start stays ignored. */
+/* Like heed, but a signal that was ignored stays ignored. */
 static void heed_unless_ignored(struct heeded *h, void (*handler)(int))
 {
     heed(h, handler);
@@ -222,7 +222,7 @@ static struct heeded breaks[] = { { .sig = SIGINT }, { .sig = SIGTERM } };
 
 enum { BREAKS = sizeof breaks / sizeof *breaks };
 
-/* The signal is blocked in here and reaches the earlier handler after the return. */
+/* The raised signal stays blocked until this handler returns, and then reaches the earlier handler. */
 static void broken_off(int sig)
 {
     if (last_word && write(STDERR_FILENO, last_word, strlen(last_word)) < 0)
@@ -249,7 +249,6 @@ bool plat_terminal(void)
     return isatty(STDERR_FILENO);
 }
 
-/* Searches PATH like a shell. */
 enum plat_registered plat_register(const struct plat_file_type *type, bool on)
 {
     (void)type;
@@ -257,6 +256,7 @@ enum plat_registered plat_register(const struct plat_file_type *type, bool on)
     return PLAT_NO_REGISTRY;
 }
 
+/* Searches PATH like a shell. */
 bool plat_has_command(const char *name)
 {
     const char *path = getenv("PATH");
@@ -276,7 +276,7 @@ static struct {
     struct heeded broken_pipe;
 } command = { .broken_pipe = { .sig = SIGPIPE } };
 
-/* Starts it with its standard input at `from`; `to` is not its. */
+/* Starts a program with `from` as its standard input. The program does not inherit `to`. */
 static bool spawn(const char *const words[], int from, int to)
 {
     posix_spawn_file_actions_t actions;
@@ -333,7 +333,7 @@ FILE *plat_scratch(void)
 
 /* ---- shared libraries ---- */
 
-/* How a system names libraries, and where to get them. */
+/* Formats of a library's file name, and of the hint on how to install it. */
 #ifdef __APPLE__
 #define LIBRARY_FILE "lib%s.%d.dylib"
 #define LIBRARY_HINT LIBRARY_FILE
@@ -342,7 +342,7 @@ FILE *plat_scratch(void)
 #define LIBRARY_HINT "Debian package: lib%s%d"
 #endif
 
-/* Static programs and tests load none. */
+/* Static programs and tests load no libraries. */
 #ifdef WITHOUT_LIBRARIES
 enum { HAS_LIBRARIES = 0 };
 #define dlopen(file, how)    NULL
@@ -389,14 +389,14 @@ int plat_cores(void)
 enum { WAIT_MS = 250, PIECE = 4096 };
 
 struct job {
-    int piece, from; /* its pipe; -1: the job is free */
+    int piece, from; /* read end of the piece's pipe; -1: the job is free */
     pid_t pid;
     char *text;
     size_t n, room;
 };
 
-/* Runs in the child and does not return; it flushes none of the parent's buffers. Output is line-buffered, so nothing
- * written before a crash is lost. */
+/* Does a piece in the child process. Never returns; _exit flushes none of the parent's buffers. Output is
+ * line-buffered, so that lines written before a crash are not lost. */
 static void do_piece(const struct plat_work *w, int piece, int to)
 {
     FILE *out = fdopen(to, "w");
@@ -455,7 +455,7 @@ static void end(struct job *j, const struct plat_work *w)
     j->text = NULL;
 }
 
-/* Reads what a job has written; at end of file the job is done. False: no memory. */
+/* Reads available output of a job; at end of file, ends the job. Returns false when memory is short. */
 static bool take(struct job *j, const struct plat_work *w)
 {
     if (!more_room(j))
@@ -468,7 +468,7 @@ static bool take(struct job *j, const struct plat_work *w)
     return true;
 }
 
-/* Waits until a job has written something and reads it. False: no memory. */
+/* Waits until jobs have output, at most WAIT_MS, and reads it. Returns false when memory is short. */
 static bool wait_for(struct job *jobs, int n, const struct plat_work *w)
 {
     struct pollfd fds[PLAT_JOBS];
@@ -484,7 +484,7 @@ static bool wait_for(struct job *jobs, int n, const struct plat_work *w)
     return good;
 }
 
-/* After a failure, ends the running jobs without waiting long. */
+/* Terminates the running jobs after a failure. */
 static void give_up(struct job *jobs, int n)
 {
     for (int i = 0; i < n; i++) {

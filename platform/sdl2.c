@@ -1,10 +1,11 @@
 /*
  * sdl2.c - the desktop port, on SDL 2.0.10 or later.
  *
- * One window, one streaming texture in ARGB8888, drawn by whatever renderer SDL finds, always nearest: a picture by a
- * whole number, what the cabinet has composed over all of the window. SDL's scancodes are USB HID usages, so keys need
- * no table. From SDL 2.0.18 on pictures are held for the vertical blank when that is wanted, before that from the next
- * start on. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no display.
+ * The port has one window and one streaming texture in ARGB8888, drawn by whichever renderer SDL finds, always with
+ * nearest-neighbour scaling: plat_show scales by a whole number, plat_paint fills the whole window. SDL's scancodes are
+ * USB HID usages, so keys need no table. VSync can change while the window is open from SDL 2.0.18 on; with an earlier
+ * SDL, the change takes effect at the next start. All SDL_ environment variables work; SDL_VIDEODRIVER=dummy needs no
+ * display.
  *
  * The SDL library is opened when a window is first needed, so commands without a window run where SDL is not installed,
  * and start faster. With -DSDL_LINKED it is linked instead, as on Windows.
@@ -15,11 +16,11 @@
 #include "platform.h"
 
 enum {
-    QUEUE_FRAMES = 9600, /* sound that waits longer than this (0.2 s) is too much: new sound is dropped */
+    QUEUE_FRAMES = 9600, /* while more than this is queued (0.2 s), new sound is dropped */
     FRAME_BYTES = 4,
-    PERIOD = 256,   /* frames the card takes at once */
-    PUSHED = 16384, /* a stick or trigger over half of its way */
-    TITLE = 40,     /* pixels of a window's title, and of its other edges, before they are known */
+    PERIOD = 256,   /* size of the card's buffer in frames */
+    PUSHED = 16384, /* axis value above which a stick or trigger counts as pressed: half of its range */
+    TITLE = 40,     /* pixels of a window's title bar and of its other edges, while they are unknown */
     EDGE = 2,
 };
 
@@ -60,12 +61,12 @@ static struct {
     SDL_Texture *texture;
     struct plat_want want;
     int texture_w, texture_h;
-    SDL_Rect on; /* where the picture is, in window pixels */
+    SDL_Rect on; /* the picture's rectangle in the window, in pixels */
     SDL_AudioDeviceID speaker;
-    int taken; /* frames that the card has taken and not played, about: two periods */
+    int taken; /* frames that the card has taken but not played: about two periods */
 } port;
 
-/* Switches: `down` follows press and release, `seen` gathers presses until a poll hands them out. */
+/* Keys and buttons. `down` follows presses and releases; `seen` collects presses until a poll reports them. */
 static struct {
     uint8_t down[PLAT_KEYS / 8], seen[PLAT_KEYS / 8];
     uint32_t pad_down[PLAT_CONTROLLERS], pad_seen[PLAT_CONTROLLERS];
@@ -74,7 +75,7 @@ static struct {
     int wheel;
     bool quit;
     char text[PLAT_TEXT];
-    char *dropped; /* SDL's; NULL: nothing was */
+    char *dropped; /* path of the last dropped file, to be freed with sdl.free; NULL: none */
 } in;
 
 static bool failed(const char *what)
@@ -87,7 +88,7 @@ static bool failed(const char *what)
 
 /* ---- the library ---- */
 
-/* False: the library is missing or too old. */
+/* Fills in `sdl`. Returns false if the library is missing or too old. */
 static bool find_functions(void)
 {
 #ifdef SDL_LINKED
@@ -116,8 +117,8 @@ static bool load(void)
 
 /* ---- window ---- */
 
-/* The part of the desktop that a window may fill, without its title and edges. An open one knows how large these are.
- * */
+/* Gets the size of the part of the desktop that a window's content may fill, without title bar and edges; 0, 0 if
+ * unknown. Uses the borders of the window if it is open, otherwise TITLE and EDGE. */
 static void find_room(int *w, int *h)
 {
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
@@ -128,12 +129,12 @@ static void find_room(int *w, int *h)
     if (sdl.GetDisplayUsableBounds(display < 0 ? 0 : display, &r) != 0)
         return;
     if (port.window && !(sdl.GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
-        sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes where it cannot say */
+        sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes if SDL does not know them */
     *w = r.w - left - right;
     *h = r.h - (top ? top : TITLE) - bottom;
 }
 
-/* Holding a picture without the screen's rate would only make it late. */
+/* Returns whether to use VSync. Without a refresh rate, VSync would only show pictures late. */
 static bool can_wait(const struct plat_want *want)
 {
     SDL_DisplayMode mode;
@@ -166,7 +167,7 @@ static void change_vsync(const struct plat_want *want)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 18)
     if (sdl.RenderSetVSync && want->vsync != port.want.vsync)
-        sdl.RenderSetVSync(port.renderer, can_wait(want)); /* one that cannot stays as it is, and plat_window says so */
+        sdl.RenderSetVSync(port.renderer, can_wait(want)); /* may fail; plat_window reports the state */
 #else
     (void)want;
 #endif
@@ -189,7 +190,7 @@ static void change_window(const struct plat_want *want)
     sdl.SetWindowSize(port.window, w, h);
 }
 
-/* SDL keeps a copy of its own. */
+/* SDL copies the icon. */
 void plat_icon(const uint8_t *rgba, int w, int h)
 {
     SDL_Surface *icon = port.window ? sdl.CreateRGBSurfaceWithFormat(0, w, h, 32, SDL_PIXELFORMAT_RGBA32) : NULL;
@@ -205,7 +206,7 @@ void plat_icon(const uint8_t *rgba, int w, int h)
 /* ---- speaker ---- */
 
 #ifdef __linux__
-/* ALSA tells the terminal what the log says already. */
+/* Discards ALSA's messages to the terminal; the log has the error already. */
 static void ignore_alsa(const char *file, int line, const char *function, int err, const char *format, ...)
 {
     (void)file;
@@ -260,7 +261,7 @@ static void close_speaker(void)
     port.speaker = 0;
 }
 
-/* A device came; there may be one now. */
+/* Opens the speaker if sound is on and the speaker is closed: a device may be available now. */
 static void speaker_comes(void)
 {
     if (port.speaker || port.want.rate <= 0)
@@ -270,7 +271,7 @@ static void speaker_comes(void)
         plat_log("curtain: sound device is back");
 }
 
-/* The one that played is gone; there may be another. */
+/* Closes the speaker if its device was removed, and tries to open another. */
 static void speaker_goes(SDL_AudioDeviceID device)
 {
     if (!port.speaker || device != port.speaker)
@@ -293,7 +294,8 @@ static void change_speaker(int rate)
 
 /* ---- opening, closing ---- */
 
-/* Where there is no display SDL may find a driver that shows nothing; SDL_VIDEODRIVER set to it asks for that. */
+/* Returns whether SDL chose a driver that shows nothing, as it may without a display. A user who sets SDL_VIDEODRIVER
+ * has chosen the driver. */
 static bool nobody_sees(void)
 {
     const char *driver = sdl.GetCurrentVideoDriver();
@@ -303,7 +305,8 @@ static bool nobody_sees(void)
     return strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0 || strcmp(driver, "evdev") == 0;
 }
 
-/* By default SDL exchanges the buttons of Nintendo's controllers, to go by the letters; here they go by place. */
+/* By default, SDL swaps the buttons of Nintendo controllers to match their letters. The platform API goes by
+ * position. */
 static void start_controllers(void)
 {
     sdl.SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
@@ -373,7 +376,7 @@ void plat_alert(const char *text)
         sdl.ShowSimpleMessageBox(SDL_MESSAGEBOX_ERROR, "Curtain", text, NULL);
 }
 
-/* ---- switches ---- */
+/* ---- keys and buttons ---- */
 
 static void set_bit(uint8_t *bits, unsigned i, bool on)
 {
@@ -423,7 +426,7 @@ static void controller_goes(SDL_JoystickID id)
     sdl.GameControllerClose(in.controller[i]);
     in.controller[i] = 0;
     in.pad_down[i] = in.pad_seen[i] = 0;
-    for (int d = 0; d < sdl.NumJoysticks(); d++) /* one that there was no room for */
+    for (int d = 0; d < sdl.NumJoysticks(); d++) /* a controller for which there was no free number */
         if (sdl.IsGameController(d))
             controller_comes(d);
 }
@@ -438,7 +441,8 @@ static void controller_switch(SDL_JoystickID id, int which, bool down)
     in.pad_seen[i] |= down ? bit : 0;
 }
 
-/* An #if for each release that knew more. A single Joy-Con is held askew: what is printed there helps nobody. */
+/* Each #if is for an SDL release that added controller types. A single Joy-Con is held sideways, so its labels would
+ * not help; its kind is unknown. */
 static enum plat_kind kind_of(SDL_GameController *c)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 12)
@@ -491,7 +495,8 @@ bool plat_controller(int i, struct plat_controller *controller)
     return true;
 }
 
-/* SDL's code of a key that prints a character is that character; of others it has a bit of its own or is a control. */
+/* If a key prints a character, SDL's key code is that character. Codes of other keys have SDLK_SCANCODE_MASK set or are
+ * control characters. */
 bool plat_key_label(unsigned usage, char *text, size_t size)
 {
     const SDL_Keycode code =
@@ -528,7 +533,7 @@ static int button_switch(unsigned button)
 static void controller_axis(SDL_JoystickID id, unsigned axis, int v)
 {
     static const signed char of[SDL_CONTROLLER_AXIS_MAX][2] = {
-        /* towards minus, towards plus */
+        /* controls for the negative and the positive direction; -1: none */
         [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_LEFT, PLAT_LEFT_RIGHT },
         [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_UP, PLAT_LEFT_DOWN },
         [SDL_CONTROLLER_AXIS_RIGHTX] = { PLAT_RIGHT_LEFT, PLAT_RIGHT_RIGHT },
@@ -542,7 +547,7 @@ static void controller_axis(SDL_JoystickID id, unsigned axis, int v)
     controller_switch(id, of[axis][1], v > PUSHED);
 }
 
-/* Whole characters only: SDL hands out UTF-8 that ends at one. */
+/* Appends typed text, or drops it if it does not fit. SDL's UTF-8 has only whole characters. */
 static void typed(const char *utf8)
 {
     size_t have = strlen(in.text), more = strlen(utf8);
@@ -571,7 +576,8 @@ bool plat_dropped(char *path, size_t size)
     return was;
 }
 
-/* The graphics driver has lost what was in it, as after a sleep: the next picture makes another. */
+/* Destroys the texture; the next picture creates another one. The graphics driver may lose a texture's contents, for
+ * example during sleep. */
 static void forget_texture(void)
 {
     if (port.texture)
@@ -637,7 +643,7 @@ static void event(const SDL_Event *e)
     }
 }
 
-/* Window coordinates to picture pixels; both differ on a display with fine pixels. */
+/* Converts the mouse position from window coordinates to picture pixels. These differ on high-DPI displays. */
 static void find_mouse(struct plat_input *to)
 {
     int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
@@ -690,12 +696,12 @@ static bool fit_texture(int w, int h)
     port.texture = sdl.CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
     port.texture_w = w;
     port.texture_h = h;
-    if (port.texture) /* the top byte of what is painted is nothing */
+    if (port.texture) /* the top byte of a painted pixel is not alpha */
         sdl.SetTextureBlendMode(port.texture, SDL_BLENDMODE_NONE);
     return port.texture != 0;
 }
 
-/* In the middle, by a whole number; a window smaller than the picture shows its middle. */
+/* Centres the picture, scaled by a whole number. A window smaller than the picture shows its middle. */
 static void place(int w, int h)
 {
     int ow = w, oh = h;
@@ -723,7 +729,8 @@ bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
     return true;
 }
 
-/* What SDL cuts off: 59 is 59.94, as 119 is 119.88; but 24 and 144 are whole. */
+/* Returns a refresh rate in thousandths of a Hz, restoring what SDL cuts off: 59 is 59.94 and 119 is 119.88, but 24 and
+ * 144 are exact. */
 static int thousandths(int hz)
 {
     return hz % 5 == 4 && hz % 24 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
@@ -759,7 +766,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
     present();
 }
 
-/* ---- versions and speaker ---- */
+/* ---- versions, and sound output ---- */
 
 void plat_about(char *text, size_t size)
 {

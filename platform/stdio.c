@@ -1,10 +1,10 @@
 /*
- * stdio.c - defaults for the platform API that are the same on every host, built on the functions of host.h.
+ * stdio.c - the defaults of the platform API that are the same on every host, built on the functions of host.h.
  *
- * Every function is a weak symbol: a port that defines the same name wins. A build without weak symbols leaves out the
- * functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED, _CONTROLLER,
- * _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _ALERT, _BESIDE, _PROGRAM_PATH, _CRASH, _ABOUT and _FILES (path, size,
- * load, save, append, remove, list, same, stream and runnable together).
+ * Every plat_ function is a weak symbol, which a port overrides by defining the same function. A build without weak
+ * symbols leaves out the functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED,
+ * _CONTROLLER, _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _ALERT, _BESIDE, _PROGRAM_PATH, _CRASH, _ABOUT and _FILES
+ * (path, size, load, save, append, remove, list, same, stream and runnable together).
  */
 #include <errno.h>
 #include <stdio.h>
@@ -14,14 +14,15 @@
 #include "host.h"
 
 #ifndef PLAT_OWN_RGB
-/* Eight pixels in memory order; compilers turn this into one load where they can. */
+/* Returns eight pixels in memory order; compilers turn this into one load where they can. */
 static inline uint64_t eight(const uint8_t *p)
 {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 |
            (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
 }
 
-/* The first two of each half come first, so that no load waits for the one before it. */
+/* Converts eight pixels. The first two of each half are looked up first, so that no load waits for the one before
+ * it. */
 static inline void eight_rgb(uint32_t *to, const uint8_t *from, const uint32_t rgb[256])
 {
     uint32_t a = (uint32_t)eight(from), b = (uint32_t)(eight(from) >> 32);
@@ -38,7 +39,7 @@ static inline void eight_rgb(uint32_t *to, const uint8_t *from, const uint32_t r
     to[7] = rgb[b >> 8];
 }
 
-/* Sixteen a round: a shorter loop takes a fifth longer where it happens to begin at a bad address. */
+/* Converts 16 pixels per iteration: a shorter loop takes a fifth longer if it starts at an unfavourable address. */
 DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h,
                       const uint32_t rgb[256])
 {
@@ -57,7 +58,7 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
 #endif
 
 #ifndef PLAT_OWN_FIT
-/* In quarters of the picture's size. */
+/* Computes in quarters of the picture's size. */
 DEFAULT void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h)
 {
     const long fits_w = 4L * room_w / want->w, fits_h = 4L * room_h / want->h;
@@ -166,7 +167,7 @@ DEFAULT int plat_sound(const int16_t *lr, int frames)
 
 /* ---- the program's name ---- */
 
-static char given_name[64]; /* "": it is curtain */
+static char given_name[64]; /* "": the name is curtain */
 
 #ifndef PLAT_OWN_NAME
 DEFAULT void plat_name(const char *name)
@@ -225,7 +226,7 @@ DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 
 /* ---- names ---- */
 
-/* Makes the folders before the last name. Returns 0 or why it could not. */
+/* Creates the folders before the last name of a path. Returns 0, or the errno of the first failure. */
 static int make_folders(char *path)
 {
     int why = 0;
@@ -239,7 +240,7 @@ static int make_folders(char *path)
 }
 
 #ifndef PLAT_OWN_FILES
-/* One name where the case of A to Z does not count. */
+/* Returns whether two names are equal, ignoring the case of A to Z. */
 static bool same_name(const char *a, const char *b)
 {
     for (; *a && *b; a++, b++) {
@@ -272,7 +273,7 @@ static bool picture_path(char path[HOST_PATH], const char *name)
     return fits(snprintf(path, HOST_PATH, "%s/%s/%s", folder, given_name[0] ? given_name : "Curtain", name));
 }
 
-/* The path of a name; false when it is too long or the user has no folder. */
+/* Converts a name to a path. Returns false if the path is too long or the user has no folder. */
 static bool path_of(char path[HOST_PATH], const char *name)
 {
     char data[HOST_PATH];
@@ -321,7 +322,7 @@ DEFAULT FILE *plat_stream(const char *name, bool write)
     return path_of(path, name) ? host_open(path, write ? HOST_WRITE : HOST_STREAM) : 0;
 }
 
-/* Cuts a path into its folder and its last name. */
+/* Splits a path in place. Sets *folder to its folder and returns its last name. */
 static const char *split(char path[HOST_PATH], const char **folder)
 {
     char *slash = strrchr(path, '/');
@@ -332,7 +333,8 @@ static const char *split(char path[HOST_PATH], const char **folder)
     return slash ? slash + 1 : path;
 }
 
-/* Of two that are not there yet: would the second be written over the first, maybe where case does not count? */
+/* Returns whether two paths are the same file. If neither exists, returns whether writing the second would overwrite
+ * the first, even if only on a file system that ignores case. */
 static bool is_same(char a[HOST_PATH], char b[HOST_PATH])
 {
     const char *folder_a, *folder_b;
@@ -359,13 +361,13 @@ static bool write_all(FILE *f, const void *buf, size_t len)
     int why = errno;
     bool closed = fclose(f) == 0;
     if (!good)
-        errno = why; /* of the first that failed */
+        errno = why; /* the reason of the first failure */
     return closed && good;
 }
 
 enum { MOST_TEMPS = 100 };
 
-/* By way of a file beside it, which nobody had, so that it is old or new whatever happens. */
+/* Writes a new file next to the target and renames it, so that the target always has its old or its new content. */
 static bool save_whole(char path[HOST_PATH], const void *buf, size_t len)
 {
     char temp[HOST_PATH + 32];
@@ -470,7 +472,7 @@ bool host_each(int n, const struct plat_work *w)
     return good;
 }
 
-/* ---- what reports say ---- */
+/* ---- port and host description, for reports ---- */
 
 #ifndef PLAT_OWN_ABOUT
 DEFAULT void plat_about(char *text, size_t size)
@@ -482,14 +484,14 @@ DEFAULT void plat_about(char *text, size_t size)
 /* ---- crashes ---- */
 
 #ifndef PLAT_OWN_CRASH
-enum { CRASH_NUMBERS = 1000, CRASH_ENDING = 32 /* bytes of "-999.txt", and to spare */ };
+enum { CRASH_NUMBERS = 1000, CRASH_ENDING = 32 /* bytes reserved for "-999.txt" */ };
 
 /* Everything the handler needs is prepared before a crash. */
 static struct {
     void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n));
     void *context;
     char path[HOST_PATH];
-    size_t stem; /* bytes of path that are given */
+    size_t stem; /* length of the stem in path, in bytes */
     int file;
     bool armed;
 } crash;
@@ -504,7 +506,7 @@ static void crash_out(const void *bytes, size_t n)
     host_crash_write(crash.file, bytes, n);
 }
 
-/* Behind the stem: "-N.txt". */
+/* Writes "-N.txt" after the stem in crash.path. */
 static void crash_name(int n)
 {
     char digits[12], *to = crash.path + crash.stem;
@@ -517,7 +519,8 @@ static void crash_name(int n)
     memcpy(to, ".txt", sizeof ".txt");
 }
 
-/* A new file that nobody else may read: it says how somebody played, and where their folders are. */
+/* Creates the report's file, which only the user may read: it shows how they played and where their folders are.
+ * Returns false on failure. */
 static bool crash_open(void)
 {
     crash.path[crash.stem] = 0;
@@ -531,7 +534,7 @@ static bool crash_open(void)
     return false;
 }
 
-/* Only functions that are safe in a signal handler. */
+/* Writes the crash report. Calls only functions that are safe in a signal handler. */
 static void crashes(const char *what)
 {
     crash.armed = false;
@@ -549,7 +552,7 @@ static void crashes(const char *what)
     crash_say("\n");
 }
 
-/* Is it what is armed already? It is asked each frame. */
+/* Returns whether this handler is already installed. plat_crash is called every frame. */
 static bool crash_is(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
                      const void *context)
 {

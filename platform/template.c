@@ -1,37 +1,36 @@
 /*
  * template.c - the port to copy: it compiles, links and does nothing.
  *
- * Write these six for your machine; the contract of each stands in platform.h. The game is there after the first two
- * that matter, plat_show and plat_poll. Then, if stdio.c's defaults do not suit, add any of plat_rgb, plat_fit,
- * plat_window, plat_paint, plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path,
- * plat_size, plat_load, plat_same, plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program,
- * plat_program_path, plat_alert, plat_beside, plat_runnable, plat_crash, plat_about, plat_system and plat_log to your
- * file: yours win at the link.
+ * Write these six functions for your host; platform.h has the contract of each. Games are playable once plat_show and
+ * plat_poll work. Then, if the defaults in stdio.c do not suit, add any of plat_rgb, plat_fit, plat_window, plat_paint,
+ * plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load, plat_same,
+ * plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program, plat_program_path, plat_alert, plat_beside,
+ * plat_runnable, plat_crash, plat_about, plat_system and plat_log to your file: the linker prefers yours.
  *
- * src/cab/main.c is the loop. Where the host has one, leave that out of the link, and call program_open, program_frame
- * and program_close from here.
+ * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
+ * program_open, program_frame and program_close from here.
  */
 #include <string.h>
 #include "platform.h"
 
 static uint64_t now;
 
-/* Open the window or the screen; get the speaker ready when want->rate is not 0, and go on without when there is none.
- * Called again on an open port it changes what differs: that is how fullscreen is switched. */
+/* Open the window or the screen. Open the speaker if want->rate is not 0, and continue without it if there is none. On
+ * an open port, change what differs from the last call; toggling fullscreen is such a call. */
 bool plat_open(const struct plat_want *want)
 {
     (void)want;
     return true;
 }
 
-/* Undo plat_open. It may come twice, or without an open. */
+/* Undo plat_open. May be called twice, or without a plat_open. */
 void plat_close(void)
 {
 }
 
-/* Set a bit of in->keys for each key by its USB HID usage: keep two bitmaps, `down` from press and release, `seen` from
- * presses; hand out down | seen and clear seen. Hosts with other key numbers keep one table from theirs to HID here.
- * This one asks to quit, so that what you have so far ends. */
+/* Set a bit of in->keys for each held key, by its USB HID usage. Use two bitmaps, `down` for held keys and `seen` for
+ * presses: report down | seen, then clear `seen`. Hosts with other key numbers need one table here that converts them
+ * to HID usages. This function asks to quit, so that the program ends. */
 void plat_poll(struct plat_input *in)
 {
     memset(in, 0, sizeof *in);
@@ -40,9 +39,9 @@ void plat_poll(struct plat_input *in)
     in->quit = true;
 }
 
-/* Write rgb[pix[y * pitch + x]] to the screen, every pixel a square of the same whole size, in the middle, black around
- * it; plat_rgb turns a picture into colours where the screen takes 32 bits a pixel. Hardware with a palette of 256
- * takes pix and rgb as they are. Waiting for the vertical blank here is fine. */
+/* Write rgb[pix[y * pitch + x]] to the screen. Scale every pixel by the same whole number, centre the picture, and make
+ * the rest black. For a screen with 32 bits per pixel, plat_rgb converts a picture to colours. Hardware with a palette
+ * of 256 colours takes pix and rgb directly. The function may wait for the vertical blank. */
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
     (void)pix;
@@ -52,13 +51,13 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
     (void)rgb;
 }
 
-/* Read a timer. This clock moves only when waited for: everything runs as fast as it can. */
+/* Read a timer. This clock advances only in plat_wait, so everything runs as fast as possible. */
 uint64_t plat_usec(void)
 {
     return now;
 }
 
-/* Sleep until then, to the millisecond or better. */
+/* Sleep until plat_usec() reaches `until`, accurate to a millisecond or better. */
 void plat_wait(uint64_t until)
 {
     if (until > now)

@@ -69,7 +69,7 @@ bool win_utf8(char *out, size_t size, const wchar_t *wide)
     return true;
 }
 
-/* A device, such as \\.\nul. */
+/* Returns whether a full path names a device, such as \\.\nul. */
 static bool is_device(const wchar_t *full)
 {
     return wcsncmp(full, L"\\\\.\\", 4) == 0;
@@ -113,7 +113,7 @@ void plat_slashes(char *path)
             *path = '/';
 }
 
-/* An absolute path in an environment variable. */
+/* Gets a folder from an environment variable that has an absolute path. */
 static bool variable_folder(char out[HOST_PATH], const wchar_t *name)
 {
     wchar_t wide[HOST_PATH];
@@ -132,7 +132,8 @@ static bool known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
     return good;
 }
 
-/* XDG_DATA_HOME works here too, so tests and portable installations choose a folder in the same way everywhere. */
+/* XDG_DATA_HOME also works on Windows, so that tests and portable installations choose a folder in the same way on
+ * every host. */
 bool host_data_folder(char out[HOST_PATH])
 {
     return variable_folder(out, L"XDG_DATA_HOME") || known_folder(out, &FOLDERID_RoamingAppData);
@@ -143,7 +144,8 @@ bool host_pictures_folder(char out[HOST_PATH])
     return variable_folder(out, L"XDG_PICTURES_DIR") || known_folder(out, &FOLDERID_Pictures);
 }
 
-/* C:name is relative to that drive's current folder, and /name to the current drive's root: both stay as they are. */
+/* C:name is relative to that drive's current folder, and /name to the current drive's root: nothing is added to
+ * either. */
 void host_folder_before(const char *path, char out[HOST_PATH + 1])
 {
     wchar_t wide[WIN_PATH];
@@ -253,7 +255,7 @@ bool host_special(const char *path)
     return is != INVALID_FILE_ATTRIBUTES && is & (FILE_ATTRIBUTE_DIRECTORY | FILE_ATTRIBUTE_DEVICE);
 }
 
-/* Opens a file or folder only to query it. */
+/* Opens a file or folder to query it. */
 static HANDLE open_to_ask(const char *path)
 {
     return open_path(path, FILE_READ_ATTRIBUTES, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
@@ -309,13 +311,13 @@ bool host_to_disk(FILE *f)
     return _commit(_fileno(f)) == 0 || GetFileType((HANDLE)_get_osfhandle(_fileno(f))) != FILE_TYPE_DISK;
 }
 
-/* host_replace writes it through. */
+/* Does nothing: host_replace writes through to the disk. */
 void host_folder_to_disk(const char *folder)
 {
     (void)folder;
 }
 
-/* Files inherit their permissions from the folder. */
+/* Does nothing: files inherit their permissions from the folder. */
 void host_keep_mode(FILE *f, const char *path)
 {
     (void)f;
@@ -324,7 +326,7 @@ void host_keep_mode(FILE *f, const char *path)
 
 enum { TRIES = 20, TRY_MS = 10 };
 
-/* Retries: a virus scanner or indexer may hold either file for a moment. */
+/* Retries, because a virus scanner or indexer may hold either file for a moment. */
 bool host_replace(const char *from, const char *to)
 {
     wchar_t one[WIN_PATH], two[WIN_PATH];
@@ -343,7 +345,7 @@ bool host_replace(const char *from, const char *to)
     return win_fail();
 }
 
-/* Also removes an empty folder, as remove does elsewhere. */
+/* Also removes an empty folder, as remove does on other hosts. */
 bool host_remove(const char *path)
 {
     wchar_t wide[WIN_PATH];
@@ -359,7 +361,8 @@ bool host_runnable(const char *path)
     return host_exists(path);
 }
 
-/* Links to folders are not entered; a folder that a cloud service fills is not a link. */
+/* Fills in an entry of a folder. Returns false for entries to skip, such as links to folders; a folder that a cloud
+ * service fills is not a link. */
 static bool entry(struct plat_file *file, char name[HOST_PATH], const WIN32_FIND_DATAW *found)
 {
     const DWORD is = found->dwFileAttributes;

@@ -1,5 +1,5 @@
 /*
- * win.h - what win.c and win_process.c share.
+ * win.h - functions that win.c, win_process.c and win_register.c share.
  */
 #ifndef PLATFORM_WIN_H
 #define PLATFORM_WIN_H
@@ -10,18 +10,19 @@
 #include <windows.h>
 #include "host.h"
 
-enum { WIN_PATH = 2 * HOST_PATH }; /* characters of a full path, with its NUL */
+enum { WIN_PATH = 2 * HOST_PATH }; /* maximum length of a full path in UTF-16 units, including the NUL */
 
 /* Sets errno from GetLastError. Always returns false. */
 bool win_fail(void);
 
-/* Converts a Windows path to UTF-8 with /. False: it does not fit or is not valid UTF-16. */
+/* Converts a Windows path to UTF-8 with /. Returns false if it does not fit or is not valid UTF-16. */
 bool win_utf8(char *out, size_t size, const wchar_t *wide);
 
-/* Converts a path to a full path of any length for the wide calls. False: errno says why. */
+/* Converts a path to a full path of any length, for the wide-character functions. On failure, returns false and sets
+ * errno. */
 bool win_path(wchar_t out[WIN_PATH], const char *path);
 
-/* A binary stream that owns the handle. NULL: it failed, and the handle is closed. */
+/* Returns a binary stream that owns the handle. On failure, closes the handle and returns NULL. */
 FILE *win_stream(HANDLE h, int flags, const char *mode);
 
 #endif

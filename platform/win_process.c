@@ -1,9 +1,10 @@
 /*
- * win_process.c - host.h on Windows: the process, its console, other programs, shared libraries; and its entry.
+ * win_process.c - host.h on Windows: the process, its console, other programs, and shared libraries; and the entry
+ * point.
  *
- * The program is built for the console, so that a shell waits for it and sees what it prints and its exit code. After
- * a double click it gets a new console, which it frees immediately (from Windows 11 24H2 on, the manifest asks for
- * none); a message box then shows why it cannot run.
+ * The program is built as a console program, so that a shell waits for it and gets its output and exit code. After a
+ * double click it gets a new console, which it frees immediately (from Windows 11 24H2 on, the manifest asks for none);
+ * a message box then shows why it cannot run.
  */
 #include "win.h"
 
@@ -56,8 +57,8 @@ long host_process(void)
 
 enum { LAST_LINES = 2048, LOG_BUFFER = 4096 };
 
-static char last_lines[LAST_LINES]; /* of the log, for the box; UTF-8 */
-static bool no_console;             /* standard error goes nowhere */
+static char last_lines[LAST_LINES]; /* the end of the log, for the message box; UTF-8 */
+static bool no_console;             /* standard error is not connected to anything */
 
 static void remember(const char *text, size_t size)
 {
@@ -85,7 +86,7 @@ bool plat_terminal(void)
     return GetConsoleMode(h, &mode) && SetConsoleMode(h, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
 }
 
-/* ---- the entry ---- */
+/* ---- the entry point ---- */
 
 static UINT code_page_before;
 
@@ -94,7 +95,7 @@ static void restore_code_page(void)
     SetConsoleOutputCP(code_page_before);
 }
 
-/* A program alone in its console was not started from one. */
+/* Frees the console if this program is alone in it, and so was not started from it. Sets no_console. */
 static void open_console(void)
 {
     DWORD processes[2];
@@ -118,7 +119,8 @@ static void show_last_lines(void)
         MessageBoxW(NULL, text, L"Curtain", MB_OK | MB_ICONERROR);
 }
 
-/* The arguments as UTF-8, for the life of the process. Invalid UTF-16 becomes U+FFFD, which names no file. */
+/* Returns the arguments as UTF-8, allocated for the life of the process, or NULL on failure. Invalid UTF-16 becomes
+ * U+FFFD, which names no file. */
 static char **utf8_words(int argc, wchar_t **wide)
 {
     char **words = calloc((size_t)argc + 1, sizeof *words);
@@ -199,7 +201,7 @@ static LONG WINAPI crash_exception(EXCEPTION_POINTERS *e)
     return EXCEPTION_CONTINUE_SEARCH;
 }
 
-/* abort ends the program once this has returned. */
+/* abort ends the program when this handler returns. */
 static void crash_abort(int sig)
 {
     (void)sig;
@@ -268,7 +270,7 @@ bool plat_hung_up(void)
     return hung_up;
 }
 
-/* Windows then ends the program as usual. */
+/* Writes the last word. FALSE lets Windows end the program as usual. */
 static BOOL WINAPI broken_off(DWORD event)
 {
     const char *last = last_word;
@@ -310,8 +312,8 @@ bool plat_has_command(const char *name)
     return find_command(out, name);
 }
 
-/* Quotes a word so that the C runtime parses it back: \ is special only before a quote. Returns the end; NULL: no
- * space. */
+/* Writes a word, quoted so that the C runtime parses it back: \ is special only before a quote. Returns the end of what
+ * was written, or NULL if there is no space. */
 static wchar_t *quote(wchar_t *to, const wchar_t *end, const wchar_t *word)
 {
     size_t slashes = 0;
@@ -395,7 +397,7 @@ bool plat_command_close(FILE *f)
     return good && ended;
 }
 
-/* This C library's tmpfile uses the drive's root, where users may not write. */
+/* tmpfile of this C library creates the file in the drive's root, where users may not write. */
 FILE *plat_scratch(void)
 {
     wchar_t folder[MAX_PATH + 1], path[MAX_PATH + 1];
@@ -443,7 +445,7 @@ int plat_cores(void)
     return n < 1 ? 1 : n > PLAT_JOBS ? PLAT_JOBS : (int)n;
 }
 
-/* A process cannot be copied. */
+/* Windows cannot fork a process, so the pieces run in this one. */
 bool plat_each(int n, int jobs, const struct plat_work *w)
 {
     (void)jobs;

@@ -10,7 +10,7 @@
 
 enum { KEY = 256 }; /* characters of a key or a name */
 
-/* Writes a key's path below Classes. */
+/* Writes the path of a key in Classes. */
 static void class_key(wchar_t out[KEY], const char *name, const char *below)
 {
     swprintf(out, KEY, L"Software\\Classes\\%hs%hs", name, below);
@@ -25,7 +25,8 @@ static bool set(const wchar_t *key, const wchar_t *value, const wchar_t *text)
     return is == ERROR_SUCCESS;
 }
 
-/* True if a value is a text; with more than fits, out is empty. */
+/* Returns whether a value is a string that is not empty. A string that is too long for out also counts; out is then
+ * empty. */
 static bool get(HKEY root, const wchar_t *key, const wchar_t *value, wchar_t out[KEY])
 {
     DWORD size = KEY * sizeof *out;
@@ -54,7 +55,8 @@ static bool write_type(const struct plat_file_type *type)
     return good && set(key, NULL, text);
 }
 
-/* The user's own choice, which Explorer stores, comes before the default. */
+/* Returns whether another program opens this file type. The user's choice, which Explorer stores, takes precedence over
+ * the default. */
 static bool another_opens(const struct plat_file_type *type, const wchar_t *name)
 {
     wchar_t key[KEY], is[KEY];

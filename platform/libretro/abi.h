@@ -1,6 +1,6 @@
 /*
- * abi.h - what a libretro core is called by and calls: the numbers and types of version 1 of that interface that this
- * core uses. The source of all: the documentation of libretro.h at docs.libretro.com.
+ * abi.h - version 1 of the libretro interface: the numbers, types and functions that this core uses. Source: the
+ * documentation of libretro.h at docs.libretro.com.
  */
 #ifndef PORTS_LIBRETRO_ABI_H
 #define PORTS_LIBRETRO_ABI_H
@@ -24,7 +24,7 @@ enum {
     RETRO_PIXEL_FORMAT_XRGB8888 = 1
 };
 
-/* Buttons of a pad, by the names on a Super Nintendo's. */
+/* Buttons of a pad, named as on a Super Nintendo controller. */
 enum {
     RETRO_B,
     RETRO_Y,
@@ -41,22 +41,22 @@ enum {
     RETRO_BUTTONS
 };
 
-/* Commands of the environment callback, and what is handed along. */
+/* Commands of the environment callback, each with the type of its data argument. */
 enum {
     RETRO_SHUTDOWN = 7,             /* NULL */
     RETRO_SET_PIXEL_FORMAT = 10,    /* const int *: RETRO_PIXEL_FORMAT_XRGB8888 */
-    RETRO_SET_INPUTS = 11,          /* const struct retro_input *, ended by one of zeroes */
+    RETRO_SET_INPUTS = 11,          /* const struct retro_input *: an array that ends with an all-zero entry */
     RETRO_GET_VARIABLE = 15,        /* struct retro_variable *: fills in the value */
-    RETRO_SET_SUPPORT_NO_GAME = 18, /* const bool *: it runs without content */
-    RETRO_SET_VARIABLES = 16,       /* const struct retro_variable *, ended by one of NULLs */
-    RETRO_GET_VARIABLE_UPDATE = 17, /* bool *: is a variable another since they were read? */
+    RETRO_SET_SUPPORT_NO_GAME = 18, /* const bool *: whether the core runs without content */
+    RETRO_SET_VARIABLES = 16,       /* const struct retro_variable *: an array that ends with an all-NULL entry */
+    RETRO_GET_VARIABLE_UPDATE = 17, /* bool *: set to whether an option changed since options were last read */
     RETRO_GET_LOG = 27,             /* struct retro_log * */
     RETRO_GET_SAVE_DIRECTORY = 31,  /* const char ** */
     RETRO_SET_MESSAGE = 6           /* const struct retro_message * */
 };
 
 struct retro_variable {
-    const char *key, *value; /* set: "Description; first|second", the first is what it is at first */
+    const char *key, *value; /* for RETRO_SET_VARIABLES: "Description; first|second"; the first value is the default */
 };
 struct retro_input {
     unsigned port, device, index, id;
@@ -80,7 +80,7 @@ struct retro_geometry {
     float aspect;
 };
 struct retro_timing {
-    double frames, samples; /* a second */
+    double frames, samples; /* per second */
 };
 struct retro_av_info {
     struct retro_geometry geometry;
@@ -94,7 +94,7 @@ struct retro_game {
 };
 
 typedef bool retro_environment(unsigned command, void *data);
-typedef void retro_video(const void *pixels, unsigned w, unsigned h, size_t pitch); /* pixels NULL: as before */
+typedef void retro_video(const void *pixels, unsigned w, unsigned h, size_t pitch); /* pixels NULL: no change */
 typedef size_t retro_audio(const int16_t *lr, size_t frames);
 typedef void retro_sample(int16_t left, int16_t right);
 typedef void retro_poll(void);

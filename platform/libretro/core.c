@@ -1,10 +1,11 @@
 /*
- * core.c - Curtain as a libretro core: a packed game (.rom) is the content; pads, options, save RAM and states are the
- * front end's. A core that was exported has its game inside, and takes no content.
+ * core.c - Curtain as a libretro core. The content is a packed game (.rom); pads, options, save RAM and states belong
+ * to the front end. An exported core has an embedded game and takes no content.
  *
- * The game is powered up at the first frame and not when it is loaded, for the front end reads the save RAM in between.
- * States are libcurtain's portable ones, of one size: run-ahead, rewind and netplay go back to frames that the library
- * has kept, and a state loaded in another process, or sent over a network, is played from the start of its run.
+ * Loading a game powers it up only for its options and sizes. The first frame powers it up again, because the front end
+ * fills in the save RAM in between. States are libcurtain's portable states, padded to one size: run-ahead, rewind and
+ * netplay load frames of which the library has snapshots, and a state from another process or from a network is
+ * replayed from the start of its run.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,9 +14,9 @@
 #include "abi.h"
 #include "inside.h"
 
-enum { TEXT = 256, CHOICES = 24, SAVED = 4 /* bytes before the image of save RAM: how many it has */ };
+enum { TEXT = 256, CHOICES = 24, SAVED = 4 /* bytes before the nvram in save RAM: its size, a little-endian u32 */ };
 
-/* A libretro core is one of its kind: the interface has no handle. */
+/* There is only one core, because the libretro interface has no handle. */
 static struct {
     retro_environment *environment;
     retro_video *video;
@@ -26,14 +27,14 @@ static struct {
     void *rom, *memory;
     size_t rom_size;
     struct curtain *c;
-    bool powered; /* a frame was played: save RAM has been read */
+    bool powered; /* powered up for play, with the front end's save RAM */
     uint8_t *saved;
     size_t saved_size;
     uint32_t *pixels;
     struct retro_variable variable[CHOICES + 1];
     char key[CHOICES][TEXT], value[CHOICES][4 * TEXT];
     char path[1024], version[16], title[128];
-    unsigned loads; /* states loaded */
+    unsigned loads; /* number of attempts to load a state */
 } core;
 
 static void say(enum retro_level level, const char *text)
@@ -52,7 +53,7 @@ static void show(const char *text)
     core.environment(RETRO_SET_MESSAGE, &message);
 }
 
-/* ---- options: difficulty, language-independent switches, what is kept ---- */
+/* ---- options: difficulty, DIP switches, saving the run ---- */
 
 static void add_choice(int *n, const char *key, const char *description, const char *first)
 {
@@ -62,7 +63,7 @@ static void add_choice(int *n, const char *key, const char *description, const c
     ++*n;
 }
 
-/* False: there is no room for that word. */
+/* Appends a value to option n. Returns false if there is no space for it. */
 static bool add_word(int n, const char *word)
 {
     size_t used = strlen(core.value[n]);
@@ -126,7 +127,8 @@ static uint32_t get32(const uint8_t *p)
     return p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
 }
 
-/* Another one for other save RAM, so that no two sessions are the same; the same on every machine. */
+/* Returns a seed: the FNV-1a hash of save RAM. Sessions with different save RAM get different seeds, the same on every
+ * machine. */
 static uint64_t seed_of(const uint8_t *bytes, size_t n)
 {
     uint64_t h = 0xcbf29ce484222325u;
@@ -144,7 +146,8 @@ static void close_game(void)
     core.memory = NULL;
 }
 
-/* Powers the game up with what the front end has now. */
+/* Powers the game up with the front end's current options and save RAM. Returns false, after showing the error, if that
+ * fails. */
 static bool power(void)
 {
     struct curtain_config how = { .rom = core.rom, .rom_size = core.rom_size };
@@ -179,7 +182,7 @@ static bool ready(void)
     return core.powered;
 }
 
-/* ---- the interface: what a core is ---- */
+/* ---- the interface: callbacks and facts about the core ---- */
 
 void retro_set_environment(retro_environment *f)
 {
@@ -236,7 +239,8 @@ unsigned retro_api_version(void)
     return RETRO_API_VERSION;
 }
 
-/* The title of the game inside: by it front ends name save RAM, states and options. */
+/* Sets core.title, by which front ends name save RAM, states and options: the title of the embedded game, or
+ * "Curtain". */
 static void read_title(void)
 {
     struct curtain_config how = { 0 };
@@ -288,7 +292,7 @@ void retro_cheat_set(unsigned index, bool on, const char *code)
     (void)code;
 }
 
-/* ---- a game ---- */
+/* ---- loading and unloading a game ---- */
 
 static void tell_buttons(void)
 {
@@ -307,7 +311,7 @@ static void tell_buttons(void)
     core.environment(RETRO_SET_INPUTS, inputs);
 }
 
-/* The ROM in core.rom becomes the plain one, for it is opened at each reset. */
+/* Replaces the ROM in core.rom by its plain form, because the ROM is opened at each reset. */
 static bool make_plain(char *err, size_t err_size)
 {
     const size_t size = curtain_plain(core.rom, core.rom_size, NULL, 0, err, err_size);
@@ -322,7 +326,8 @@ static bool make_plain(char *err, size_t err_size)
     return good;
 }
 
-/* The game inside, or the content. */
+/* Sets core.rom to the plain ROM of the embedded game or of the content. Shows the error and returns false on
+ * failure. */
 static bool take_rom(const struct retro_game *game)
 {
     char err[TEXT] = "no game, or not enough memory for it";
@@ -386,7 +391,7 @@ bool retro_load_game_special(unsigned type, const struct retro_game *games, size
     return false;
 }
 
-/* The run as a demo beside the save RAM. */
+/* Writes the run as a demo to the save directory if the option is on. */
 static void keep_run(void)
 {
     const char *keep = chosen("keep_run"), *folder = NULL;
@@ -509,7 +514,7 @@ bool retro_serialize(void *data, size_t size)
         say(RETRO_WARN, err);
         return false;
     }
-    memset((uint8_t *)data + n, 0, size - n); /* the same state is the same bytes */
+    memset((uint8_t *)data + n, 0, size - n); /* equal states have equal bytes */
     return true;
 }
 

@@ -1,6 +1,6 @@
 /*
- * inside.c - see inside.h. The core's mark, which stands in what is loaded, says where in the file the game is; the
- * dynamic loader says which file that is.
+ * inside.c - reads the game embedded in the core's file (inside.h). The core's mark (mark.h) has the position of the
+ * game in the file; the dynamic loader knows the file's path.
  */
 #define _GNU_SOURCE
 #include "inside.h"
@@ -23,7 +23,7 @@ static bool refuse(char *err, size_t err_size, const char *file, const char *why
 
 bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
 {
-    static const char here = 0; /* a place in this core */
+    static const char here = 0; /* any address in this core, for dladdr */
     const struct mark m = mark_own();
     Dl_info info = { 0 };
 

@@ -1,5 +1,5 @@
 /*
- * inside.h - the game that an exported core carries behind itself in its file (`curtain export --libretro`).
+ * inside.h - the game that `curtain export --libretro` appends to a core's file.
  */
 #ifndef PORTS_LIBRETRO_INSIDE_H
 #define PORTS_LIBRETRO_INSIDE_H
@@ -7,10 +7,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Does this core say that it has one? */
+/* Returns whether this core has an embedded game. */
 bool inside_is(void);
 
-/* Reads the packed game, *rom (malloc). False and one sentence: the core's file cannot be read, or was cut short. */
+/* Reads the packed game into *rom, from malloc. On failure, returns false and sets err, and *rom is NULL: the core's
+ * file cannot be read or is truncated, or memory is short. */
 bool inside_read(void **rom, size_t *size, char *err, size_t err_size);
 
 #endif

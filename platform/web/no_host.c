@@ -1,7 +1,7 @@
 /*
- * no_host.c - what Lua's own libraries would ask the C library for, and the sandbox has not: files, and functions whose
- * results differ from host to host, for which it has its own (luamath.c) or none. Defined here, the C library's stay
- * out of the core.
+ * no_host.c - C library functions that Lua's own libraries call but the sandbox does not have: files, and functions
+ * whose results differ between hosts, which Curtain replaces (luamath.c) or leaves out. These definitions keep the C
+ * library's own out of the core.
  */
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +28,7 @@ char *getenv(const char *name)
     return NULL;
 }
 
-/* Nothing calls these. */
+/* These are never called. */
 #define NONE(name)                                                                                                     \
     double name(double x)                                                                                              \
     {                                                                                                                  \

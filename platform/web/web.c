@@ -1,6 +1,6 @@
 /*
- * web.c - libcurtain for a page: one board, called with numbers alone. What is longer lies in this memory, where the
- * page reads and writes it. player.js is the other side.
+ * web.c - libcurtain for a web page: one board, whose functions take and return only numbers. Larger data is in this
+ * module's memory, which the page reads and writes. player.js is the page's side.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,19 +13,19 @@ enum { WORDS = 4, WORD = 256, SOUND = 800, SAID = 512 };
 enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
 
 static struct {
-    struct curtain *c, *stands; /* stands: the game itself, while c plays the demo that it asked for */
+    struct curtain *c, *stands; /* stands: the game's board while c plays a demo it asked for; otherwise NULL */
     void *memory, *stands_memory;
-    char word[WORDS][WORD]; /* of the next opening; empty: none */
+    char word[WORDS][WORD]; /* strings for the next web_open; "": none */
     char said[SAID];
-    uint32_t rgba[1024 * 1024]; /* the largest picture there is */
+    uint32_t rgba[1024 * 1024]; /* room for the largest picture */
     int16_t sound[2 * SOUND];
     struct curtain_ship ship;
-    size_t size; /* of what the last call gave */
+    size_t size; /* size of the last result in bytes; of web_sound, in frames */
     const void *rom;
     size_t rom_size;
 } web;
 
-/* ---- memory for what the page hands in ---- */
+/* ---- memory for data from the page ---- */
 
 void *EXPORT(web_take)(size_t size)
 {
@@ -37,7 +37,7 @@ void EXPORT(web_give)(void *at)
     free(at);
 }
 
-/* Where the word goes that the next opening takes: WORD bytes, ended by a NUL. */
+/* Returns the buffer, WORD bytes including a NUL, of a string for the next web_open; NULL: no such string. */
 char *EXPORT(web_word)(int which)
 {
     return which >= 0 && which < WORDS ? web.word[which] : NULL;
@@ -48,8 +48,8 @@ static const char *word(int which)
     return web.word[which][0] ? web.word[which] : NULL;
 }
 
-/* Takes a packed game of web_take, and gives it back plain, for it is opened more than once: web_size bytes. NULL:
- * web_said. */
+/* Unpacks a packed game, because it is opened more than once. `packed` is from web_take and is freed. Returns the plain
+ * game, web_size bytes, or NULL with the message in web_said. */
 void *EXPORT(web_rom)(void *packed, size_t size)
 {
     web.size = curtain_plain(packed, size, NULL, 0, web.said, SAID);
@@ -91,7 +91,7 @@ static int open_board(const struct curtain_config *how)
     return web.c != NULL;
 }
 
-/* The demo that the game asks for is over, or nobody wants it: the game goes on. */
+/* Ends the demo that the game asked for, if one is playing; the game continues. */
 void EXPORT(web_attract_end)(void)
 {
     if (!web.stands)
@@ -102,7 +102,8 @@ void EXPORT(web_attract_end)(void)
     web.stands = NULL;
 }
 
-/* Plays the demo that the last frame asked for, on a board of its own. False: web_said has a sentence. */
+/* Plays the demo that the last frame asked for, on a separate board. Returns 0 on failure, with the message in
+ * web_said. */
 int EXPORT(web_attract)(void)
 {
     struct curtain_config how = { .rom = web.rom, .rom_size = web.rom_size, .snapshots = 1 };
@@ -129,7 +130,7 @@ void EXPORT(web_close)(void)
     close_board();
 }
 
-/* The ROM stays where it is until web_close. False: web_said has a sentence. */
+/* The ROM must stay at this address until web_close. Returns 0 on failure, with the message in web_said. */
 int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void *nvram, size_t nvram_size,
                      const void *demo, size_t demo_size)
 {
@@ -164,13 +165,13 @@ unsigned EXPORT(web_frame)(unsigned one, unsigned two)
     return curtain_frame(web.c, pads);
 }
 
-/* A frame with the pads of the demo. */
+/* Plays a frame with the demo's pads. */
 unsigned EXPORT(web_next)(void)
 {
     return curtain_frame(web.c, NULL);
 }
 
-/* ---- what is seen and heard ---- */
+/* ---- picture and sound ---- */
 
 int EXPORT(web_width)(void)
 {
@@ -182,7 +183,7 @@ int EXPORT(web_height)(void)
     return curtain_height(web.c);
 }
 
-/* Bytes red, green, blue, 255: as a canvas has them. */
+/* Returns the picture as RGBA bytes with alpha 255, the layout of canvas ImageData. */
 const uint32_t *EXPORT(web_picture)(void)
 {
     const uint8_t *from = curtain_picture(web.c);
@@ -197,14 +198,14 @@ const uint32_t *EXPORT(web_picture)(void)
     return web.rgba;
 }
 
-/* 800 frames, left first; web_size is how many there are. */
+/* Returns up to 800 stereo frames, left first; web_size is their number. */
 const int16_t *EXPORT(web_sound)(void)
 {
     web.size = curtain_sound(web.c, web.sound, SOUND);
     return web.sound;
 }
 
-/* ---- what a run is ---- */
+/* ---- the game and the run ---- */
 
 size_t EXPORT(web_size)(void)
 {
@@ -256,20 +257,20 @@ const char *EXPORT(web_asked)(void)
     return curtain_asked(web.c);
 }
 
-/* NULL: that player is not in play. */
+/* Returns player i's ship, or NULL if that player is not in play. */
 const struct curtain_ship *EXPORT(web_ship)(int i)
 {
     return curtain_ship(web.c, i, &web.ship) ? &web.ship : NULL;
 }
 
-/* ---- what is kept ---- */
+/* ---- saved data: nvram, states, demos ---- */
 
 const void *EXPORT(web_nvram)(void)
 {
     return curtain_nvram(web.c, &web.size);
 }
 
-/* A state, for web_give; NULL: web_said. */
+/* Returns a state, to be freed with web_give, or NULL with the message in web_said. */
 void *EXPORT(web_save)(void)
 {
     size_t room = curtain_state_size(web.c);
@@ -289,7 +290,7 @@ int EXPORT(web_load)(const void *state, size_t size)
     return curtain_load(web.c, state, size, web.said, SAID);
 }
 
-/* The run as a demo, for web_give; NULL: web_said. */
+/* Returns the run as a demo, to be freed with web_give, or NULL with the message in web_said. */
 void *EXPORT(web_demo)(void)
 {
     return curtain_demo(web.c, &web.size, web.said, SAID);

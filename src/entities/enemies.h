@@ -120,7 +120,7 @@ struct enemies_orbit {
 
 struct enemies_ground {
     fx x, y, reach_x, reach_y;
-    uint32_t every, leg; /* 1 <= leg <= every */
+    uint32_t every, leg; /* frames from one leg to the next, and frames a leg takes; 1 <= leg <= every */
     enum ease ease;
 };
 

@@ -245,7 +245,7 @@ unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
 
 void curtain_interrupt(struct curtain *c)
 {
-    (void)c; /* every frame ends by itself */
+    (void)c; /* no-op, for old hosts; see curtain.h */
 }
 
 const char *curtain_attract(const struct curtain *c)

@@ -74,7 +74,7 @@ struct curtain_config {
     size_t demo_size;
     size_t state_room;  /* bytes for the recorded pads of a state, 5 or more per change of pads; 0: 128 KiB */
     uint32_t snapshots; /* snapshots held in this process; curtain_load restores them without a replay; 0: 16 */
-    bool alarm;         /* ignored; remains so that old hosts compile */
+    bool alarm;         /* ignored; exists so that old hosts still compile */
 };
 
 struct curtain;
@@ -116,7 +116,7 @@ enum {
  * demo's end. */
 CURTAIN_API unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS]);
 
-/* Does nothing: every frame ends by itself. Remains so that old hosts link. */
+/* Does nothing: a frame always ends, so there is nothing to interrupt. Exists so that old hosts still link. */
 CURTAIN_API void curtain_interrupt(struct curtain *c);
 
 /* Text from the last frame, valid until the next one; "" when there is none. */

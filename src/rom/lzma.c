@@ -42,7 +42,7 @@ struct reader {
     bool over; /* the decoder needed bytes beyond the end of the stream */
     uint8_t *out;
     size_t at, size;
-    uint32_t rep[LZMA_REPS]; /* remembered distances - 1, the last one first */
+    uint32_t rep[LZMA_REPS]; /* match distances - 1, most recent first */
     int state;
     struct lzma_model m;
 };

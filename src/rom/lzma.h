@@ -21,7 +21,7 @@ enum {
     LZMA_NEAR = 14,    /* in distance slots below this one, all bits of a distance are coded with odds */
     LZMA_ALIGN = 4,    /* in the other slots, only the lowest LZMA_ALIGN bits are; the rest are direct bits */
     LZMA_SCALE = 11,
-    LZMA_PACE = 5,     /* after each bit, its odds move by 2^-LZMA_PACE of their error */
+    LZMA_PACE = 5,     /* adaptation rate: each bit moves its probability 2^-LZMA_PACE of the way towards that bit */
     LZMA_TOP = 1 << 24 /* a range smaller than this takes in another byte */
 };
 

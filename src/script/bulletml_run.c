@@ -183,7 +183,7 @@ static void fly_beside(struct flight *f, const struct ml_roots *o, uint32_t root
     f->vy = nearest(f->fine_y);
 }
 
-/* Converts the speed, direction and velocity of body i to the board. */
+/* Converts body i's speed, direction and velocity from the document's units and axes to the board's. */
 static inline __attribute__((always_inline)) struct flight
 flight_of(const struct ml_roots *o, const struct ml_runners *r, uint32_t root, uint32_t i)
 {

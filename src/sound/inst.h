@@ -55,7 +55,7 @@ enum inst_kind {
 /* An envelope. Times are in samples: attack is the length of a linear rise, the other times are half-lives of the
  * level. decay 0 or fade 0: the level does not fall; release 0: the shortest release (wave.c). */
 struct env {
-    uint16_t sustain;                      /* level, of 32767 */
+    uint16_t sustain;                      /* sustain level, 0 to 32767 */
     uint32_t attack, decay, fade, release; /* rise from silence, fall to sustain, fall after that, fall once released */
 };
 

@@ -16,7 +16,7 @@ enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, V
  * wavelengths (tritanopia). */
 enum view_colours { VIEW_ALL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
 
-enum { VIEW_SOFT = 4 /* the share of a soft flash is divided by this */ };
+enum { VIEW_SOFT = 4 /* divisor of a flash's opacity with soft_flashes */ };
 
 /* All zero: the picture is not changed. */
 struct view {
