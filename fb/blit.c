@@ -10,23 +10,23 @@
 #include "paint.h"
 #include <string.h>
 
-static inline uint64_t reverse(uint64_t v)
+static inline uint64_t reverse_bytes(uint64_t v)
 {
     v = (v & 0x00ff00ff00ff00ffu) << 8 | (v >> 8 & 0x00ff00ff00ff00ffu);
     v = (v & 0x0000ffff0000ffffu) << 16 | (v >> 16 & 0x0000ffff0000ffffu);
     return v << 32 | v >> 32;
 }
 
-enum { TURNED = 1024 }; /* bytes of the buffer for reversed rows */
+enum { REVERSED_BYTES = 1024 }; /* bytes of the buffer for reversed rows */
 
 /* A drawing job: words of source rows, and their destination. In a flipped job, words are written from right to
  * left. */
 struct job {
     uint8_t *d;
     const uint8_t *s;
-    ptrdiff_t d_row, s_row; /* bytes from one row to the next */
+    ptrdiff_t d_stride, s_stride; /* bytes from one row to the next */
     int words, rows;
-    uint64_t first, last; /* masks for a row's first and last word: 255 for drawn bytes, otherwise 0 */
+    uint64_t first_mask, last_mask; /* masks for a row's first and last word: 255 for drawn bytes, otherwise 0 */
     uint64_t add;
 };
 
@@ -34,7 +34,7 @@ struct job {
 static inline void paint_row(uint8_t *d, const uint8_t *s, int words, uint64_t add)
 {
     for (; words > 1; words -= 2, s += 16, d += 16)
-        paint_cover(d, s, (uint8_t)add);
+        paint_sixteen_opaque(d, s, (uint8_t)add);
     if (words > 0)
         paint_word(d, words_load(s), add);
 }
@@ -46,10 +46,10 @@ static inline void paint_rows(const struct job *j, int words)
 {
     const uint8_t *s = j->s;
     uint8_t *d = j->d;
-    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
+    ptrdiff_t s_stride = j->s_stride, d_stride = j->d_stride;
     uint64_t add = j->add;
 
-    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
+    for (int y = j->rows; y > 0; y--, s += s_stride, d += d_stride)
         paint_row(d, s, words, add);
 }
 
@@ -67,43 +67,43 @@ static inline void paint_flipped_words(const struct job *j)
 {
     const uint8_t *s = j->s;
     uint8_t *d = j->d;
-    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
+    ptrdiff_t s_stride = j->s_stride, d_stride = j->d_stride;
     uint64_t add = j->add;
     int words = j->words;
 
-    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row) {
+    for (int y = j->rows; y > 0; y--, s += s_stride, d += d_stride) {
         const uint8_t *from = s;
         uint8_t *to = d;
         for (int k = words; k > 0; k--, from += 8, to -= 8)
-            paint_word(to, reverse(words_load(from)), add);
+            paint_word(to, reverse_bytes(words_load(from)), add);
     }
 }
 
 /* Paints long flipped rows. Reverses several rows before painting the first of them, because processors are slow to
  * load sixteen bytes that have just been stored as two words. */
-static void paint_turned(const struct job *j)
+static void paint_reversed(const struct job *j)
 {
-    uint8_t turned[TURNED];
-    int row = 8 * j->words, most = TURNED / row;
+    uint8_t reversed[REVERSED_BYTES];
+    int row_bytes = 8 * j->words, max_rows = REVERSED_BYTES / row_bytes;
     const uint8_t *s = j->s;
     struct job t = *j;
 
-    t.s = turned;
-    t.s_row = row;
-    t.d -= row - 8;
-    for (int left = j->rows; left > 0; left -= t.rows, t.d += t.rows * t.d_row) {
-        t.rows = left < most ? left : most;
-        for (int y = 0; y < t.rows; y++, s += j->s_row)
-            for (int k = 0; k < row; k += 8)
-                words_store(turned + y * row + row - 8 - k, reverse(words_load(s + k)));
+    t.s = reversed;
+    t.s_stride = row_bytes;
+    t.d -= row_bytes - 8;
+    for (int rows_left = j->rows; rows_left > 0; rows_left -= t.rows, t.d += t.rows * t.d_stride) {
+        t.rows = rows_left < max_rows ? rows_left : max_rows;
+        for (int y = 0; y < t.rows; y++, s += j->s_stride)
+            for (int k = 0; k < row_bytes; k += 8)
+                words_store(reversed + y * row_bytes + row_bytes - 8 - k, reverse_bytes(words_load(s + k)));
         paint(&t);
     }
 }
 
 static void paint_flipped(const struct job *j)
 {
-    if (j->words > 4 && j->words <= TURNED / 8)
-        paint_turned(j);
+    if (j->words > 4 && j->words <= REVERSED_BYTES / 8)
+        paint_reversed(j);
     else
         paint_flipped_words(j);
 }
@@ -113,22 +113,22 @@ static void paint_column(const struct job *j, int k, uint64_t mask, bool flip)
 {
     const uint8_t *s = j->s + 8 * k;
     uint8_t *d = flip ? j->d - 8 * k : j->d + 8 * k;
-    ptrdiff_t s_row = j->s_row, d_row = j->d_row;
+    ptrdiff_t s_stride = j->s_stride, d_stride = j->d_stride;
     uint64_t add = j->add;
 
-    for (int y = j->rows; y > 0; y--, s += s_row, d += d_row)
-        paint_word(d, flip ? reverse(words_load(s) & mask) : words_load(s) & mask, add);
+    for (int y = j->rows; y > 0; y--, s += s_stride, d += d_stride)
+        paint_word(d, flip ? reverse_bytes(words_load(s) & mask) : words_load(s) & mask, add);
 }
 
 /* Paints every row with its first and last word masked. */
-static void paint_cut(struct job *j, bool flip)
+static void paint_masked(struct job *j, bool flip)
 {
     if (j->words == 1) {
-        paint_column(j, 0, j->first & j->last, flip);
+        paint_column(j, 0, j->first_mask & j->last_mask, flip);
         return;
     }
-    paint_column(j, 0, j->first, flip);
-    paint_column(j, j->words - 1, j->last, flip);
+    paint_column(j, 0, j->first_mask, flip);
+    paint_column(j, j->words - 1, j->last_mask, flip);
     j->words -= 2;
     j->s += 8;
     j->d += flip ? -8 : 8;
@@ -139,30 +139,30 @@ static void paint_cut(struct job *j, bool flip)
 }
 
 /* Source of masks that have 255 in bytes [from, 8) of a word, in memory order, or in bytes [0, to). */
-static const uint8_t edge[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255 };
+static const uint8_t edge_masks[24] = { 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 255, 255, 255, 255 };
 
-static uint64_t bytes_from(int from)
+static uint64_t mask_from(int from)
 {
-    return words_load(edge + 8 - from);
+    return words_load(edge_masks + 8 - from);
 }
 
-static uint64_t bytes_to(int to)
+static uint64_t mask_to(int to)
 {
-    return words_load(edge + 16 - to);
+    return words_load(edge_masks + 16 - to);
 }
 
 /* The part of an image inside the clip. */
-struct visible {
+struct visible_area {
     int from, to; /* columns of the image */
     int rows;
     const uint8_t *s; /* column 0 of the first visible row */
-    ptrdiff_t s_row;
+    ptrdiff_t s_stride;
     int64_t at; /* offset from fb->pix at which the unclipped row would start */
 };
 
 /* Computes the visible part of an image. Returns false if nothing is inside the clip. */
-static bool visible_part(struct visible *p, const struct fb *fb, const struct image *image, int64_t x, int64_t y,
-                         unsigned flags)
+static bool find_visible_area(struct visible_area *p, const struct fb *fb, const struct image *image, int64_t x,
+                              int64_t y, unsigned flags)
 {
     int64_t left = fb->x0 > x ? fb->x0 - x : 0, top = fb->y0 > y ? fb->y0 - y : 0; /* columns and rows of the sprite */
     int64_t right = fb->x1 - x < image->w ? fb->x1 - x : image->w;
@@ -175,7 +175,7 @@ static bool visible_part(struct visible *p, const struct fb *fb, const struct im
     p->to = (int)(flip_x ? image->w - left : right);
     p->rows = (int)(bottom - top);
     p->s = image->pix + (flip_y ? image->h - 1 - top : top) * image->pitch;
-    p->s_row = flip_y ? -image->pitch : image->pitch;
+    p->s_stride = flip_y ? -image->pitch : image->pitch;
     p->at = (y + top) * fb->pitch + x;
     return true;
 }
@@ -183,23 +183,23 @@ static bool visible_part(struct visible *p, const struct fb *fb, const struct im
 static void blit_clipped(struct fb *fb, const struct image *image, int64_t x, int64_t y, uint8_t bank, unsigned flags)
 {
     bool flip = flags & BLIT_FLIP_X;
-    struct visible p;
+    struct visible_area p;
 
-    if (!visible_part(&p, fb, image, x, y, flags))
+    if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
-    int word = p.from / 8, last = (p.to - 1) / 8;
+    int first_word = p.from / 8, last_word = (p.to - 1) / 8;
     struct job j = {
-        .d = fb->pix + p.at + (flip ? image->w - 8 - 8 * word : 8 * word),
-        .s = p.s + 8 * word,
-        .d_row = fb->pitch,
-        .s_row = p.s_row,
-        .words = last - word + 1,
+        .d = fb->pix + p.at + (flip ? image->w - 8 - 8 * first_word : 8 * first_word),
+        .s = p.s + 8 * first_word,
+        .d_stride = fb->pitch,
+        .s_stride = p.s_stride,
+        .words = last_word - first_word + 1,
         .rows = p.rows,
-        .first = bytes_from(p.from - 8 * word),
-        .last = bytes_to(p.to - 8 * last),
+        .first_mask = mask_from(p.from - 8 * first_word),
+        .last_mask = mask_to(p.to - 8 * last_word),
         .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
-    paint_cut(&j, flip);
+    paint_masked(&j, flip);
 }
 
 static bool is_safe(const struct fb *fb, const struct image *image, int x, int y)
@@ -208,7 +208,7 @@ static bool is_safe(const struct fb *fb, const struct image *image, int x, int y
 }
 
 /* Draws one opaque pixel through a blend table. */
-static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
+static inline void mix_pixel(uint8_t *d, uint8_t colour, const uint8_t *table)
 {
     *d = table[(size_t)*d << 8 | colour];
 }
@@ -216,33 +216,33 @@ static inline void mix(uint8_t *d, uint8_t colour, const uint8_t *table)
 /* Draws the opaque pixels among eight. Unrolled by hand, because gcc does not unroll the loop. */
 static inline void mix_word(uint8_t *d, const uint8_t *s, uint8_t add, const uint8_t *table)
 {
-    if (words_opaque(words_load(s)) == ~(uint64_t)0) {
-        mix(d, (uint8_t)(s[0] + add), table);
-        mix(d + 1, (uint8_t)(s[1] + add), table);
-        mix(d + 2, (uint8_t)(s[2] + add), table);
-        mix(d + 3, (uint8_t)(s[3] + add), table);
-        mix(d + 4, (uint8_t)(s[4] + add), table);
-        mix(d + 5, (uint8_t)(s[5] + add), table);
-        mix(d + 6, (uint8_t)(s[6] + add), table);
-        mix(d + 7, (uint8_t)(s[7] + add), table);
+    if (words_opaque_mask(words_load(s)) == ~(uint64_t)0) {
+        mix_pixel(d, (uint8_t)(s[0] + add), table);
+        mix_pixel(d + 1, (uint8_t)(s[1] + add), table);
+        mix_pixel(d + 2, (uint8_t)(s[2] + add), table);
+        mix_pixel(d + 3, (uint8_t)(s[3] + add), table);
+        mix_pixel(d + 4, (uint8_t)(s[4] + add), table);
+        mix_pixel(d + 5, (uint8_t)(s[5] + add), table);
+        mix_pixel(d + 6, (uint8_t)(s[6] + add), table);
+        mix_pixel(d + 7, (uint8_t)(s[7] + add), table);
         return;
     }
     if (s[0])
-        mix(d, (uint8_t)(s[0] + add), table);
+        mix_pixel(d, (uint8_t)(s[0] + add), table);
     if (s[1])
-        mix(d + 1, (uint8_t)(s[1] + add), table);
+        mix_pixel(d + 1, (uint8_t)(s[1] + add), table);
     if (s[2])
-        mix(d + 2, (uint8_t)(s[2] + add), table);
+        mix_pixel(d + 2, (uint8_t)(s[2] + add), table);
     if (s[3])
-        mix(d + 3, (uint8_t)(s[3] + add), table);
+        mix_pixel(d + 3, (uint8_t)(s[3] + add), table);
     if (s[4])
-        mix(d + 4, (uint8_t)(s[4] + add), table);
+        mix_pixel(d + 4, (uint8_t)(s[4] + add), table);
     if (s[5])
-        mix(d + 5, (uint8_t)(s[5] + add), table);
+        mix_pixel(d + 5, (uint8_t)(s[5] + add), table);
     if (s[6])
-        mix(d + 6, (uint8_t)(s[6] + add), table);
+        mix_pixel(d + 6, (uint8_t)(s[6] + add), table);
     if (s[7])
-        mix(d + 7, (uint8_t)(s[7] + add), table);
+        mix_pixel(d + 7, (uint8_t)(s[7] + add), table);
 }
 
 /* Draws n pixels of a row. */
@@ -253,7 +253,7 @@ static inline void mix_row(uint8_t *d, const uint8_t *s, int n, uint8_t add, con
             mix_word(d, s, add, table);
     for (; n > 0; n--, s++, d++)
         if (*s)
-            mix(d, (uint8_t)(*s + add), table);
+            mix_pixel(d, (uint8_t)(*s + add), table);
 }
 
 /* Draws n pixels of a row from right to left: d is the destination of the first. */
@@ -264,11 +264,11 @@ static inline void mix_row_flipped(uint8_t *d, const uint8_t *s, int n, uint8_t 
             continue;
         for (int k = 0; k < 8; k++)
             if (s[k])
-                mix(d - k, (uint8_t)(s[k] + add), table);
+                mix_pixel(d - k, (uint8_t)(s[k] + add), table);
     }
     for (; n > 0; n--, s++, d--)
         if (*s)
-            mix(d, (uint8_t)(*s + add), table);
+            mix_pixel(d, (uint8_t)(*s + add), table);
 }
 
 void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
@@ -276,15 +276,15 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 {
     bool flip = flags & BLIT_FLIP_X;
     uint8_t add = (uint8_t)(bank * 16);
-    struct visible p;
+    struct visible_area p;
 
-    if (!visible_part(&p, fb, image, x, y, flags))
+    if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    ptrdiff_t d_row = fb->pitch;
+    ptrdiff_t d_stride = fb->pitch;
     int n = p.to - p.from;
-    for (int row = p.rows; row > 0; row--, d += d_row, s += p.s_row)
+    for (int row = p.rows; row > 0; row--, d += d_stride, s += p.s_stride)
         if (flip)
             mix_row_flipped(d, s, n, add, table);
         else
@@ -293,18 +293,18 @@ void blit_blended(struct fb *fb, const struct image *image, int x, int y, uint8_
 
 void blit_solid(struct fb *fb, const struct image *image, int x, int y, uint8_t c, unsigned flags)
 {
-    const bool flip = flags & BLIT_FLIP_X, dots = flags & BLIT_DOTS;
-    struct visible p;
+    const bool flip = flags & BLIT_FLIP_X, is_dotted = flags & BLIT_DOTS;
+    struct visible_area p;
 
-    if (!visible_part(&p, fb, image, x, y, flags))
+    if (!find_visible_area(&p, fb, image, x, y, flags))
         return;
     uint8_t *d = fb->pix + p.at + (flip ? image->w - 1 - p.from : p.from);
     const uint8_t *s = p.s + p.from;
-    const int64_t odd = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity within the image, so that the dots
+    const int64_t parity = (fb->y0 > y ? (int64_t)fb->y0 - y : 0) + p.from; /* parity within the image, so that the dots
                                                                             move with the image */
-    for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_row)
+    for (int row = 0; row < p.rows; row++, d += fb->pitch, s += p.s_stride)
         for (int k = 0; k < p.to - p.from; k++)
-            if (s[k] && !(dots && (odd + row + k) & 1))
+            if (s[k] && !(is_dotted && (parity + row + k) & 1))
                 d[flip ? -k : k] = c;
 }
 
@@ -315,39 +315,39 @@ void blit_rim(struct fb *fb, const struct image *image, int x, int y, uint8_t c)
 }
 
 /* Returns the job that draws a whole image without clipping. */
-static inline struct job whole_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
-                                   unsigned flags)
+static inline struct job make_unclipped_job(const struct fb *fb, const struct image *image, int x, int y, uint8_t bank,
+                                            unsigned flags)
 {
-    ptrdiff_t last = flags & BLIT_FLIP_Y ? (ptrdiff_t)(image->h - 1) * image->pitch : 0;
+    ptrdiff_t first_row = flags & BLIT_FLIP_Y ? (ptrdiff_t)(image->h - 1) * image->pitch : 0;
 
     return (struct job){
         .d = fb->pix + y * fb->pitch + x,
-        .s = image->pix + last,
-        .d_row = fb->pitch,
-        .s_row = flags & BLIT_FLIP_Y ? -image->pitch : image->pitch,
+        .s = image->pix + first_row,
+        .d_stride = fb->pitch,
+        .s_stride = flags & BLIT_FLIP_Y ? -image->pitch : image->pitch,
         .words = (image->w + 7) / 8,
         .rows = image->h,
         .add = WORDS_EACH((uint8_t)(bank * 16)),
     };
 }
 
-static inline uint8_t bank_of(const struct blit_item *item)
+static inline uint8_t bank_offset(const struct blit_item *item)
 {
     return (uint8_t)(item->bank * 16);
 }
 
-__attribute__((always_inline)) static inline void batch_narrow(const struct blit_item *items, size_t n, ptrdiff_t d_row,
-                                                               int h, enum blit_mix mix)
+__attribute__((always_inline)) static inline void draw_narrow_items(const struct blit_item *items, size_t n,
+                                                                    ptrdiff_t d_stride, int h, enum blit_mix mix)
 {
     for (size_t i = 0; i < n; i++)
-        paint_narrow(items[i].d, d_row, items[i].s, bank_of(&items[i]), h, mix);
+        paint_narrow(items[i].d, d_stride, items[i].s, bank_offset(&items[i]), h, mix);
 }
 
-__attribute__((always_inline)) static inline void batch_wide(const struct blit_item *items, size_t n, ptrdiff_t d_row,
-                                                             int h, enum blit_mix mix)
+__attribute__((always_inline)) static inline void draw_wide_items(const struct blit_item *items, size_t n,
+                                                                  ptrdiff_t d_stride, int h, enum blit_mix mix)
 {
     for (size_t i = 0; i < n; i++)
-        paint_wide(items[i].d, d_row, items[i].s, bank_of(&items[i]), h, mix);
+        paint_wide(items[i].d, d_stride, items[i].s, bank_offset(&items[i]), h, mix);
 }
 
 /* Draws one image of any width by a rule. */
@@ -356,10 +356,10 @@ __attribute__((always_inline)) static inline void mix_rows(const struct job *j, 
     const uint8_t *s = j->s;
     uint8_t *d = j->d;
 
-    for (int y = j->rows; y > 0; y--, s += j->s_row, d += j->d_row) {
+    for (int y = j->rows; y > 0; y--, s += j->s_stride, d += j->d_stride) {
         int k = 0;
         for (; k + 1 < j->words; k += 2)
-            paint_pair(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
+            paint_sixteen(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
         if (k < j->words)
             paint_eight(d + 8 * k, s + 8 * k, (uint8_t)j->add, rule);
     }
@@ -376,7 +376,7 @@ static void mix_job(const struct job *j, enum blit_mix rule)
 }
 
 /* Draws items of any size, one by one. */
-static void batch_others(const struct blit_item *items, size_t n, struct job j, enum blit_mix mix)
+static void draw_other_items(const struct blit_item *items, size_t n, struct job j, enum blit_mix mix)
 {
     for (size_t i = 0; i < n; i++) {
         j.s = items[i].s;
@@ -390,19 +390,19 @@ static void batch_others(const struct blit_item *items, size_t n, struct job j, 
 }
 
 /* Passes the widths and heights of most bullets as constants; mix is a constant at the call sites. */
-__attribute__((always_inline)) static inline void batch_usual(const struct blit_item *items, size_t n, ptrdiff_t d_row,
-                                                              int h, bool wide, enum blit_mix mix)
+__attribute__((always_inline)) static inline void
+draw_usual_items(const struct blit_item *items, size_t n, ptrdiff_t d_stride, int h, bool wide, enum blit_mix mix)
 {
     if (!wide && h == 8)
-        batch_narrow(items, n, d_row, 8, mix);
+        draw_narrow_items(items, n, d_stride, 8, mix);
     else if (!wide)
-        batch_narrow(items, n, d_row, h, mix);
+        draw_narrow_items(items, n, d_stride, h, mix);
     else if (h == 16)
-        batch_wide(items, n, d_row, 16, mix);
+        draw_wide_items(items, n, d_stride, 16, mix);
     else if (h == 12)
-        batch_wide(items, n, d_row, 12, mix);
+        draw_wide_items(items, n, d_stride, 12, mix);
     else
-        batch_wide(items, n, d_row, h, mix);
+        draw_wide_items(items, n, d_stride, h, mix);
 }
 
 void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int h, int s_pitch, enum blit_mix mix)
@@ -410,12 +410,12 @@ void blit_batch(const struct blit_item *items, size_t n, int d_pitch, int w, int
     const bool wide = s_pitch == 16 && w > 8, usual = s_pitch == 8 || wide;
 
     if (usual && mix == BLIT_OPAQUE)
-        batch_usual(items, n, d_pitch, h, wide, BLIT_OPAQUE);
+        draw_usual_items(items, n, d_pitch, h, wide, BLIT_OPAQUE);
     else if (usual && mix == BLIT_RAMP_ADD)
-        batch_usual(items, n, d_pitch, h, wide, BLIT_RAMP_ADD);
+        draw_usual_items(items, n, d_pitch, h, wide, BLIT_RAMP_ADD);
     else
-        batch_others(items, n, (struct job){ .d_row = d_pitch, .s_row = s_pitch, .words = (w + 7) / 8, .rows = h },
-                     mix);
+        draw_other_items(
+            items, n, (struct job){ .d_stride = d_pitch, .s_stride = s_pitch, .words = (w + 7) / 8, .rows = h }, mix);
 }
 
 bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags,
@@ -423,14 +423,14 @@ bool blit_ramped(struct fb *fb, const struct image *image, int x, int y, uint8_t
 {
     if (!is_safe(fb, image, x, y) || flags & BLIT_FLIP_X)
         return false;
-    const struct job j = whole_job(fb, image, x, y, bank, flags);
+    const struct job j = make_unclipped_job(fb, image, x, y, bank, flags);
     mix_job(&j, rule);
     return true;
 }
 
 static void blit_flipped(struct fb *fb, const struct image *image, int x, int y, uint8_t bank, unsigned flags)
 {
-    struct job j = whole_job(fb, image, x + image->w - 8, y, bank, flags);
+    struct job j = make_unclipped_job(fb, image, x + image->w - 8, y, bank, flags);
 
     paint_flipped(&j);
 }
@@ -442,7 +442,7 @@ void blit_sprite(struct fb *fb, const struct image *image, int x, int y, uint8_t
     else if (flags & BLIT_FLIP_X)
         blit_flipped(fb, image, x, y, bank, flags);
     else {
-        struct job j = whole_job(fb, image, x, y, bank, flags);
+        struct job j = make_unclipped_job(fb, image, x, y, bank, flags);
         paint(&j);
     }
 }

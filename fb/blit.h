@@ -38,7 +38,7 @@ enum blit_mix {
 };
 
 /* Returns the palette entry that the rule computes from two entries. */
-static inline uint8_t blit_ramp(enum blit_mix rule, uint8_t under, uint8_t over)
+static inline uint8_t blit_ramp_entry(enum blit_mix rule, uint8_t under, uint8_t over)
 {
     const unsigned u = under & 15, o = over & 15, sum = u + o;
     const unsigned shade = rule == BLIT_RAMP_ADD    ? sum < 15 ? sum : 15

@@ -26,10 +26,10 @@ void fb_init(struct fb *fb, void *mem, int w, int h)
     fb->w = w;
     fb->h = h;
     fb->pix = (uint8_t *)mem + FB_SLACK + FB_GUARD * fb->pitch + FB_GUARD;
-    fb_clip_all(fb);
+    fb_reset_clip(fb);
 }
 
-void fb_clip(struct fb *fb, int x, int y, int w, int h)
+void fb_set_clip(struct fb *fb, int x, int y, int w, int h)
 {
     fb->x0 = (int)int64_clamp(x, 0, fb->w);
     fb->y0 = (int)int64_clamp(y, 0, fb->h);
@@ -46,9 +46,9 @@ void fb_clip(struct fb *fb, int x, int y, int w, int h)
     fb->sy1 = fb->y1 == fb->h ? fb->h + FB_GUARD : fb->y1;
 }
 
-void fb_clip_all(struct fb *fb)
+void fb_reset_clip(struct fb *fb)
 {
-    fb_clip(fb, 0, 0, fb->w, fb->h);
+    fb_set_clip(fb, 0, 0, fb->w, fb->h);
 }
 
 /* A single memset that includes the band takes less time than one memset per row. */
@@ -58,7 +58,7 @@ void fb_fill(struct fb *fb, uint8_t c)
 }
 
 /* Fills the pixels with x in [x0, x1) and y in [y0, y1). */
-static void rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t y1, uint8_t c)
+static void fill_rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t y1, uint8_t c)
 {
     x0 = x0 < fb->x0 ? fb->x0 : x0;
     y0 = y0 < fb->y0 ? fb->y0 : y0;
@@ -72,7 +72,7 @@ static void rect(struct fb *fb, int64_t x0, int64_t y0, int64_t x1, int64_t y1, 
 
 void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 {
-    rect(fb, x, y, (int64_t)x + w, (int64_t)y + h, c);
+    fill_rect(fb, x, y, (int64_t)x + w, (int64_t)y + h, c);
 }
 
 void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
@@ -81,10 +81,10 @@ void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 
     if (w < 1 || h < 1)
         return;
-    rect(fb, x, y, x1, (int64_t)y + 1, c);
-    rect(fb, x, y1 - 1, x1, y1, c);
-    rect(fb, x, y, (int64_t)x + 1, y1, c);
-    rect(fb, x1 - 1, y, x1, y1, c);
+    fill_rect(fb, x, y, x1, (int64_t)y + 1, c);
+    fill_rect(fb, x, y1 - 1, x1, y1, c);
+    fill_rect(fb, x, y, (int64_t)x + 1, y1, c);
+    fill_rect(fb, x1 - 1, y, x1, y1, c);
 }
 
 /* One axis of a line: its start, its direction, its length, and the steps that are inside the clip. */
@@ -102,7 +102,7 @@ static struct axis axis_of(int64_t from, int64_t to, int64_t clip0, int64_t clip
 
 /* Narrows the long axis' steps [lo, hi] to those inside the clip on both axes. Returns false if none is left. Products
  * stay below 2^64, since a step count that is multiplied is never above its axis' length. */
-static bool visible(struct axis *along, const struct axis *across)
+static bool clip_steps(struct axis *along, const struct axis *across)
 {
     uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length, half = n / 2;
 
@@ -127,22 +127,22 @@ void fb_line(struct fb *fb, int32_t x0, int32_t y0, int32_t x1, int32_t y1, uint
     bool steep = y.length > x.length;
     struct axis *along = steep ? &y : &x, *across = steep ? &x : &y;
 
-    if (!visible(along, across))
+    if (!clip_steps(along, across))
         return;
     uint64_t n = (uint64_t)along->length, m = (uint64_t)across->length;
-    uint64_t rest = (uint64_t)along->lo * m + n / 2, side = n ? rest / n : 0;
-    int64_t a = along->from + along->sign * along->lo, b = across->from + across->sign * (int64_t)side;
-    int64_t step = along->sign * (steep ? fb->pitch : 1), aside = across->sign * (steep ? 1 : fb->pitch);
+    uint64_t fraction = (uint64_t)along->lo * m + n / 2, steps_across = n ? fraction / n : 0;
+    int64_t a = along->from + along->sign * along->lo, b = across->from + across->sign * (int64_t)steps_across;
+    int64_t step = along->sign * (steep ? fb->pitch : 1), across_step = across->sign * (steep ? 1 : fb->pitch);
     uint8_t *p = fb->pix + (steep ? a : b) * fb->pitch + (steep ? b : a);
 
-    rest = n ? rest % n : 0;
+    fraction = n ? fraction % n : 0;
     *p = c;
     for (int64_t i = along->lo; i < along->hi; i++) {
         p += step;
-        rest += m;
-        if (rest >= n) {
-            rest -= n;
-            p += aside;
+        fraction += m;
+        if (fraction >= n) {
+            fraction -= n;
+            p += across_step;
         }
         *p = c;
     }

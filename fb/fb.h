@@ -34,8 +34,8 @@ void fb_init(struct fb *fb, void *mem, int w, int h);
 
 /* Sets the clip to the part of the rectangle (x, y, w, h) that is inside the picture. The clip is empty if there is no
  * such part or w or h is below 1. Any values are allowed. */
-void fb_clip(struct fb *fb, int x, int y, int w, int h);
-void fb_clip_all(struct fb *fb);
+void fb_set_clip(struct fb *fb, int x, int y, int w, int h);
+void fb_reset_clip(struct fb *fb);
 
 /* Fills the whole picture, ignoring the clip, and the band to the left and right of its rows, except left of the first
  * row and right of the last. */

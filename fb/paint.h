@@ -15,50 +15,51 @@
 
 static inline void paint_word(uint8_t *d, uint64_t s, uint64_t add)
 {
-    uint64_t mask = words_opaque(s);
+    uint64_t mask = words_opaque_mask(s);
 
     words_store(d, (words_load(d) & ~mask) | (words_add(s, add) & mask));
 }
 
-typedef int8_t sixteen __attribute__((vector_size(16)));
+typedef int8_t pixels16 __attribute__((vector_size(16)));
 
 /* Adds the bank to all pixels; bytes wrap around. */
-static inline sixteen paint_banked(sixteen s, uint8_t add)
+static inline pixels16 paint_add_bank(pixels16 s, uint8_t add)
 {
     typedef uint8_t bytes __attribute__((vector_size(16)));
 
-    return (sixteen)((bytes)s + add);
+    return (pixels16)((bytes)s + add);
 }
 
 /* Selects a where the mask has all bits set, b where it has none. */
-static inline sixteen paint_either(sixteen mask, sixteen a, sixteen b)
+static inline pixels16 paint_select(pixels16 mask, pixels16 a, pixels16 b)
 {
     return (a & mask) | (b & ~mask);
 }
 
 /* Returns the shades, 0 to 15, that the rule computes from the shades of `under` and `over`. */
-__attribute__((always_inline)) static inline sixteen paint_mixed(sixteen under, sixteen over, enum blit_mix rule)
+__attribute__((always_inline)) static inline pixels16 paint_mix_shades(pixels16 under, pixels16 over,
+                                                                       enum blit_mix rule)
 {
-    const sixteen a = under & 15, b = over & 15, sum = a + b;
+    const pixels16 a = under & 15, b = over & 15, sum = a + b;
 
     if (rule == BLIT_RAMP_ADD)
         return (sum | (sum > 15)) & 15;
-    return rule == BLIT_RAMP_HALF ? (sum + 1) >> 1 : paint_either(a > b, a, b);
+    return rule == BLIT_RAMP_HALF ? (sum + 1) >> 1 : paint_select(a > b, a, b);
 }
 
 /* Returns the sixteen pixels d with the pixels s painted over them, opaque or by a rule. */
-__attribute__((always_inline)) static inline sixteen paint_over(sixteen d, sixteen s, uint8_t add, enum blit_mix mix)
+__attribute__((always_inline)) static inline pixels16 paint_over(pixels16 d, pixels16 s, uint8_t add, enum blit_mix mix)
 {
-    const sixteen over = paint_banked(s, add);
+    const pixels16 over = paint_add_bank(s, add);
 
-    return paint_either(s != 0, mix == BLIT_OPAQUE ? over : (over & -16) | paint_mixed(d, over, mix), d);
+    return paint_select(s != 0, mix == BLIT_OPAQUE ? over : (over & -16) | paint_mix_shades(d, over, mix), d);
 }
 
 /* Paints sixteen pixels of a row. */
-__attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const uint8_t *s, uint8_t add,
-                                                             enum blit_mix mix)
+__attribute__((always_inline)) static inline void paint_sixteen(uint8_t *d, const uint8_t *s, uint8_t add,
+                                                                enum blit_mix mix)
 {
-    sixteen to, from;
+    pixels16 to, from;
 
     memcpy(&to, d, sizeof to);
     memcpy(&from, s, sizeof from);
@@ -66,50 +67,50 @@ __attribute__((always_inline)) static inline void paint_pair(uint8_t *d, const u
     memcpy(d, &to, sizeof to);
 }
 
-static inline void paint_cover(uint8_t *d, const uint8_t *s, uint8_t add)
+static inline void paint_sixteen_opaque(uint8_t *d, const uint8_t *s, uint8_t add)
 {
-    paint_pair(d, s, add, BLIT_OPAQUE);
+    paint_sixteen(d, s, add, BLIT_OPAQUE);
 }
 
 /* Paints eight pixels of a row, as half of a vector of sixteen. */
 __attribute__((always_inline)) static inline void paint_eight(uint8_t *d, const uint8_t *s, uint8_t add,
                                                               enum blit_mix rule)
 {
-    uint8_t pair[16] = { 0 }, from[16] = { 0 };
+    uint8_t to[16] = { 0 }, from[16] = { 0 };
 
-    memcpy(pair, d, 8);
+    memcpy(to, d, 8);
     memcpy(from, s, 8);
-    paint_pair(pair, from, add, rule);
-    memcpy(d, pair, 8);
+    paint_sixteen(to, from, add, rule);
+    memcpy(d, to, 8);
 }
 
 /* Paints two rows of eight pixels as one vector of sixteen. */
-__attribute__((always_inline)) static inline void paint_two(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
-                                                            enum blit_mix mix)
+__attribute__((always_inline)) static inline void paint_two_rows(uint8_t *d, ptrdiff_t d_stride, const uint8_t *s,
+                                                                 uint8_t add, enum blit_mix mix)
 {
-    uint64_t two[2] = { words_load(d), words_load(d + d_row) };
-    sixteen to, from;
+    uint64_t rows[2] = { words_load(d), words_load(d + d_stride) };
+    pixels16 to, from;
 
-    memcpy(&to, two, sizeof to);
+    memcpy(&to, rows, sizeof to);
     memcpy(&from, s, sizeof from);
     to = paint_over(to, from, add, mix);
-    memcpy(two, &to, sizeof to);
-    words_store(d, two[0]);
-    words_store(d + d_row, two[1]);
+    memcpy(rows, &to, sizeof to);
+    words_store(d, rows[0]);
+    words_store(d + d_stride, rows[1]);
 }
 
 /* Paints h rows of a picture whose pitch is eight pixels. */
-__attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdiff_t d_row, const uint8_t *s,
+__attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdiff_t d_stride, const uint8_t *s,
                                                                uint8_t add, int h, enum blit_mix mix)
 {
-    for (; h >= 8; h -= 8, s += 64, d += 8 * d_row) {
-        paint_two(d, d_row, s, add, mix);
-        paint_two(d + 2 * d_row, d_row, s + 16, add, mix);
-        paint_two(d + 4 * d_row, d_row, s + 32, add, mix);
-        paint_two(d + 6 * d_row, d_row, s + 48, add, mix);
+    for (; h >= 8; h -= 8, s += 64, d += 8 * d_stride) {
+        paint_two_rows(d, d_stride, s, add, mix);
+        paint_two_rows(d + 2 * d_stride, d_stride, s + 16, add, mix);
+        paint_two_rows(d + 4 * d_stride, d_stride, s + 32, add, mix);
+        paint_two_rows(d + 6 * d_stride, d_stride, s + 48, add, mix);
     }
-    for (; h > 1; h -= 2, s += 16, d += 2 * d_row)
-        paint_two(d, d_row, s, add, mix);
+    for (; h > 1; h -= 2, s += 16, d += 2 * d_stride)
+        paint_two_rows(d, d_stride, s, add, mix);
     if (h > 0 && mix == BLIT_OPAQUE)
         paint_word(d, words_load(s), WORDS_EACH(add));
     else if (h > 0)
@@ -117,18 +118,18 @@ __attribute__((always_inline)) static inline void paint_narrow(uint8_t *d, ptrdi
 }
 
 /* Paints h rows of a picture whose pitch is sixteen pixels. */
-__attribute__((always_inline)) static inline void paint_wide(uint8_t *d, ptrdiff_t d_row, const uint8_t *s, uint8_t add,
-                                                             int h, enum blit_mix mix)
+__attribute__((always_inline)) static inline void paint_wide(uint8_t *d, ptrdiff_t d_stride, const uint8_t *s,
+                                                             uint8_t add, int h, enum blit_mix mix)
 {
 #pragma GCC unroll 4
-    for (; h >= 4; h -= 4, s += 64, d += 4 * d_row) {
-        paint_pair(d, s, add, mix);
-        paint_pair(d + d_row, s + 16, add, mix);
-        paint_pair(d + 2 * d_row, s + 32, add, mix);
-        paint_pair(d + 3 * d_row, s + 48, add, mix);
+    for (; h >= 4; h -= 4, s += 64, d += 4 * d_stride) {
+        paint_sixteen(d, s, add, mix);
+        paint_sixteen(d + d_stride, s + 16, add, mix);
+        paint_sixteen(d + 2 * d_stride, s + 32, add, mix);
+        paint_sixteen(d + 3 * d_stride, s + 48, add, mix);
     }
-    for (; h > 0; h--, s += 16, d += d_row)
-        paint_pair(d, s, add, mix);
+    for (; h > 0; h--, s += 16, d += d_stride)
+        paint_sixteen(d, s, add, mix);
 }
 
 #endif

@@ -11,7 +11,7 @@
 #include <string.h>
 #include "../src/base/fx.h"
 
-enum { HALF = 32768, PROFILE = 256 };
+enum { HALF_PIXEL = 32768, MAX_PROFILE = 256 };
 
 /* A unit vector, Q16. */
 struct unit {
@@ -20,10 +20,10 @@ struct unit {
 
 /* A straight edge, evaluated row by row. */
 struct edge {
-    int64_t x, step; /* x at the current row's centre, and its change per row; Q16 px */
-    bool level;      /* parallel to the rows, so that a whole row is on one side */
-    bool right;      /* keeps the pixels to its right; if level, those below it */
-    int32_t y;       /* of a level edge, Q16 px */
+    int64_t x, step;    /* x at the current row's centre, and its change per row; Q16 px */
+    bool is_horizontal; /* parallel to the rows, so that a whole row is on one side */
+    bool keeps_right;   /* keeps the pixels to its right; if level, those below it */
+    int32_t y;          /* of a level edge, Q16 px */
 };
 
 /* The state needed to draw pixels. */
@@ -31,10 +31,10 @@ struct brush {
     struct fb *fb;
     const struct strip *s;
     const struct image *image;
-    int32_t half;             /* half of the width, Q16 px */
-    int64_t scale;            /* rows of the picture per px across the line, Q16 */
-    uint8_t profile[PROFILE]; /* for a picture one pixel wide: its colours with the bank added; 0: transparent */
-    bool plain;               /* the picture is one pixel wide, opaque and not dashed */
+    int32_t half_width;           /* half of the width, Q16 px */
+    int64_t scale;                /* rows of the picture per px across the line, Q16 */
+    uint8_t profile[MAX_PROFILE]; /* for a picture one pixel wide: its colours with the bank added; 0: transparent */
+    bool plain;                   /* the picture is one pixel wide, opaque and not dashed */
 };
 
 /* The slope of an edge perpendicular to n; the side that n points to is kept. */
@@ -51,12 +51,12 @@ static struct slope slope_of(struct unit n)
 /* Returns the edge through (x, y), starting at `row`. */
 static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
 {
-    const int64_t down = (int64_t)row * FX_ONE + HALF - y;
+    const int64_t dy = (int64_t)row * FX_ONE + HALF_PIXEL - y;
 
-    return (struct edge){ .x = x + (s->step * down >> 16),
+    return (struct edge){ .x = x + (s->step * dy >> 16),
                           .step = s->step,
-                          .level = s->n.x == 0,
-                          .right = s->n.x == 0 ? s->n.y > 0 : s->n.x > 0,
+                          .is_horizontal = s->n.x == 0,
+                          .keeps_right = s->n.x == 0 ? s->n.y > 0 : s->n.x > 0,
                           .y = y };
 }
 
@@ -68,13 +68,13 @@ struct span {
     int n;
 };
 
-static void cut(struct span *s, struct edge e)
+static void add_edge(struct span *s, struct edge e)
 {
-    const int row = (int)(((int64_t)e.y + HALF - 1) >> 16); /* the first row whose centre is not above e */
+    const int row = (int)(((int64_t)e.y + HALF_PIXEL - 1) >> 16); /* the first row whose centre is not above e */
 
-    if (!e.level)
+    if (!e.is_horizontal)
         s->edge[s->n++] = e;
-    else if (e.right)
+    else if (e.keeps_right)
         s->first = row > s->first ? row : s->first;
     else
         s->last = row - 1 < s->last ? row - 1 : s->last;
@@ -87,22 +87,22 @@ static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
     *hi = s->hi;
     for (int k = 0; k < s->n; k++) {
         struct edge *e = &s->edge[k];
-        const int64_t at = (e->x + HALF - 1) >> 16; /* the first pixel whose centre is not left of e */
+        const int64_t at = (e->x + HALF_PIXEL - 1) >> 16; /* the first pixel whose centre is not left of e */
         e->x += e->step;
-        if (e->right)
+        if (e->keeps_right)
             *lo = at > *lo ? at : *lo;
         else
             *hi = at < *hi ? at : *hi;
     }
 }
 
-static struct edge other_side(struct edge e)
+static struct edge flip_edge(struct edge e)
 {
-    e.right = !e.right;
+    e.keeps_right = !e.keeps_right;
     return e;
 }
 
-static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
+static inline void put_texel(const struct brush *b, uint8_t *d, uint8_t texel)
 {
     uint8_t c = (uint8_t)(texel + b->s->bank * 16);
 
@@ -111,12 +111,12 @@ static inline void put(const struct brush *b, uint8_t *d, uint8_t texel)
 }
 
 /* Returns the picture's row at position `row`, in Q32, clamped to the picture. */
-static inline int row_of(const struct brush *b, int64_t row)
+static inline int clamp_row(const struct brush *b, int64_t row)
 {
-    const int most = b->image->h - 1;
+    const int last_row = b->image->h - 1;
 
     row >>= 32;
-    return row < 0 ? 0 : row > most ? most : (int)row;
+    return row < 0 ? 0 : row > last_row ? last_row : (int)row;
 }
 
 /* Returns v modulo n, 0 to n - 1. */
@@ -127,38 +127,38 @@ static int64_t modulo(int64_t v, int64_t n)
 }
 
 /* Draws the picture's pixel that is `along` Q16 px from the start of the line. */
-static inline void paint(const struct brush *b, uint8_t *d, int64_t along, int row)
+static inline void paint_pixel(const struct brush *b, uint8_t *d, int64_t along, int row)
 {
     if (b->s->dashed && (along >> 16 & 4))
         return;
     const int64_t px = b->s->dashed ? 0 : modulo(along >> 16, b->image->w);
-    put(b, d, b->image->pix[row * b->image->pitch + px]);
+    put_texel(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
 /* Draws a span of a piece that is not dashed. */
-static void picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
-                         int64_t row_step)
+static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
+                               int64_t row_step)
 {
-    const int64_t all = (int64_t)b->image->w << 32;
+    const int64_t period = (int64_t)b->image->w << 32;
     const uint8_t *pix = b->image->pix;
     const ptrdiff_t pitch = b->image->pitch;
 
-    along = modulo(along, all);
+    along = modulo(along, period);
     for (; n > 0; n--, d++, row += row_step) {
-        put(b, d, pix[row_of(b, row) * pitch + (along >> 32)]);
+        put_texel(b, d, pix[clamp_row(b, row) * pitch + (along >> 32)]);
         along += step; /* by at most one pixel */
-        along -= along >= all ? all : 0;
-        along += along < 0 ? all : 0;
+        along -= along >= period ? period : 0;
+        along += along < 0 ? period : 0;
     }
 }
 
 /* Draws a span of a piece whose picture is one pixel wide and opaque. Clamps the row of each pixel only if rounding
  * moved the first or the last one outside the picture. */
-static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
+static void paint_plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
 {
-    const int64_t most = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
+    const int64_t max_row = ((int64_t)b->image->h << 32) - 1, last = row + (n - 1) * row_step;
 
-    if ((row | last | (most - row) | (most - last)) >= 0) {
+    if ((row | last | (max_row - row) | (max_row - last)) >= 0) {
         for (; n > 0; n--, d++, row += row_step) {
             uint8_t c = b->profile[row >> 32];
             *d = c ? c : *d;
@@ -166,7 +166,7 @@ static void plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, in
         return;
     }
     for (; n > 0; n--, d++, row += row_step) {
-        uint8_t c = b->profile[row_of(b, row)];
+        uint8_t c = b->profile[clamp_row(b, row)];
         *d = c ? c : *d;
     }
 }
@@ -178,40 +178,41 @@ struct piece {
 };
 
 /* The picture coordinates of the first pixel of the clip in a row, Q32, and their change per pixel and per row. */
-struct place {
+struct picture_pos {
     int64_t row, row_x, row_y; /* across the line */
     int64_t along, along_x, along_y;
 };
 
-static struct place place_of(const struct brush *b, const struct piece *p, int y)
+static struct picture_pos picture_pos_at(const struct brush *b, const struct piece *p, int y)
 {
-    const int64_t dx = (int64_t)b->fb->x0 * FX_ONE + HALF - p->from.x, dy = (int64_t)y * FX_ONE + HALF - p->from.y;
+    const int64_t dx = (int64_t)b->fb->x0 * FX_ONE + HALF_PIXEL - p->from.x,
+                  dy = (int64_t)y * FX_ONE + HALF_PIXEL - p->from.y;
 
-    return (struct place){ .row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half) * b->scale,
-                           .row_x = -p->dir.y * b->scale,
-                           .row_y = p->dir.x * b->scale,
-                           .along = p->along * FX_ONE + dx * p->dir.x + dy * p->dir.y,
-                           .along_x = (int64_t)p->dir.x * FX_ONE,
-                           .along_y = (int64_t)p->dir.y * FX_ONE };
+    return (struct picture_pos){ .row = ((dy * p->dir.x - dx * p->dir.y) / FX_ONE + b->half_width) * b->scale,
+                                 .row_x = -p->dir.y * b->scale,
+                                 .row_y = p->dir.x * b->scale,
+                                 .along = p->along * FX_ONE + dx * p->dir.x + dy * p->dir.y,
+                                 .along_x = (int64_t)p->dir.x * FX_ONE,
+                                 .along_y = (int64_t)p->dir.y * FX_ONE };
 }
 
-static void paint_span(const struct brush *b, const struct place *at, int y, int lo, int hi)
+static void paint_span(const struct brush *b, const struct picture_pos *pos, int y, int lo, int hi)
 {
-    const int from = lo - b->fb->x0;
-    int64_t along = at->along + from * at->along_x, row = at->row + from * at->row_x;
+    const int skipped = lo - b->fb->x0;
+    int64_t along = pos->along + skipped * pos->along_x, row = pos->row + skipped * pos->row_x;
     uint8_t *d = b->fb->pix + (ptrdiff_t)y * b->fb->pitch + lo;
 
     if (b->plain)
-        plain_span(b, d, hi - lo, row, at->row_x);
+        paint_plain_span(b, d, hi - lo, row, pos->row_x);
     else if (!b->s->dashed)
-        picture_span(b, d, hi - lo, along, at->along_x, row, at->row_x);
+        paint_picture_span(b, d, hi - lo, along, pos->along_x, row, pos->row_x);
     else
-        for (int x = lo; x < hi; x++, d++, along += at->along_x, row += at->row_x)
-            paint(b, d, along >> 16, row_of(b, row));
+        for (int x = lo; x < hi; x++, d++, along += pos->along_x, row += pos->row_x)
+            paint_pixel(b, d, along >> 16, clamp_row(b, row));
 }
 
 /* Computes the rows that may be within `reach` of y0 to y1, all in Q16 px. */
-static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach, int *first, int *last)
+static void find_rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach, int *first, int *last)
 {
     int64_t top = ((y0 < y1 ? y0 : y1) - reach) >> 16, end = ((y0 < y1 ? y1 : y0) + reach) >> 16;
 
@@ -224,91 +225,94 @@ static void rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t reach
 static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
                        const struct slope *end)
 {
-    const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half >> 16), oy = (int32_t)((int64_t)p->dir.x * b->half >> 16);
+    const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half_width >> 16),
+                  oy = (int32_t)((int64_t)p->dir.x * b->half_width >> 16);
     const struct slope right = slope_of((struct unit){ -p->dir.y, p->dir.x }),
                        left = { { p->dir.y, -p->dir.x }, right.step };
     int first, last;
 
-    rows_near(b->fb, p->from.y, to.y, (oy < 0 ? -(int64_t)oy : oy) + (ox < 0 ? -(int64_t)ox : ox) * 5 / 12 + FX_ONE,
-              &first, &last);
+    find_rows_near(b->fb, p->from.y, to.y,
+                   (oy < 0 ? -(int64_t)oy : oy) + (ox < 0 ? -(int64_t)ox : ox) * 5 / 12 + FX_ONE, &first, &last);
     if (first > last)
         return;
     struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
-    cut(&s, edge_at(p->from.x, p->from.y, begin, first));
-    cut(&s, other_side(edge_at(to.x, to.y, end, first)));
-    cut(&s, edge_at(p->from.x + ox, p->from.y - oy, &right, first));
-    cut(&s, edge_at(p->from.x - ox, p->from.y + oy, &left, first));
+    add_edge(&s, edge_at(p->from.x, p->from.y, begin, first));
+    add_edge(&s, flip_edge(edge_at(to.x, to.y, end, first)));
+    add_edge(&s, edge_at(p->from.x + ox, p->from.y - oy, &right, first));
+    add_edge(&s, edge_at(p->from.x - ox, p->from.y + oy, &left, first));
     for (int k = 0; k < s.n; k++)
         s.edge[k].x += s.edge[k].step * (s.first - first);
-    struct place at = place_of(b, p, s.first);
-    for (int y = s.first; y <= s.last; y++, at.row += at.row_y, at.along += at.along_y) {
+    struct picture_pos pos = picture_pos_at(b, p, s.first);
+    for (int y = s.first; y <= s.last; y++, pos.row += pos.row_y, pos.along += pos.along_y) {
         int64_t lo, hi;
         next_span(&s, &lo, &hi);
         if (lo < hi)
-            paint_span(b, &at, y, (int)lo, (int)hi);
+            paint_span(b, &pos, y, (int)lo, (int)hi);
     }
 }
 
 enum half { BEHIND, AHEAD, WHOLE };
 
 /* Draws the circle around corner c, or only the half that is behind c, or ahead of c, in direction dir. */
-static void draw_end(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
+static void draw_cap(const struct brush *b, struct strip_corner c, struct unit dir, int64_t along, enum half half)
 {
     int first, last;
 
-    rows_near(b->fb, c.y, c.y, b->half, &first, &last);
+    find_rows_near(b->fb, c.y, c.y, b->half_width, &first, &last);
     if (first > last)
         return;
     const struct slope slope = slope_of(dir);
     const struct edge edge = edge_at(c.x, c.y, &slope, first);
     struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
     if (half != WHOLE)
-        cut(&s, half == BEHIND ? other_side(edge) : edge);
+        add_edge(&s, half == BEHIND ? flip_edge(edge) : edge);
     for (int k = 0; k < s.n; k++)
         s.edge[k].x += s.edge[k].step * (s.first - first);
     for (int y = s.first; y <= s.last; y++) {
-        const int64_t dy = (int64_t)y * FX_ONE + HALF - c.y, rest = (int64_t)b->half * b->half - dy * dy;
+        const int64_t dy = (int64_t)y * FX_ONE + HALF_PIXEL - c.y,
+                      reach_squared = (int64_t)b->half_width * b->half_width - dy * dy;
         int64_t lo, hi;
         next_span(&s, &lo, &hi);
-        if (rest < 0)
+        if (reach_squared < 0)
             continue;
-        const int64_t reach = (int64_t)fx_root((uint64_t)rest);
-        const int64_t x0 = (c.x - reach + HALF - 1) >> 16, x1 = ((c.x + reach - HALF) >> 16) + 1;
+        const int64_t reach = (int64_t)fx_root((uint64_t)reach_squared);
+        const int64_t x0 = (c.x - reach + HALF_PIXEL - 1) >> 16, x1 = ((c.x + reach - HALF_PIXEL) >> 16) + 1;
         lo = x0 > lo ? x0 : lo;
         hi = x1 < hi ? x1 : hi;
         for (int64_t x = lo; x < hi; x++) {
-            const int64_t dx = x * FX_ONE + HALF - c.x, far = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
+            const int64_t dx = x * FX_ONE + HALF_PIXEL - c.x,
+                          distance = (int64_t)fx_root((uint64_t)(dx * dx + dy * dy));
             const bool left = dy * dir.x < dx * dir.y;
-            paint(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
-                  row_of(b, (b->half + (left ? -far : far)) * b->scale));
+            paint_pixel(b, b->fb->pix + (ptrdiff_t)y * b->fb->pitch + x, along,
+                        clamp_row(b, (b->half_width + (left ? -distance : distance)) * b->scale));
         }
     }
 }
 
 /* Computes the direction from a to b, and their distance. Returns false if the distance is below 1/4 px. Coordinates
  * are reduced to Q12 before squaring, so that the squares fit in 64 bits for all corners. */
-static bool direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *far)
+static bool find_direction(struct strip_corner a, struct strip_corner b, struct unit *dir, int64_t *distance)
 {
     const int64_t dx = ((int64_t)b.x - a.x) / 16, dy = ((int64_t)b.y - a.y) / 16;
     const int64_t d = (int64_t)fx_root((uint64_t)(dx * dx) + (uint64_t)(dy * dy));
 
-    *far = d * 16;
+    *distance = d * 16;
     if (d < FX_ONE / 16 / 4)
         return false;
     *dir = (struct unit){ (int32_t)(dx * FX_ONE / d), (int32_t)(dy * FX_ONE / d) };
     return true;
 }
 
-static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
+static bool init_brush(struct brush *b, struct fb *fb, const struct strip *s)
 {
     b->fb = fb;
     b->s = s;
     b->image = s->image;
-    b->half = s->width / 2;
-    if (b->half < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
+    b->half_width = s->width / 2;
+    if (b->half_width < FX_ONE / 16 || fb->x0 >= fb->x1 || fb->y0 >= fb->y1)
         return false;
-    b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half);
-    b->plain = s->image->w == 1 && s->image->h <= PROFILE && !s->blend && !s->dashed;
+    b->scale = (int64_t)s->image->h * FX_ONE * FX_ONE / (2 * (int64_t)b->half_width);
+    b->plain = s->image->w == 1 && s->image->h <= MAX_PROFILE && !s->blend && !s->dashed;
     for (int y = 0; b->plain && y < s->image->h; y++) {
         uint8_t texel = s->image->pix[y * s->image->pitch];
         b->profile[y] = texel ? (uint8_t)(texel + s->bank * 16) : 0;
@@ -320,24 +324,24 @@ static bool brush_of(struct brush *b, struct fb *fb, const struct strip *s)
 struct line {
     struct strip_corner corner[STRIP_CORNERS];
     struct unit dir[STRIP_CORNERS];
-    int64_t far[STRIP_CORNERS];
+    int64_t distance[STRIP_CORNERS];
     int n;
 };
 
-static void take_line(struct line *l, const struct strip_corner *corner, int n)
+static void init_line(struct line *l, const struct strip_corner *corner, int n)
 {
     l->corner[0] = corner[0];
     l->n = 1;
     for (int k = 1; k < n; k++)
-        if (direction(l->corner[l->n - 1], corner[k], &l->dir[l->n - 1], &l->far[l->n - 1]))
+        if (find_direction(l->corner[l->n - 1], corner[k], &l->dir[l->n - 1], &l->distance[l->n - 1]))
             l->corner[l->n++] = corner[k];
 }
 
 /* Stores the direction of the cut, which bisects the angle between a and b. Returns whether that angle is at most half
  * a right angle; then the outer corner is at most 13/12 of half the width from the line. */
-static bool halved(struct unit a, struct unit b, struct unit *cut_at)
+static bool bisect(struct unit a, struct unit b, struct unit *bisector)
 {
-    *cut_at = (struct unit){ a.x + b.x, a.y + b.y };
+    *bisector = (struct unit){ a.x + b.x, a.y + b.y };
     return (int64_t)a.x * b.x + (int64_t)a.y * b.y >= 3037000500; /* 2^32 cos 45 */
 }
 
@@ -347,28 +351,28 @@ void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner 
     struct line l;
     struct piece p = { .along = (int64_t)s->along * FX_ONE };
 
-    if (!brush_of(&b, fb, s))
+    if (!init_brush(&b, fb, s))
         return;
-    take_line(&l, corner, n);
+    init_line(&l, corner, n);
     if (l.n == 1) {
-        draw_end(&b, l.corner[0], (struct unit){ FX_ONE, 0 }, p.along, WHOLE);
+        draw_cap(&b, l.corner[0], (struct unit){ FX_ONE, 0 }, p.along, WHOLE);
         return;
     }
     struct slope begin = slope_of(l.dir[0]), end;
-    draw_end(&b, l.corner[0], l.dir[0], p.along, BEHIND);
+    draw_cap(&b, l.corner[0], l.dir[0], p.along, BEHIND);
     for (int k = 0; k + 1 < l.n; k++) {
-        const bool last = k + 2 == l.n;
-        struct unit way;
-        const bool smooth = !last && halved(l.dir[k], l.dir[k + 1], &way);
+        const bool is_last = k + 2 == l.n;
+        struct unit bisector;
+        const bool smooth = !is_last && bisect(l.dir[k], l.dir[k + 1], &bisector);
         p.from = l.corner[k];
         p.dir = l.dir[k];
-        end = slope_of(smooth ? way : p.dir);
+        end = slope_of(smooth ? bisector : p.dir);
         draw_piece(&b, &p, l.corner[k + 1], &begin, &end);
-        p.along += l.far[k];
-        begin = smooth || last ? end : slope_of(l.dir[k + 1]);
+        p.along += l.distance[k];
+        begin = smooth || is_last ? end : slope_of(l.dir[k + 1]);
         if (!smooth)
-            draw_end(&b, l.corner[k + 1], p.dir, p.along, AHEAD);
-        if (!smooth && !last)
-            draw_end(&b, l.corner[k + 1], l.dir[k + 1], p.along, BEHIND);
+            draw_cap(&b, l.corner[k + 1], p.dir, p.along, AHEAD);
+        if (!smooth && !is_last)
+            draw_cap(&b, l.corner[k + 1], l.dir[k + 1], p.along, BEHIND);
     }
 }

@@ -7,105 +7,105 @@
 #include "words.h"
 
 /* Returns whether the glyph draws a pixel. */
-static bool any_ink(const uint8_t *glyph)
+static bool has_ink(const uint8_t *glyph)
 {
-    uint64_t all = 0, row;
+    uint64_t pixels = 0, row;
 
     for (int y = 0; y < TEXT_SIDE; y++) {
         memcpy(&row, glyph + y * TEXT_SIDE, sizeof row);
-        all |= row;
+        pixels |= row;
     }
-    return all != 0;
+    return pixels != 0;
 }
 
-static const uint8_t *glyph_of(const struct font *font, uint32_t code)
+static const uint8_t *find_glyph(const struct font *font, uint32_t code)
 {
     uint32_t i = code - (uint32_t)font->first;
 
     if (code < (uint32_t)font->first || i >= (uint32_t)font->count)
         return NULL;
     const uint8_t *glyph = font->glyphs + (size_t)i * TEXT_SIDE * TEXT_SIDE;
-    return any_ink(glyph) ? glyph : NULL;
+    return has_ink(glyph) ? glyph : NULL;
 }
 
-bool text_has(const struct font *font, uint32_t code)
+bool text_has_glyph(const struct font *font, uint32_t code)
 {
-    return glyph_of(font, code) != NULL;
+    return find_glyph(font, code) != NULL;
 }
 
-bool text_closes(uint32_t code)
+bool text_is_closing_punctuation(uint32_t code)
 {
-    static const uint32_t signs[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
+    static const uint32_t marks[] = { 0x3001, 0x3002, 0x300d, 0x300f, 0x3011, 0x30fc, 0xff01, 0xff09, 0xff0c,
                                       0xff0e, 0xff1f, 0x2026, '!',    '?',    ',',    '.',    ')' };
 
-    for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
-        if (signs[i] == code)
+    for (size_t i = 0; i < sizeof marks / sizeof *marks; i++)
+        if (marks[i] == code)
             return true;
     return false;
 }
 
-void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank)
+void text_draw_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank)
 {
-    if (text_blank(code))
+    if (text_is_blank(code))
         return;
-    const uint8_t *glyph = glyph_of(font, code);
+    const uint8_t *glyph = find_glyph(font, code);
     struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
 
     if (glyph)
         blit_sprite(fb, &image, x, y, bank, 0);
     else
-        text_box(fb, x, y, TEXT_SIDE - 1, TEXT_SIDE, bank);
+        text_draw_box(fb, x, y, TEXT_SIDE - 1, TEXT_SIDE, bank);
 }
 
 /* Returns v + 1, or v if v + 1 would overflow; nothing is visible at such coordinates. */
-static int beside(int v)
+static int increment_saturated(int v)
 {
     return v < INT32_MAX ? v + 1 : v;
 }
 
-void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
+void text_draw_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
 {
-    fb_frame(fb, beside(x), beside(y), w - 1, h - 1, (uint8_t)(bank * 16 + 1));
+    fb_frame(fb, increment_saturated(x), increment_saturated(y), w - 1, h - 1, (uint8_t)(bank * 16 + 1));
     fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
 /* Draws one row of a rim, ten pixels starting at d: the mask's eight pixels, drawn three times, one pixel apart. */
-static void rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
+static void draw_rim_row(uint8_t *d, uint64_t mask, uint8_t rim)
 {
-    const uint64_t once = words_moved(mask), eight = mask | once | words_moved(once);
-    uint8_t one[8];
+    const uint64_t moved_once = words_shift_up(mask), covered = mask | moved_once | words_shift_up(moved_once);
+    uint8_t mask_bytes[8];
 
-    words_store(d, (words_load(d) & ~eight) | (WORDS_EACH(rim) & eight));
-    words_store(one, mask);
-    if (one[6] | one[7])
+    words_store(d, (words_load(d) & ~covered) | (WORDS_EACH(rim) & covered));
+    words_store(mask_bytes, mask);
+    if (mask_bytes[6] | mask_bytes[7])
         d[8] = rim;
-    if (one[7])
+    if (mask_bytes[7])
         d[9] = rim;
 }
 
 /* Draws an unclipped rim, starting at d. Each row of the rim is the union of three of the glyph's rows. */
-static void whole_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint8_t rim)
+static void draw_unclipped_rim(uint8_t *d, int pitch, const uint8_t *glyph, uint8_t rim)
 {
-    uint64_t above = 0, on = 0;
+    uint64_t above = 0, current = 0;
 
     for (int row = -1; row <= TEXT_SIDE; row++, d += pitch) {
-        uint64_t below = row + 1 < TEXT_SIDE ? words_opaque(words_load(glyph + (row + 1) * TEXT_SIDE)) : 0;
-        if (above | on | below)
-            rim_row(d, above | on | below, rim);
-        above = on;
-        on = below;
+        uint64_t below = row + 1 < TEXT_SIDE ? words_opaque_mask(words_load(glyph + (row + 1) * TEXT_SIDE)) : 0;
+        if (above | current | below)
+            draw_rim_row(d, above | current | below, rim);
+        above = current;
+        current = below;
     }
 }
 
-void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim)
+void text_draw_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim)
 {
-    const uint8_t *glyph = text_blank(code) ? NULL : glyph_of(font, code);
+    const uint8_t *glyph = text_is_blank(code) ? NULL : find_glyph(font, code);
     struct image image = { glyph, TEXT_SIDE, TEXT_SIDE, TEXT_SIDE };
 
     if (!glyph)
         return;
     if (x > fb->x0 && y > fb->y0 && x < fb->x1 - TEXT_SIDE && y < fb->y1 - TEXT_SIDE)
-        whole_rim(fb->pix + (y - 1) * fb->pitch + x - 1, fb->pitch, glyph, rim);
+        draw_unclipped_rim(fb->pix + (y - 1) * fb->pitch + x - 1, fb->pitch, glyph, rim);
     else
         blit_rim(fb, &image, x, y, rim);
 }
@@ -121,7 +121,7 @@ void text_draw(struct fb *fb, const struct font *font, int x, int y, const char 
             continue;
         }
         if (at < fb->x1)
-            text_glyph(fb, font, (int)at, (int)row, (uint8_t)*s, bank);
+            text_draw_glyph(fb, font, (int)at, (int)row, (uint8_t)*s, bank);
         at += TEXT_SIDE;
     }
 }

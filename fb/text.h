@@ -14,29 +14,29 @@ struct font {
     int first, count;      /* codes [first, first + count) have a glyph */
 };
 
-/* Draws a character with its top left corner at (x, y); clipped. A blank (text_blank) draws nothing; any other code
+/* Draws a character with its top left corner at (x, y); clipped. A blank (text_is_blank) draws nothing; any other code
  * without a glyph, or with an empty one, draws a box. Any x, y. */
-void text_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank);
+void text_draw_glyph(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t bank);
 
 /* Draws the box that stands for a character without a glyph, in shades 15 and 1 of the bank, w x h px including its
  * shadow. */
-void text_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
+void text_draw_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank);
 
 /* Returns whether the code has a glyph that draws a pixel. */
-bool text_has(const struct font *font, uint32_t code);
+bool text_has_glyph(const struct font *font, uint32_t code);
 
 /* Returns whether the code is closing punctuation, which never starts a row. */
-bool text_closes(uint32_t code);
+bool text_is_closing_punctuation(uint32_t code);
 
 /* Returns whether the code is a space between words. */
-static inline bool text_blank(uint32_t code)
+static inline bool text_is_blank(uint32_t code)
 {
     return code == 32 || code == 160 || code == 0x3000;
 }
 
 /* Draws the character's pixels, and the eight pixels around each, in colour `rim`. Draw all rims before the first
  * character, as rims cover neighbouring characters. */
-void text_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim);
+void text_draw_rim(struct fb *fb, const struct font *font, int x, int y, uint32_t code, uint8_t rim);
 
 /* Draws the bytes up to the NUL, TEXT_SIDE px apart; '\n' returns to x, one line down. Any x, y. For tests. */
 void text_draw(struct fb *fb, const struct font *font, int x, int y, const char *s, uint8_t bank);

@@ -4,12 +4,12 @@
 #include "tiles.h"
 #include "paint.h"
 
-static inline void copy_pair(uint8_t *d, const uint8_t *s, uint8_t add)
+static inline void copy_sixteen(uint8_t *d, const uint8_t *s, uint8_t add)
 {
-    sixteen v;
+    pixels16 v;
 
     memcpy(&v, s, sizeof v);
-    v = paint_banked(v, add);
+    v = paint_add_bank(v, add);
     memcpy(d, &v, sizeof v);
 }
 
@@ -20,7 +20,7 @@ __attribute__((always_inline)) static inline void draw_solid(uint8_t *d, ptrdiff
         if (side == 8)
             words_store(d, words_add(words_load(s), WORDS_EACH(add)));
         for (int k = 0; k + 16 <= side; k += 16)
-            copy_pair(d + k, s + k, add);
+            copy_sixteen(d + k, s + k, add);
     }
 }
 
@@ -32,7 +32,7 @@ __attribute__((always_inline)) static inline void draw_holes(uint8_t *d, ptrdiff
     else
         for (int y = 0; y < rows; y++, d += pitch, s += side)
             for (int k = 0; k < side; k += 16)
-                paint_cover(d + k, s + k, add);
+                paint_sixteen_opaque(d + k, s + k, add);
 }
 
 __attribute__((always_inline)) static inline void draw_row(uint8_t *d, ptrdiff_t pitch, const uint8_t *pix,

@@ -19,7 +19,7 @@
 #include <string.h>
 
 /* Returns the square of the distance, in half pixels, from (ox, oy) to the farthest corner of pixel (x, y). */
-static int64_t reach_of(int64_t x, int64_t y, int64_t ox, int64_t oy)
+static int64_t reach_squared(int64_t x, int64_t y, int64_t ox, int64_t oy)
 {
     int64_t dx = 2 * x + 1 - ox, dy = 2 * y + 1 - oy; /* to the pixel's centre; its far corner is one more each way */
 
@@ -30,30 +30,34 @@ static int64_t reach_of(int64_t x, int64_t y, int64_t ox, int64_t oy)
 
 void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h)
 {
-    int64_t far = 1, side = 1;
+    int64_t farthest_squared = 1, side = 1;
 
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++)
-            if (in[(ptrdiff_t)y * pitch + x] != 0 && reach_of(x, y, ox, oy) > far)
-                far = reach_of(x, y, ox, oy);
-    while (side * side < far)
+            if (in[(ptrdiff_t)y * pitch + x] != 0 && reach_squared(x, y, ox, oy) > farthest_squared)
+                farthest_squared = reach_squared(x, y, ox, oy);
+    while (side * side < farthest_squared)
         side++;
     *out_w = (int)(side + ((side ^ ox) & 1));
     *out_h = (int)(side + ((side ^ oy) & 1));
 }
 
-enum { SAMPLES = 8, ALL = SAMPLES * SAMPLES, FINE = 4 /* pixels of the smooth image per pixel, along each axis */ };
+enum {
+    SAMPLES = 8,
+    TOTAL_SAMPLES = SAMPLES * SAMPLES,
+    FINE = 4 /* pixels of the smooth image per pixel, along each axis */
+};
 
 /* ---- preparing ---- */
 
-static int pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, int y)
+static int get_pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, int y)
 {
     return x < 0 || y < 0 || x >= w || y >= h ? 0 : pix[y * pitch + x];
 }
 
 /* Scale2x: a corner of pixel e takes the colour of the two neighbours next to the corner, if they agree and differ from
  * the neighbours opposite them. */
-static uint8_t corner(int e, int beside, int above, int opposite, int below)
+static uint8_t scale2x_corner(int e, int beside, int above, int opposite, int below)
 {
     return (uint8_t)(beside == above && above != opposite && beside != below ? beside : e);
 }
@@ -64,26 +68,26 @@ static void scale2x(uint8_t *out, const uint8_t *in, int w, int h, int pitch)
     for (int y = 0; y < h; y++)
         for (int x = 0; x < w; x++) {
             int e = in[(ptrdiff_t)y * pitch + x];
-            int left = pixel(in, w, h, pitch, x - 1, y), right = pixel(in, w, h, pitch, x + 1, y);
-            int above = pixel(in, w, h, pitch, x, y - 1), below = pixel(in, w, h, pitch, x, y + 1);
+            int left = get_pixel(in, w, h, pitch, x - 1, y), right = get_pixel(in, w, h, pitch, x + 1, y);
+            int above = get_pixel(in, w, h, pitch, x, y - 1), below = get_pixel(in, w, h, pitch, x, y + 1);
             uint8_t *d = out + 4 * (ptrdiff_t)w * y + 2 * x;
-            d[0] = corner(e, left, above, right, below);
-            d[1] = corner(e, right, above, left, below);
-            d[2 * w] = corner(e, left, below, right, above);
-            d[2 * w + 1] = corner(e, right, below, left, above);
+            d[0] = scale2x_corner(e, left, above, right, below);
+            d[1] = scale2x_corner(e, right, above, left, below);
+            d[2 * w] = scale2x_corner(e, left, below, right, above);
+            d[2 * w + 1] = scale2x_corner(e, right, below, left, above);
         }
 }
 
 /* Returns whether the pixel is opaque and has a transparent neighbour. */
 static bool is_rim(const uint8_t *pix, int w, int h, int pitch, int x, int y)
 {
-    return pixel(pix, w, h, pitch, x, y) != 0 &&
-           (pixel(pix, w, h, pitch, x - 1, y) == 0 || pixel(pix, w, h, pitch, x + 1, y) == 0 ||
-            pixel(pix, w, h, pitch, x, y - 1) == 0 || pixel(pix, w, h, pitch, x, y + 1) == 0);
+    return get_pixel(pix, w, h, pitch, x, y) != 0 &&
+           (get_pixel(pix, w, h, pitch, x - 1, y) == 0 || get_pixel(pix, w, h, pitch, x + 1, y) == 0 ||
+            get_pixel(pix, w, h, pitch, x, y - 1) == 0 || get_pixel(pix, w, h, pitch, x, y + 1) == 0);
 }
 
 /* Clears the image's interior pixels in `fine`, so that only rim pixels vote on the colour of a rim pixel. */
-static void keep_rim(const struct turn *t, uint8_t *fine)
+static void clear_interior(const struct turn *t, uint8_t *fine)
 {
     int row = FINE * t->w;
 
@@ -97,25 +101,25 @@ static void keep_rim(const struct turn *t, uint8_t *fine)
 /* Lists the image's opaque colours, ascending. */
 static void list_colours(struct turn *t)
 {
-    bool has[256] = { false };
+    bool used[256] = { false };
 
     for (int y = 0; y < t->h; y++)
         for (int x = 0; x < t->w; x++)
-            has[t->in[(ptrdiff_t)y * t->pitch + x]] = true;
-    t->colours = 0;
+            used[t->in[(ptrdiff_t)y * t->pitch + x]] = true;
+    t->colour_count = 0;
     for (int c = 1; c < 256; c++)
-        if (has[c])
-            t->colour[t->colours++] = (uint8_t)c;
+        if (used[c])
+            t->colour[t->colour_count++] = (uint8_t)c;
 }
 
-size_t turn_scratch(int w, int h)
+size_t turn_scratch_size(int w, int h)
 {
     return 2 * FINE * FINE * (size_t)w * (size_t)h;
 }
 
-void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch)
+void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch)
 {
-    size_t size = turn_scratch(w, h) / 2;
+    size_t size = turn_scratch_size(w, h) / 2;
     uint8_t *smooth = scratch, *rim = smooth + size;
 
     assert(w <= FB_MAX && h <= FB_MAX);
@@ -123,7 +127,7 @@ void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int o
     scale2x(rim, in, w, h, pitch);
     scale2x(smooth, rim, 2 * w, 2 * h, 2 * w);
     memcpy(rim, smooth, size);
-    keep_rim(t, rim);
+    clear_interior(t, rim);
     list_colours(t);
 }
 
@@ -137,9 +141,9 @@ struct transform {
     int out_w, out_h;
 };
 
-static int at(const struct turn *t, int x, int y)
+static int image_pixel(const struct turn *t, int x, int y)
 {
-    return pixel(t->in, t->w, t->h, t->pitch, x, y);
+    return get_pixel(t->in, t->w, t->h, t->pitch, x, y);
 }
 
 /* Computes the position in the image of the first point of pixel (x, y). Points are 1/8 px apart, counted in 1/16 px;
@@ -162,16 +166,16 @@ static bool is_flat(const struct transform *a, int x, int y, uint8_t *colour)
     locate(a, x, y, &px, &py);
     int mx = (int)((px + SAMPLES * (a->cos30 + a->sin30)) >> 34);
     int my = (int)((py + SAMPLES * (a->cos30 - a->sin30)) >> 34);
-    *colour = (uint8_t)at(t, mx, my);
+    *colour = (uint8_t)image_pixel(t, mx, my);
     for (int dy = -2; dy <= 2; dy++)
         for (int dx = -2; dx <= 2; dx++)
-            if (at(t, mx + dx, my + dy) != *colour)
+            if (image_pixel(t, mx + dx, my + dy) != *colour)
                 return false;
     return true;
 }
 
 /* Counts the votes of pixel (x, y)'s points in the smooth image, one entry per colour. */
-static void count(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
+static void count_votes(const struct transform *a, const uint8_t *fine, int x, int y, uint8_t votes[256])
 {
     uint32_t w = FINE * (uint32_t)a->t->w, h = FINE * (uint32_t)a->t->h;
     int64_t px, py;
@@ -188,18 +192,18 @@ static void count(const struct transform *a, const uint8_t *fine, int x, int y, 
  * opaque colour has a vote or, if may_clear, more than half of the votes are for transparent. */
 static uint8_t vote(const struct transform *a, const uint8_t *fine, int x, int y, bool may_clear)
 {
-    uint8_t votes[256], most = 0, best = 0;
+    uint8_t votes[256], most_votes = 0, best = 0;
 
     votes[0] = 0;
-    for (int i = 0; i < a->t->colours; i++)
+    for (int i = 0; i < a->t->colour_count; i++)
         votes[a->t->colour[i]] = 0;
-    count(a, fine, x, y, votes);
-    if (may_clear && votes[0] > ALL / 2)
+    count_votes(a, fine, x, y, votes);
+    if (may_clear && votes[0] > TOTAL_SAMPLES / 2)
         return 0;
-    for (int i = 0; i < a->t->colours; i++) {
+    for (int i = 0; i < a->t->colour_count; i++) {
         uint8_t c = a->t->colour[i];
-        if (votes[c] > most) {
-            most = votes[c];
+        if (votes[c] > most_votes) {
+            most_votes = votes[c];
             best = c;
         }
     }
@@ -215,13 +219,13 @@ static uint8_t turned_pixel(const struct transform *a, int x, int y)
 
 /* Returns a pixel after a quarter turn, which maps all pixel centres to centres, or all to edges; on an edge, the pixel
  * to the right of or below the edge is taken. */
-static uint8_t quarter_pixel(const struct transform *a, int x, int y)
+static uint8_t quarter_turn_pixel(const struct transform *a, int x, int y)
 {
     int64_t u = 2 * x + 1 - a->out_w, v = 2 * y + 1 - a->out_h;
     int hx = (int)((a->cos30 * u + a->sin30 * v) >> 30) + a->t->ox,
         hy = (int)((a->cos30 * v - a->sin30 * u) >> 30) + a->t->oy;
 
-    return (uint8_t)at(a->t, hx >> 1, hy >> 1);
+    return (uint8_t)image_pixel(a->t, hx >> 1, hy >> 1);
 }
 
 void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch)
@@ -232,7 +236,7 @@ void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out
     assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate does not overflow 64 bits */
     for (int y = 0; y < out_h; y++)
         for (int x = 0; x < out_w; x++)
-            out[(ptrdiff_t)y * out_pitch + x] = quarter ? quarter_pixel(&a, x, y) : turned_pixel(&a, x, y);
+            out[(ptrdiff_t)y * out_pitch + x] = quarter ? quarter_turn_pixel(&a, x, y) : turned_pixel(&a, x, y);
     for (int y = 0; y < out_h && !quarter; y++)
         for (int x = 0; x < out_w; x++) {
             /* This pass makes no pixel transparent. */

@@ -17,7 +17,7 @@ struct turn {
     const uint8_t *smooth, *rim; /* in scratch: the picture at four times the width and height, rows without padding; in
                                     `rim`, inner pixels are 0 */
     uint8_t colour[255];         /* the opaque colours, ascending */
-    int colours;
+    int colour_count;
 };
 
 /* Computes the size of a picture that holds all opaque pixels of an image turned by any angle about (ox, oy), if that
@@ -25,12 +25,12 @@ struct turn {
  * whole pixels when the turn is 0. */
 void turn_size(const uint8_t *in, int w, int h, int pitch, int ox, int oy, int *out_w, int *out_h);
 
-/* Returns the bytes of scratch that turn_open needs for an image. */
-size_t turn_scratch(int w, int h);
+/* Returns the bytes of scratch that turn_init needs for an image. */
+size_t turn_scratch_size(int w, int h);
 
-/* Prepares an image for turning. in and scratch (turn_scratch bytes) must outlive t. w and h are at most FB_MAX; pitch
- * is bytes per row. */
-void turn_open(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch);
+/* Prepares an image for turning. in and scratch (turn_scratch_size bytes) must outlive t. w and h are at most FB_MAX;
+ * pitch is bytes per row. */
+void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int ox, int oy, void *scratch);
 
 /* Paints all out_w x out_h pixels of out: the image turned clockwise about (ox, oy), with that point in the middle of
  * out. Quarter turns copy pixels; other turns choose one of the image's colours for each pixel and never mix colours.

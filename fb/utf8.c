@@ -8,7 +8,7 @@
 
 /* Returns the length of the multi-byte sequence that starts with b, and stores the bits that b contributes to the code.
  * Returns 0 if no sequence starts with b. */
-static int sequence(uint8_t b, uint32_t *code)
+static int decode_lead_byte(uint8_t b, uint32_t *code)
 {
     if (b >= 0xc2 && b <= 0xdf)
         return *code = b & 0x1f, 2;
@@ -21,10 +21,10 @@ static int sequence(uint8_t b, uint32_t *code)
 
 bool utf8_read(const char **s, const char *end, uint32_t *code)
 {
-    static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
+    static const uint32_t min_code[] = { 0, 0, 0x80, 0x800, 0x10000 };
     const uint8_t *p = (const uint8_t *)*s;
-    uint32_t all = 0;
-    int n = sequence(*p, &all);
+    uint32_t value = 0;
+    int n = decode_lead_byte(*p, &value);
 
     (*s)++;
     *code = *p;
@@ -33,12 +33,12 @@ bool utf8_read(const char **s, const char *end, uint32_t *code)
     for (int i = 1; i < n; i++) {
         if ((p[i] & 0xc0) != 0x80)
             return false;
-        all = all << 6 | (p[i] & 0x3f);
+        value = value << 6 | (p[i] & 0x3f);
     }
-    if (all < least[n] || all > UTF8_MAX || (all >= 0xd800 && all <= 0xdfff))
+    if (value < min_code[n] || value > UTF8_MAX || (value >= 0xd800 && value <= 0xdfff))
         return false;
     *s += n - 1;
-    *code = all;
+    *code = value;
     return true;
 }
 
@@ -93,9 +93,9 @@ size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes)
     return count;
 }
 
-size_t utf8_put(char out[UTF8_BYTES], uint32_t code)
+size_t utf8_put(char out[UTF8_MAX_BYTES], uint32_t code)
 {
-    static const uint8_t heads[] = { 0, 0, 0xc0, 0xe0, 0xf0 };
+    static const uint8_t lead_bytes[] = { 0, 0, 0xc0, 0xe0, 0xf0 };
     size_t n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
 
     if (n == 1) {
@@ -104,6 +104,6 @@ size_t utf8_put(char out[UTF8_BYTES], uint32_t code)
     }
     for (size_t i = n - 1; i > 0; i--, code >>= 6)
         out[i] = (char)(0x80 | (code & 0x3f));
-    out[0] = (char)(heads[n] | code);
+    out[0] = (char)(lead_bytes[n] | code);
     return n;
 }

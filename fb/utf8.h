@@ -10,7 +10,7 @@
 
 enum {
     UTF8_MAX = 0x10ffff, /* the highest code point */
-    UTF8_BYTES = 4,      /* maximum length of a code point, in bytes */
+    UTF8_MAX_BYTES = 4,  /* maximum length of a code point, in bytes */
 };
 
 /* Reads the code point at *s, and moves *s past it; *s < end. Returns false if the byte there is not part of valid
@@ -36,6 +36,6 @@ uint32_t utf8_next(const char **s, const char *end);
 size_t utf8_count(const char *s, size_t n, size_t most, size_t *bytes);
 
 /* Writes a code point, at most UTF8_MAX and not a surrogate; returns the bytes written. */
-size_t utf8_put(char out[UTF8_BYTES], uint32_t code);
+size_t utf8_put(char out[UTF8_MAX_BYTES], uint32_t code);
 
 #endif

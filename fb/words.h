@@ -1,6 +1,6 @@
 /*
- * words.h - operations on eight pixels at a time in a 64-bit word. No operation except words_moved moves bits between
- * bytes, so only words_moved depends on the host's byte order.
+ * words.h - operations on eight pixels at a time in a 64-bit word. No operation except words_shift_up moves bits
+ * between bytes, so only words_shift_up depends on the host's byte order.
  */
 #ifndef FB_WORDS_H
 #define FB_WORDS_H
@@ -24,7 +24,7 @@ static inline void words_store(uint8_t *p, uint64_t v)
 }
 
 /* Returns 255 in every byte where s is not 0. */
-static inline uint64_t words_opaque(uint64_t s)
+static inline uint64_t words_opaque_mask(uint64_t s)
 {
     uint64_t top = (((s & WORDS_EACH(0x7f)) + WORDS_EACH(0x7f)) | s) & WORDS_EACH(0x80);
 
@@ -32,7 +32,7 @@ static inline uint64_t words_opaque(uint64_t s)
 }
 
 /* Moves each byte one place up in memory; the first byte becomes 0 and the last is lost. */
-static inline uint64_t words_moved(uint64_t v)
+static inline uint64_t words_shift_up(uint64_t v)
 {
 #if __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
     return v >> 8;

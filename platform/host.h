@@ -33,7 +33,7 @@ bool host_pictures_folder(char out[HOST_PATH]);
 
 /* Writes the prefix that makes `path` absolute: the current folder and a slash, or "" if `path` is absolute or the
  * folder is unknown. */
-void host_folder_before(const char *path, char out[HOST_PATH + 1]);
+void host_base_folder(const char *path, char out[HOST_PATH + 1]);
 
 /* Writes the path of the running program's file, on POSIX with links resolved. Returns false if the host does not know
  * the path. */
@@ -58,49 +58,49 @@ long host_size(const char *path);
 bool host_exists(const char *path);
 
 /* Returns whether the path exists and is not a regular file: a device, a pipe, a folder. */
-bool host_special(const char *path);
+bool host_is_special(const char *path);
 
 /* Returns whether both paths exist and are the same file or folder. */
 bool host_same_file(const char *a, const char *b);
 
 /* Replaces a path by the target of its symbolic links, which need not exist. Returns false if the links form a loop or
  * the target's path is too long. */
-bool host_follow(char path[HOST_PATH]);
+bool host_resolve_links(char path[HOST_PATH]);
 
 /* Creates a folder. Returns whether it exists afterwards. */
 bool host_make_folder(const char *path);
 
 /* Flush a file, or a folder's entries, to the disk. */
-bool host_to_disk(FILE *f);
-void host_folder_to_disk(const char *folder);
+bool host_sync_file(FILE *f);
+void host_sync_folder(const char *folder);
 
 /* Copies the permissions of the file at `path`, if it exists, to f. */
-void host_keep_mode(FILE *f, const char *path);
+void host_copy_mode(FILE *f, const char *path);
 
 bool host_replace(const char *from, const char *to);
 bool host_remove(const char *path);
-bool host_runnable(const char *path);
-int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user);
+bool host_make_executable(const char *path);
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user);
 
 /* ---- the process ---- */
 
 /* Returns the process ID, which no other running program has; 0 on hosts without processes. */
-long host_process(void);
+long host_process_id(void);
 
 /* Writes to standard error immediately. */
 void host_log(const char *text, size_t size);
 
-/* Installs a handler that calls `crashed` when the program crashes; the program then ends as it would have without the
- * handler. A second fault inside `crashed` ends the program immediately. Returns false if the host does not support
+/* Installs a handler that calls `on_crash` when the program crashes; the program then ends as it would have without the
+ * handler. A second fault inside `on_crash` ends the program immediately. Returns false if the host does not support
  * this. */
-bool host_crash_arm(void (*crashed)(const char *what));
+bool host_crash_arm(void (*on_crash)(const char *reason));
 void host_crash_disarm(void);
 
-/* Does the work of plat_each without processes: runs the pieces one after another in this process. Defined in
+/* Does the work of plat_run_jobs without processes: runs the pieces one after another in this process. Defined in
  * stdio.c. */
-bool host_each(int n, const struct plat_work *work);
+bool host_run_jobs(int n, const struct plat_work *work);
 
-/* File functions for `crashed`; they and host_log are safe in a signal handler. host_crash_open creates a file, on
+/* File functions for `on_crash`; they and host_log are safe in a signal handler. host_crash_open creates a file, on
  * POSIX one that only the user can read, and returns its descriptor, or -1 on failure. */
 int host_crash_open(const char *path);
 void host_crash_write(int file, const void *bytes, size_t size);

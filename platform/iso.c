@@ -8,23 +8,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool variable_folder(char out[HOST_PATH], const char *variable, const char *below)
+static bool folder_from_variable(char out[HOST_PATH], const char *variable, const char *suffix)
 {
     const char *value = getenv(variable);
-    return value && value[0] && snprintf(out, HOST_PATH, "%s%s", value, below) < HOST_PATH;
+    return value && value[0] && snprintf(out, HOST_PATH, "%s%s", value, suffix) < HOST_PATH;
 }
 
 bool host_data_folder(char out[HOST_PATH])
 {
-    return variable_folder(out, "APPDATA", "");
+    return folder_from_variable(out, "APPDATA", "");
 }
 
 bool host_pictures_folder(char out[HOST_PATH])
 {
-    return variable_folder(out, "USERPROFILE", "/Pictures");
+    return folder_from_variable(out, "USERPROFILE", "/Pictures");
 }
 
-void host_folder_before(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH + 1])
 {
     (void)path;
     out[0] = 0;
@@ -58,7 +58,7 @@ bool host_exists(const char *path)
     return host_size(path) >= 0;
 }
 
-bool host_special(const char *path)
+bool host_is_special(const char *path)
 {
     (void)path;
     return false;
@@ -69,7 +69,7 @@ bool host_same_file(const char *a, const char *b)
     return strcmp(a, b) == 0;
 }
 
-bool host_follow(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH])
 {
     (void)path;
     return true;
@@ -81,18 +81,18 @@ bool host_make_folder(const char *path)
     return true;
 }
 
-bool host_to_disk(FILE *f)
+bool host_sync_file(FILE *f)
 {
     (void)f;
     return true;
 }
 
-void host_folder_to_disk(const char *folder)
+void host_sync_folder(const char *folder)
 {
     (void)folder;
 }
 
-void host_keep_mode(FILE *f, const char *path)
+void host_copy_mode(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
@@ -112,16 +112,16 @@ bool host_remove(const char *path)
     return remove(path) == 0;
 }
 
-bool host_runnable(const char *path)
+bool host_make_executable(const char *path)
 {
     (void)path;
     return true;
 }
 
-int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
 {
     (void)folder;
-    (void)each;
+    (void)visit;
     (void)user;
     return -1;
 }

@@ -25,7 +25,7 @@ DEFAULT void plat_system(char *text, size_t size)
 }
 #endif
 
-long host_process(void)
+long host_process_id(void)
 {
     return 0;
 }
@@ -35,9 +35,9 @@ void host_log(const char *text, size_t size)
     fwrite(text, 1, size, stderr);
 }
 
-bool host_crash_arm(void (*crashed)(const char *what))
+bool host_crash_arm(void (*on_crash)(const char *what))
 {
-    (void)crashed;
+    (void)on_crash;
     return false;
 }
 
@@ -63,7 +63,7 @@ void host_crash_close(int file)
     (void)file;
 }
 
-void plat_heed_hangup(bool on)
+void plat_catch_hangup(bool on)
 {
     (void)on;
 }
@@ -73,17 +73,17 @@ bool plat_hung_up(void)
     return false;
 }
 
-bool plat_terminal(void)
+bool plat_has_terminal(void)
 {
     return false;
 }
 
-void plat_last_word(const char *last)
+void plat_set_exit_text(const char *text)
 {
-    (void)last;
+    (void)text;
 }
 
-enum plat_registered plat_register(const struct plat_file_type *type, bool on)
+enum plat_register_result plat_register_type(const struct plat_file_type *type, bool on)
 {
     (void)type;
     (void)on;
@@ -96,9 +96,9 @@ bool plat_has_command(const char *name)
     return false;
 }
 
-FILE *plat_command_open(const char *const words[])
+FILE *plat_command_open(const char *const args[])
 {
-    (void)words;
+    (void)args;
     return NULL;
 }
 
@@ -108,7 +108,7 @@ bool plat_command_close(FILE *f)
     return false;
 }
 
-FILE *plat_scratch(void)
+FILE *plat_open_scratch(void)
 {
 #ifdef __wasi__
     return NULL;
@@ -117,7 +117,7 @@ FILE *plat_scratch(void)
 #endif
 }
 
-void *plat_library(const char *name, int version)
+void *plat_open_library(const char *name, int version)
 {
     (void)name;
     (void)version;
@@ -133,7 +133,7 @@ bool plat_library_hint(const char *name, int version, char *text, size_t size)
     return false;
 }
 
-bool plat_symbol(void *library, const char *name, void *function)
+bool plat_find_symbol(void *library, const char *name, void *function)
 {
     (void)library;
     (void)name;
@@ -146,8 +146,8 @@ int plat_cores(void)
     return 1;
 }
 
-bool plat_each(int n, int jobs, const struct plat_work *w)
+bool plat_run_jobs(int n, int jobs, const struct plat_work *w)
 {
     (void)jobs;
-    return host_each(n, w);
+    return host_run_jobs(n, w);
 }

@@ -6,9 +6,9 @@
 #include <string.h>
 #include "platform.h"
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *config)
 {
-    (void)want;
+    (void)config;
     return false;
 }
 
@@ -19,7 +19,7 @@ void plat_close(void)
 void plat_poll(struct plat_input *in)
 {
     memset(in, 0, sizeof *in);
-    in->focus = true;
+    in->has_focus = true;
     in->mouse_x = in->mouse_y = -1;
 }
 

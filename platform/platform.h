@@ -24,12 +24,12 @@
 enum {
     PLAT_KEYS = 256, /* keys of a keyboard: USB HID usages of page 7 (4 is A, 40 is Enter, 225 is left Shift) */
     PLAT_CONTROLLERS = 4,
-    PLAT_TEXT = 64
+    PLAT_TEXT_SIZE = 64
 };
 
 /* Buttons of a controller, named by position, as bit numbers. A stick or trigger pushed more than halfway counts as a
  * button. */
-enum plat_switch {
+enum plat_button {
     PLAT_DPAD_UP,
     PLAT_DPAD_DOWN,
     PLAT_DPAD_LEFT,
@@ -55,11 +55,11 @@ enum plat_switch {
     PLAT_RIGHT_DOWN,
     PLAT_RIGHT_LEFT,
     PLAT_RIGHT_RIGHT,
-    PLAT_SWITCHES
+    PLAT_BUTTONS
 };
 
 /* The labels of a controller's buttons. A button's position does not depend on its label: Nintendo's A is PLAT_EAST. */
-enum plat_kind {
+enum plat_controller_kind {
     PLAT_UNKNOWN,
     PLAT_XBOX,     /* A at the bottom, B on the right, Menu, View; also other controllers with this lettering */
     PLAT_XBOX_360, /* like PLAT_XBOX, with Start and Back */
@@ -67,40 +67,40 @@ enum plat_kind {
     PLAT_PS4,
     PLAT_PS5,
     PLAT_NINTENDO, /* B at the bottom, A on the right */
-    PLAT_KINDS
+    PLAT_CONTROLLER_KINDS
 };
 
 struct plat_controller {
     uint32_t id; /* a different number each time a controller is plugged in */
-    enum plat_kind kind;
+    enum plat_controller_kind kind;
     char name[64]; /* the host's name for the controller; "": unknown */
 };
 
-struct plat_want {
-    int w, h;  /* size of the picture in pixels */
-    int scale; /* window pixels per picture pixel; 0: the largest scale that fits the screen */
-    bool any;  /* with scale 0: allow a scale that is not a whole number */
+struct plat_config {
+    int w, h;        /* size of the picture in pixels */
+    int scale;       /* window pixels per picture pixel; 0: the largest scale that fits the screen */
+    bool fractional; /* with scale 0: allow a scale that is not a whole number */
     bool fullscreen;
     bool vsync;        /* wait for vertical sync, if the port supports it and knows the refresh rate */
-    bool text;         /* fill in plat_input.text; false: keep input methods off */
+    bool text_input;   /* fill in plat_input.text; false: keep input methods off */
     const char *title; /* title of the window; NULL: none */
-    int rate;          /* sound frames per second; 0: no sound, and no sound device is opened */
+    int sound_rate;    /* sound frames per second; 0: no sound, and no sound device is opened */
 };
 
 /* "Held" means down now or pressed since the last poll, so that no tap is lost however rare the polls are. */
 struct plat_input {
     uint8_t keys[PLAT_KEYS / 8];            /* held keys: usage u is bit u & 7 of byte u >> 3 */
-    uint32_t controllers[PLAT_CONTROLLERS]; /* held buttons: bit n is value n of enum plat_switch; 0: not connected */
+    uint32_t controllers[PLAT_CONTROLLERS]; /* held buttons: bit n is value n of enum plat_button; 0: not connected */
     bool quit;                              /* the host asks the program to quit; once set, stays set */
-    bool focus;                             /* the window has keyboard focus; true if the host cannot tell */
+    bool has_focus;                         /* the window has keyboard focus; true if the host cannot tell */
     bool hidden;                            /* the window is minimised or hidden; false if the host cannot tell */
     int mouse_x, mouse_y;                   /* position in pixels of the last picture shown; -1, -1: outside it */
-    uint8_t mouse;                          /* held buttons: bit 0 left, 1 right, 2 middle */
+    uint8_t mouse_buttons;                  /* held buttons: bit 0 left, 1 right, 2 middle */
     int wheel;                              /* notches since the last poll; up is positive */
-    char text[PLAT_TEXT]; /* text typed since the last poll: UTF-8, whole characters, NUL-terminated */
+    char text[PLAT_TEXT_SIZE]; /* text typed since the last poll: UTF-8, whole characters, NUL-terminated */
 };
 
-static inline bool plat_key(const struct plat_input *in, unsigned usage)
+static inline bool plat_key_held(const struct plat_input *in, unsigned usage)
 {
     return in->keys[usage >> 3 & 31] >> (usage & 7) & 1;
 }
@@ -116,7 +116,7 @@ struct program *program_open(int argc, char **argv);
 
 /* Does what is due at plat_usec(), and shows a picture if a frame was due. Call it at each refresh of the screen, or
  * more often. Returns false when the program is over; then call program_close. */
-bool program_frame(struct program *program);
+bool program_run_frame(struct program *program);
 
 /* Ends the program, also in the middle of a run, and frees everything it allocated, so that a host that plays one game
  * after another does not grow. Returns the exit code. */
@@ -124,9 +124,9 @@ int program_close(struct program *program);
 
 /* ---- the six functions of a port ---- */
 
-/* Opens the window, or changes the open window to `want`: a different picture size, scale, title, or fullscreen. On
+/* Opens the window, or changes the open window to `config`: a different picture size, scale, title, or fullscreen. On
  * failure, logs the reason with plat_log and returns false. A missing sound card is not a failure. */
-bool plat_open(const struct plat_want *want);
+bool plat_open(const struct plat_config *config);
 
 /* Closes the window and releases everything. Does nothing when no window is open. */
 void plat_close(void);
@@ -142,8 +142,8 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
  * plat_open. stdio.c has defaults for this and plat_wait. */
 uint64_t plat_usec(void);
 
-/* Returns when plat_usec() has reached `until`, or immediately if the host has the main loop. */
-void plat_wait(uint64_t until);
+/* Returns when plat_usec() has reached `deadline`, or immediately if the host has the main loop. */
+void plat_wait(uint64_t deadline);
 
 /* ---- functions with defaults ---- */
 
@@ -152,16 +152,16 @@ void plat_wait(uint64_t until);
  * bits than 0xRRGGBB, or use a different order. */
 void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256]);
 
-/* Computes the window's size for `want`, for plat_open of a port with windows. room_w, room_h: pixels available for the
- * window's content, without borders and title. With want->scale 0, takes the largest scale that fits: a whole number
- * or, with want->any, a multiple of a quarter; at least 1. */
-void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h);
+/* Computes the window's size for `config`, for plat_open of a port with windows. max_w, max_h: pixels available for the
+ * window's content, without borders and title. With config->scale 0, takes the largest scale that fits: a whole number
+ * or, with config->fractional, a multiple of a quarter; at least 1. */
+void plat_fit(const struct plat_config *config, int max_w, int max_h, int *w, int *h);
 
 /* Facts about the open window. plat_window gets them, and returns false if none are known. */
 struct plat_window {
     int w, h;    /* size in pixels of the area that plat_paint fills */
     int refresh; /* refresh rate of the window's screen in thousandths of a Hz; 0: unknown */
-    bool waits;  /* showing a picture waits for vertical sync */
+    bool vsync;  /* showing a picture waits for vertical sync */
 };
 bool plat_window(struct plat_window *out);
 
@@ -227,7 +227,7 @@ bool plat_program_path(char *path, size_t size);
 
 /* Makes a file executable for everyone who can read it; does nothing on hosts without such a permission. Returns false
  * on failure. */
-bool plat_runnable(const char *name);
+bool plat_make_executable(const char *name);
 
 /* Writes the path under which the user finds a file, absolute if the host can tell. Returns false if there is no such
  * path or it does not fit. */
@@ -243,11 +243,11 @@ long plat_load(const char *name, void *buf, size_t cap);
 
 /* Opens a file for reading, or for writing, which empties it: for pipes, and for files that need not be replaced
  * atomically. Returns NULL on failure; errno may have the reason. */
-FILE *plat_stream(const char *name, bool write);
+FILE *plat_open_stream(const char *name, bool for_writing);
 
 /* Returns whether two names refer to the same file on a disk. If neither exists, returns whether they would, with links
  * followed and the case of letters ignored. A port that cannot tell compares the names. */
-bool plat_same(const char *a, const char *b);
+bool plat_same_file(const char *a, const char *b);
 
 /* Replaces a whole file. Afterwards the file holds the new data, or its old data if this returns false. A symbolic link
  * stays, and its target is replaced. A device or a pipe is written to. If this or plat_append returns false, errno may
@@ -262,21 +262,22 @@ bool plat_remove(const char *name);
 
 struct plat_file {
     const char *name; /* the file's name without its folder */
-    bool folder;
+    bool is_folder;
     int64_t time; /* time of the last change, in host-dependent units; good only for comparisons */
 };
 
-/* Calls `each` for every entry of a folder except . and .., in any order. Returns the number of entries, or -1 if the
+/* Calls `visit` for every entry of a folder except . and .., in any order. Returns the number of entries, or -1 if the
  * folder cannot be read. */
-int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user);
+int plat_list(const char *dir, void (*visit)(void *user, const struct plat_file *file), void *user);
 
 /* Installs a crash handler. When the program crashes (POSIX: SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT; Windows: an
  * unhandled exception or abort), fn is called with context and the cause, such as "SIGSEGV" or "access violation". fn
- * passes the bytes of a report to `out`, which writes them to STEM-N.txt, with the first unused N from 1 on. Then a log
- * line names that file, and the program ends as it would have without a handler. fn runs in a signal handler: it may
- * only read memory and call `out`. stem is a file name as above; fn NULL removes the handler. Each call replaces the
- * handler of the previous one. Returns false if the host does not support this. */
-bool plat_crash(const char *stem, void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
+ * passes the bytes of a report to `write`, which writes them to STEM-N.txt, with the first unused N from 1 on. Then a
+ * log line names that file, and the program ends as it would have without a handler. fn runs in a signal handler: it
+ * may only read memory and call `write`. stem is a file name as above; fn NULL removes the handler. Each call replaces
+ * the handler of the previous one. Returns false if the host does not support this. */
+bool plat_crash(const char *stem,
+                void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
                 void *context);
 
 /* Write, for reports, what the port is built with, such as "SDL 2.28.5, x11", or "no window" if it cannot play games;
@@ -291,15 +292,15 @@ void plat_log(const char *line);
 
 /* For ports. With `on`, closing the terminal or ending the session no longer ends the program immediately; plat_hung_up
  * reports it, and the port must set plat_input.quit. */
-void plat_heed_hangup(bool on);
+void plat_catch_hangup(bool on);
 bool plat_hung_up(void);
 
 /* Returns whether standard error is a terminal on which a line can be overwritten. */
-bool plat_terminal(void);
+bool plat_has_terminal(void);
 
 /* Sets the text that is written to standard error when Ctrl+C or SIGTERM ends the program. The text must stay valid.
  * NULL: none. */
-void plat_last_word(const char *last);
+void plat_set_exit_text(const char *text);
 
 /* A file type that this program opens on a double click: files that end in .ENDING. */
 struct plat_file_type {
@@ -308,36 +309,36 @@ struct plat_file_type {
     const char *title;  /* the name shown to users: "Curtain game" */
 };
 
-enum plat_registered {
+enum plat_register_result {
     PLAT_NO_REGISTRY,    /* not supported: this host stores file types in another way */
     PLAT_NOT_REGISTERED, /* failed; errno has the reason */
-    PLAT_SECOND,         /* registered, but another program remains the default; users can choose this one */
+    PLAT_NOT_DEFAULT,    /* registered, but another program remains the default; users can choose this one */
     PLAT_REGISTERED      /* registered; with on = false, removed */
 };
 
 /* Registers a file type for the current user, on hosts with a registry of file types (Windows). With `on`, a double
  * click on such a file runs this program as `play FILE`, unless another program is the default. Without `on`, removes
  * what registering wrote. */
-enum plat_registered plat_register(const struct plat_file_type *type, bool on);
+enum plat_register_result plat_register_type(const struct plat_file_type *type, bool on);
 
 /* Returns whether a program of that name can be run. name: letters, digits and dashes. */
 bool plat_has_command(const char *name);
 
-/* Starts the program words[0] with these words, which end with NULL, and returns a stream to its standard input. Only
+/* Starts the program args[0] with these words, which end with NULL, and returns a stream to its standard input. Only
  * one program at a time. Until plat_command_close, writing to a pipe that nobody reads is an error, not a signal.
  * Returns NULL on failure; errno may have the reason. */
-FILE *plat_command_open(const char *const words[]);
+FILE *plat_command_open(const char *const args[]);
 
 /* Closes the stream and waits for the program to end. Returns whether everything was written and the program ended with
  * exit code 0. */
 bool plat_command_close(FILE *f);
 
 /* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
-FILE *plat_scratch(void);
+FILE *plat_open_scratch(void);
 
 /* Shared libraries. Opens a library for the rest of the process: "expat" of version 1 is libexpat.so.1 or
  * libexpat-1.dll. Returns NULL if the library is not found. */
-void *plat_library(const char *name, int version);
+void *plat_open_library(const char *name, int version);
 
 /* Writes how to install the library, such as "Debian package: libexpat1". Returns false if the host cannot load
  * libraries. */
@@ -345,11 +346,11 @@ bool plat_library_hint(const char *name, int version, char *text, size_t size);
 
 /* Finds a function in a library; `function` points to the function pointer to set. Returns false if the library does
  * not have the function. */
-bool plat_symbol(void *library, const char *name, void *function);
+bool plat_find_symbol(void *library, const char *name, void *function);
 
-enum { PLAT_JOBS = 64 };
+enum { PLAT_MAX_JOBS = 64 };
 
-/* Returns the number of processors, 1 to PLAT_JOBS. */
+/* Returns the number of processors, 1 to PLAT_MAX_JOBS. */
 int plat_cores(void);
 
 /* Work in n pieces, 0 to n - 1, of which up to `jobs` run at a time. On hosts with fork, each piece runs in a separate
@@ -357,14 +358,14 @@ int plat_cores(void);
  * another in this process. */
 struct plat_work {
     void *context;
-    void (*work)(void *context, int i, FILE *out);
+    void (*run)(void *context, int i, FILE *write);
     void (*done)(void *context, int i, const char *text, size_t n,
-                 int signal);     /* text: the piece's output; signal: 0 if it succeeded */
-    void (*waits)(void *context); /* called a few times a second, or after each piece */
+                 int signal);       /* text: the piece's output; signal: 0 if it succeeded */
+    void (*on_wait)(void *context); /* called a few times a second, or after each piece */
 };
 
 /* Does all pieces, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
  * started or memory is short; some pieces are then not done. */
-bool plat_each(int n, int jobs, const struct plat_work *w);
+bool plat_run_jobs(int n, int jobs, const struct plat_work *w);
 
 #endif

@@ -55,18 +55,18 @@ bool host_data_folder(char out[HOST_PATH])
 
 /* Parses the value of a line NAME="VALUE" of user-dirs.dirs. VALUE starts with / or $HOME; a \ precedes a character
  * that is special to a shell. Returns false if the value is invalid or too long. */
-static bool shell_value(const char *value, const char *home, char *out, size_t size)
+static bool parse_shell_value(const char *value, const char *home, char *out, size_t size)
 {
-    static const char variable[] = "$HOME";
+    static const char home_variable[] = "$HOME";
     size_t n = 0;
     if (*value++ != '"')
         return false;
-    if (strncmp(value, variable, strlen(variable)) == 0) {
+    if (strncmp(value, home_variable, strlen(home_variable)) == 0) {
         n = strlen(home);
         if (n >= size)
             return false;
         memcpy(out, home, n);
-        value += strlen(variable);
+        value += strlen(home_variable);
     }
     for (; *value && *value != '"' && n + 1 < size; value++) {
         value += value[0] == '\\' && value[1];
@@ -78,7 +78,7 @@ static bool shell_value(const char *value, const char *home, char *out, size_t s
 }
 
 /* Reads a folder's path from user-dirs.dirs. Returns false if it is not set there. */
-static bool user_dir(const char *name, const char *home, char *out, size_t size)
+static bool find_user_dir(const char *name, const char *home, char *out, size_t size)
 {
     char line[2 * HOST_PATH];
     const char *config = absolute_variable("XDG_CONFIG_HOME");
@@ -90,7 +90,7 @@ static bool user_dir(const char *name, const char *home, char *out, size_t size)
         const char *s = line + strspn(line, " \t");
         size_t n = strlen(name);
         if (strncmp(s, name, n) == 0 && s[n] == '=')
-            found = shell_value(s + n + 1, home, out, size);
+            found = parse_shell_value(s + n + 1, home, out, size);
     }
     if (f)
         fclose(f);
@@ -99,15 +99,16 @@ static bool user_dir(const char *name, const char *home, char *out, size_t size)
 
 bool host_pictures_folder(char out[HOST_PATH])
 {
-    const char *own = absolute_variable("XDG_PICTURES_DIR"), *home = getenv("HOME");
-    if (own && fits(snprintf(out, HOST_PATH, "%s", own)))
+    const char *pictures = absolute_variable("XDG_PICTURES_DIR"), *home = getenv("HOME");
+    if (pictures && fits(snprintf(out, HOST_PATH, "%s", pictures)))
         return true;
     if (!home || !home[0])
         return false;
-    return user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH) || fits(snprintf(out, HOST_PATH, "%s/Pictures", home));
+    return find_user_dir("XDG_PICTURES_DIR", home, out, HOST_PATH) ||
+           fits(snprintf(out, HOST_PATH, "%s/Pictures", home));
 }
 
-void host_folder_before(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH + 1])
 {
     if (path[0] == '/' || !getcwd(out, HOST_PATH))
         out[0] = 0;
@@ -156,7 +157,7 @@ bool host_exists(const char *path)
     return access(path, F_OK) == 0;
 }
 
-bool host_special(const char *path)
+bool host_is_special(const char *path)
 {
     struct stat st;
     return stat(path, &st) == 0 && !S_ISREG(st.st_mode);
@@ -168,19 +169,19 @@ bool host_same_file(const char *a, const char *b)
     return stat(a, &one) == 0 && stat(b, &two) == 0 && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
 }
 
-enum { MOST_LINKS = 40 };
+enum { MAX_LINKS = 40 };
 
-bool host_follow(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH])
 {
-    char to[HOST_PATH], joined[2 * HOST_PATH];
-    for (int i = 0; i < MOST_LINKS; i++) {
-        ssize_t n = readlink(path, to, sizeof to - 1);
+    char target[HOST_PATH], joined[2 * HOST_PATH];
+    for (int i = 0; i < MAX_LINKS; i++) {
+        ssize_t n = readlink(path, target, sizeof target - 1);
         if (n < 0)
             return true;
-        to[n] = 0;
+        target[n] = 0;
         char *slash = strrchr(path, '/');
-        int folder = to[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
-        if (snprintf(joined, sizeof joined, "%.*s%s", folder, path, to) >= HOST_PATH)
+        int folder_length = target[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH)
             break;
         memcpy(path, joined, strlen(joined) + 1);
     }
@@ -193,13 +194,13 @@ bool host_make_folder(const char *path)
     return mkdir(path, 0777) == 0 || errno == EEXIST;
 }
 
-bool host_to_disk(FILE *f)
+bool host_sync_file(FILE *f)
 {
     return fsync(fileno(f)) == 0 || errno == EINVAL; /* EINVAL: not on a disk, such as a pipe */
 }
 
 /* A rename is durable only after the folder is synced. */
-void host_folder_to_disk(const char *folder)
+void host_sync_folder(const char *folder)
 {
     int fd = open(folder, O_RDONLY);
     if (fd < 0)
@@ -219,32 +220,32 @@ bool host_remove(const char *path)
 }
 
 #ifdef __wasi__
-void host_keep_mode(FILE *f, const char *path)
+void host_copy_mode(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
 }
 
-bool host_runnable(const char *path)
+bool host_make_executable(const char *path)
 {
     return path != NULL;
 }
 #else
-void host_keep_mode(FILE *f, const char *path)
+void host_copy_mode(FILE *f, const char *path)
 {
     struct stat st;
     if (stat(path, &st) == 0)
         (void)!fchmod(fileno(f), st.st_mode & 0777);
 }
 
-bool host_runnable(const char *path)
+bool host_make_executable(const char *path)
 {
     struct stat st;
     return stat(path, &st) == 0 && chmod(path, (st.st_mode & 0777) | (st.st_mode & 0444) >> 2) == 0;
 }
 #endif
 
-static bool entry(struct plat_file *file, const char *folder, const char *name)
+static bool read_entry(struct plat_file *file, const char *folder, const char *name)
 {
     char path[2 * HOST_PATH];
     struct stat st;
@@ -256,12 +257,12 @@ static bool entry(struct plat_file *file, const char *folder, const char *name)
                                                                                * folders */
         return false;
     file->name = name;
-    file->folder = S_ISDIR(st.st_mode);
+    file->is_folder = S_ISDIR(st.st_mode);
     file->time = (int64_t)st.CHANGED.tv_sec * 1000000000 + st.CHANGED.tv_nsec;
     return true;
 }
 
-int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
 {
     DIR *d = opendir(folder);
     int n = 0;
@@ -269,9 +270,9 @@ int host_list(const char *folder, void (*each)(void *user, const struct plat_fil
         return -1;
     for (struct dirent *e; (e = readdir(d)) != NULL;) {
         struct plat_file file;
-        if (!entry(&file, folder, e->d_name))
+        if (!read_entry(&file, folder, e->d_name))
             continue;
-        each(user, &file);
+        visit(user, &file);
         n++;
     }
     closedir(d);

@@ -43,9 +43,9 @@ DEFAULT bool plat_program(char *name, size_t size)
         if (access(links[i], F_OK) == 0)
             return snprintf(name, size, "%s", links[i]) < (int)size;
 #ifdef __linux__
-    const char *started = (const char *)getauxval(AT_EXECFN);
-    if (started && access(started, F_OK) == 0)
-        return snprintf(name, size, "%s", started) < (int)size;
+    const char *exec_name = (const char *)getauxval(AT_EXECFN);
+    if (exec_name && access(exec_name, F_OK) == 0)
+        return snprintf(name, size, "%s", exec_name) < (int)size;
 #endif
     return false;
 }
@@ -71,7 +71,7 @@ DEFAULT void plat_system(char *text, size_t size)
 }
 #endif
 
-long host_process(void)
+long host_process_id(void)
 {
     return (long)getpid();
 }
@@ -106,9 +106,9 @@ static const struct {
 enum { CRASH_SIGNALS = sizeof crash_signals / sizeof *crash_signals };
 
 static struct {
-    void (*crashed)(const char *what);
+    void (*on_crash)(const char *what);
     bool armed;
-    struct sigaction before[CRASH_SIGNALS];
+    struct sigaction previous[CRASH_SIGNALS];
     char stack[CRASH_STACK]; /* the handler's stack; the program's may have overflowed */
 } crash;
 
@@ -116,31 +116,31 @@ static struct {
 void host_crash_disarm(void)
 {
     for (int i = 0; crash.armed && i < CRASH_SIGNALS; i++)
-        sigaction(crash_signals[i].sig, &crash.before[i], 0);
+        sigaction(crash_signals[i].sig, &crash.previous[i], 0);
     crash.armed = false;
 }
 
-static void crash_signal(int sig)
+static void handle_crash(int sig)
 {
-    const char *what = "a signal";
+    const char *reason = "a signal";
     for (int i = 0; i < CRASH_SIGNALS; i++)
-        what = crash_signals[i].sig == sig ? crash_signals[i].name : what;
+        reason = crash_signals[i].sig == sig ? crash_signals[i].name : reason;
     host_crash_disarm();
-    crash.crashed(what);
+    crash.on_crash(reason);
     raise(sig); /* delivered to the earlier handler when this one returns */
 }
 
-bool host_crash_arm(void (*crashed)(const char *what))
+bool host_crash_arm(void (*on_crash)(const char *what))
 {
     stack_t stack = { .ss_sp = crash.stack, .ss_size = sizeof crash.stack };
     struct sigaction act = { 0 };
     if (sigaltstack(&stack, 0) != 0)
         return false;
-    crash.crashed = crashed;
-    act.sa_handler = crash_signal;
+    crash.on_crash = on_crash;
+    act.sa_handler = handle_crash;
     act.sa_flags = SA_ONSTACK;
     for (int i = 0; i < CRASH_SIGNALS; i++)
-        sigaction(crash_signals[i].sig, &act, &crash.before[i]);
+        sigaction(crash_signals[i].sig, &act, &crash.previous[i]);
     crash.armed = true;
     return true;
 }
@@ -163,52 +163,52 @@ void host_crash_close(int file)
 /* ---- signals, whose earlier handlers are restored afterwards ---- */
 
 /* A signal that this file handles temporarily. */
-struct heeded {
+struct caught_signal {
     int sig;
-    bool on;
-    struct sigaction before;
+    bool installed;
+    struct sigaction previous;
 };
 
-static void heed(struct heeded *h, void (*handler)(int))
+static void catch_signal(struct caught_signal *h, void (*handler)(int))
 {
     struct sigaction act = { 0 };
 
     act.sa_handler = handler;
     act.sa_flags = SA_RESTART;
-    if (!h->on)
-        h->on = sigaction(h->sig, &act, &h->before) == 0;
+    if (!h->installed)
+        h->installed = sigaction(h->sig, &act, &h->previous) == 0;
 }
 
-static void heed_no_more(struct heeded *h)
+static void restore_signal(struct caught_signal *h)
 {
-    if (h->on)
-        sigaction(h->sig, &h->before, NULL);
-    h->on = false;
+    if (h->installed)
+        sigaction(h->sig, &h->previous, NULL);
+    h->installed = false;
 }
 
 /* Like heed, but a signal that was ignored stays ignored. */
-static void heed_unless_ignored(struct heeded *h, void (*handler)(int))
+static void catch_unless_ignored(struct caught_signal *h, void (*handler)(int))
 {
-    heed(h, handler);
-    if (h->on && h->before.sa_handler == SIG_IGN)
-        heed_no_more(h);
+    catch_signal(h, handler);
+    if (h->installed && h->previous.sa_handler == SIG_IGN)
+        restore_signal(h);
 }
 
 static volatile sig_atomic_t hung_up;
-static struct heeded hangup = { .sig = SIGHUP };
+static struct caught_signal hangup = { .sig = SIGHUP };
 
-static void hang_up(int sig)
+static void handle_hangup(int sig)
 {
     (void)sig;
     hung_up = 1;
 }
 
-void plat_heed_hangup(bool on)
+void plat_catch_hangup(bool on)
 {
     if (on)
-        heed_unless_ignored(&hangup, hang_up);
+        catch_unless_ignored(&hangup, handle_hangup);
     else
-        heed_no_more(&hangup);
+        restore_signal(&hangup);
 }
 
 bool plat_hung_up(void)
@@ -216,40 +216,40 @@ bool plat_hung_up(void)
     return hung_up;
 }
 
-static const char *volatile last_word;
+static const char *volatile exit_text;
 
-static struct heeded breaks[] = { { .sig = SIGINT }, { .sig = SIGTERM } };
+static struct caught_signal break_signals[] = { { .sig = SIGINT }, { .sig = SIGTERM } };
 
-enum { BREAKS = sizeof breaks / sizeof *breaks };
+enum { BREAK_SIGNALS = sizeof break_signals / sizeof *break_signals };
 
 /* The raised signal stays blocked until this handler returns, and then reaches the earlier handler. */
-static void broken_off(int sig)
+static void handle_break(int sig)
 {
-    if (last_word && write(STDERR_FILENO, last_word, strlen(last_word)) < 0)
+    if (exit_text && write(STDERR_FILENO, exit_text, strlen(exit_text)) < 0)
         _exit(128 + sig);
-    for (int i = 0; i < BREAKS; i++)
-        heed_no_more(&breaks[i]);
+    for (int i = 0; i < BREAK_SIGNALS; i++)
+        restore_signal(&break_signals[i]);
     raise(sig);
 }
 
-void plat_last_word(const char *last)
+void plat_set_exit_text(const char *text)
 {
-    last_word = last;
-    for (int i = 0; i < BREAKS; i++)
-        if (last)
-            heed_unless_ignored(&breaks[i], broken_off);
+    exit_text = text;
+    for (int i = 0; i < BREAK_SIGNALS; i++)
+        if (text)
+            catch_unless_ignored(&break_signals[i], handle_break);
         else
-            heed_no_more(&breaks[i]);
+            restore_signal(&break_signals[i]);
 }
 
 /* ---- another program ---- */
 
-bool plat_terminal(void)
+bool plat_has_terminal(void)
 {
     return isatty(STDERR_FILENO);
 }
 
-enum plat_registered plat_register(const struct plat_file_type *type, bool on)
+enum plat_register_result plat_register_type(const struct plat_file_type *type, bool on)
 {
     (void)type;
     (void)on;
@@ -273,60 +273,60 @@ bool plat_has_command(const char *name)
 
 static struct {
     pid_t pid;
-    struct heeded broken_pipe;
+    struct caught_signal broken_pipe;
 } command = { .broken_pipe = { .sig = SIGPIPE } };
 
-/* Starts a program with `from` as its standard input. The program does not inherit `to`. */
-static bool spawn(const char *const words[], int from, int to)
+/* Starts a program with `pipe_fd` as its standard input. The program does not inherit `write_end`. */
+static bool spawn_command(const char *const args[], int read_end, int write_end)
 {
     posix_spawn_file_actions_t actions;
 
     if (posix_spawn_file_actions_init(&actions) != 0)
         return false;
-    posix_spawn_file_actions_adddup2(&actions, from, STDIN_FILENO);
-    posix_spawn_file_actions_addclose(&actions, from);
-    posix_spawn_file_actions_addclose(&actions, to);
-    const int why = posix_spawnp(&command.pid, words[0], &actions, NULL, (char *const *)(uintptr_t)words, environ);
+    posix_spawn_file_actions_adddup2(&actions, read_end, STDIN_FILENO);
+    posix_spawn_file_actions_addclose(&actions, read_end);
+    posix_spawn_file_actions_addclose(&actions, write_end);
+    const int error = posix_spawnp(&command.pid, args[0], &actions, NULL, (char *const *)(uintptr_t)args, environ);
     posix_spawn_file_actions_destroy(&actions);
-    errno = why;
-    return why == 0;
+    errno = error;
+    return error == 0;
 }
 
-FILE *plat_command_open(const char *const words[])
+FILE *plat_command_open(const char *const args[])
 {
     int ends[2];
 
     if (pipe(ends) != 0)
         return NULL;
     FILE *f = fdopen(ends[1], "w");
-    heed(&command.broken_pipe, SIG_IGN);
-    const bool good = f && spawn(words, ends[0], ends[1]);
+    catch_signal(&command.broken_pipe, SIG_IGN);
+    const bool good = f && spawn_command(args, ends[0], ends[1]);
     close(ends[0]);
     if (good)
         return f;
-    const int why = errno;
-    heed_no_more(&command.broken_pipe);
+    const int error = errno;
+    restore_signal(&command.broken_pipe);
     if (f)
         fclose(f);
     else
         close(ends[1]);
-    errno = why;
+    errno = error;
     return NULL;
 }
 
 bool plat_command_close(FILE *f)
 {
     const bool good = fflush(f) == 0 && !ferror(f);
-    int how = 0;
+    int status = 0;
 
     fclose(f);
-    while (waitpid(command.pid, &how, 0) < 0 && errno == EINTR)
+    while (waitpid(command.pid, &status, 0) < 0 && errno == EINTR)
         continue;
-    heed_no_more(&command.broken_pipe);
-    return good && WIFEXITED(how) && WEXITSTATUS(how) == 0;
+    restore_signal(&command.broken_pipe);
+    return good && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-FILE *plat_scratch(void)
+FILE *plat_open_scratch(void)
 {
     return tmpfile();
 }
@@ -351,7 +351,7 @@ enum { HAS_LIBRARIES = 0 };
 enum { HAS_LIBRARIES = 1 };
 #endif
 
-void *plat_library(const char *name, int version)
+void *plat_open_library(const char *name, int version)
 {
     char file[128];
 
@@ -366,7 +366,7 @@ bool plat_library_hint(const char *name, int version, char *text, size_t size)
     return HAS_LIBRARIES;
 }
 
-bool plat_symbol(void *library, const char *name, void *function)
+bool plat_find_symbol(void *library, const char *name, void *function)
 {
     void *found = dlsym(library, name);
 
@@ -381,141 +381,143 @@ int plat_cores(void)
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
 
-    return n < 1 ? 1 : n > PLAT_JOBS ? PLAT_JOBS : (int)n;
+    return n < 1 ? 1 : n > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : (int)n;
 }
 
 /* ---- pieces of work ---- */
 
-enum { WAIT_MS = 250, PIECE = 4096 };
+enum { WAIT_MS = 250, READ_CHUNK = 4096 };
 
 struct job {
-    int piece, from; /* read end of the piece's pipe; -1: the job is free */
+    int piece, pipe_fd; /* read end of the piece's pipe; -1: the job is free */
     pid_t pid;
     char *text;
-    size_t n, room;
+    size_t n, cap;
 };
 
 /* Does a piece in the child process. Never returns; _exit flushes none of the parent's buffers. Output is
  * line-buffered, so that lines written before a crash are not lost. */
-static void do_piece(const struct plat_work *w, int piece, int to)
+static void run_piece(const struct plat_work *w, int piece, int fd)
 {
-    FILE *out = fdopen(to, "w");
+    FILE *out = fdopen(fd, "w");
 
     if (out) {
-        setvbuf(out, NULL, _IOLBF, PIECE);
-        w->work(w->context, piece, out);
+        setvbuf(out, NULL, _IOLBF, READ_CHUNK);
+        w->run(w->context, piece, out);
         fclose(out);
     }
     _exit(out ? 0 : 1);
 }
 
-static bool start(struct job *j, int piece, const struct plat_work *w)
+static bool start_job(struct job *j, int piece, const struct plat_work *w)
 {
     int ends[2];
 
     if (pipe(ends) != 0)
         return false;
     fflush(NULL);
-    *j = (struct job){ .piece = piece, .from = ends[0], .pid = fork() };
+    *j = (struct job){ .piece = piece, .pipe_fd = ends[0], .pid = fork() };
     if (j->pid == 0) {
         close(ends[0]);
-        do_piece(w, piece, ends[1]);
+        run_piece(w, piece, ends[1]);
     }
     close(ends[1]);
     if (j->pid > 0)
         return true;
     close(ends[0]);
-    j->from = -1;
+    j->pipe_fd = -1;
     return false;
 }
 
-static bool more_room(struct job *j)
+static bool reserve_text(struct job *j)
 {
-    if (j->room - j->n >= PIECE)
+    if (j->cap - j->n >= READ_CHUNK)
         return true;
-    char *more = realloc(j->text, j->room + 4 * PIECE);
-    if (!more)
+    char *grown = realloc(j->text, j->cap + 4 * READ_CHUNK);
+    if (!grown)
         return false;
-    j->text = more;
-    j->room += 4 * PIECE;
+    j->text = grown;
+    j->cap += 4 * READ_CHUNK;
     return true;
 }
 
-static void end(struct job *j, const struct plat_work *w)
+static void end_job(struct job *j, const struct plat_work *w)
 {
-    int how = 0;
+    int status = 0;
 
-    close(j->from);
-    j->from = -1;
-    while (waitpid(j->pid, &how, 0) < 0 && errno == EINTR)
+    close(j->pipe_fd);
+    j->pipe_fd = -1;
+    while (waitpid(j->pid, &status, 0) < 0 && errno == EINTR)
         continue;
-    const int failed = WIFSIGNALED(how) ? WTERMSIG(how) : WIFEXITED(how) && WEXITSTATUS(how) == 0 ? 0 : SIGABRT;
-    w->done(w->context, j->piece, j->text ? j->text : "", j->n, failed);
+    const int sig = WIFSIGNALED(status)                             ? WTERMSIG(status)
+                    : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0
+                                                                    : SIGABRT;
+    w->done(w->context, j->piece, j->text ? j->text : "", j->n, sig);
     free(j->text);
     j->text = NULL;
 }
 
 /* Reads available output of a job; at end of file, ends the job. Returns false when memory is short. */
-static bool take(struct job *j, const struct plat_work *w)
+static bool read_output(struct job *j, const struct plat_work *w)
 {
-    if (!more_room(j))
+    if (!reserve_text(j))
         return false;
-    const ssize_t n = read(j->from, j->text + j->n, j->room - j->n);
+    const ssize_t n = read(j->pipe_fd, j->text + j->n, j->cap - j->n);
     if (n > 0)
         j->n += (size_t)n;
     else if (n == 0 || errno != EINTR)
-        end(j, w);
+        end_job(j, w);
     return true;
 }
 
 /* Waits until jobs have output, at most WAIT_MS, and reads it. Returns false when memory is short. */
-static bool wait_for(struct job *jobs, int n, const struct plat_work *w)
+static bool wait_for_output(struct job *jobs, int n, const struct plat_work *w)
 {
-    struct pollfd fds[PLAT_JOBS];
+    struct pollfd fds[PLAT_MAX_JOBS];
     bool good = true;
 
     for (int i = 0; i < n; i++)
-        fds[i] = (struct pollfd){ .fd = jobs[i].from, .events = POLLIN };
+        fds[i] = (struct pollfd){ .fd = jobs[i].pipe_fd, .events = POLLIN };
     if (poll(fds, (nfds_t)n, WAIT_MS) > 0)
         for (int i = 0; i < n && good; i++)
             if (fds[i].fd >= 0 && fds[i].revents)
-                good = take(&jobs[i], w);
-    w->waits(w->context);
+                good = read_output(&jobs[i], w);
+    w->on_wait(w->context);
     return good;
 }
 
 /* Terminates the running jobs after a failure. */
-static void give_up(struct job *jobs, int n)
+static void kill_jobs(struct job *jobs, int n)
 {
     for (int i = 0; i < n; i++) {
-        if (jobs[i].from < 0)
+        if (jobs[i].pipe_fd < 0)
             continue;
         kill(jobs[i].pid, SIGTERM);
-        close(jobs[i].from);
+        close(jobs[i].pipe_fd);
         waitpid(jobs[i].pid, NULL, 0);
         free(jobs[i].text);
     }
 }
 
-bool plat_each(int n, int most, const struct plat_work *w)
+bool plat_run_jobs(int n, int max_jobs, const struct plat_work *w)
 {
-    struct job jobs[PLAT_JOBS];
+    struct job jobs[PLAT_MAX_JOBS];
     int next = 0, running = 0;
     bool good = true;
 
-    most = most < 1 ? 1 : most > PLAT_JOBS ? PLAT_JOBS : most;
-    for (int i = 0; i < most; i++)
-        jobs[i] = (struct job){ .from = -1 };
+    max_jobs = max_jobs < 1 ? 1 : max_jobs > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : max_jobs;
+    for (int i = 0; i < max_jobs; i++)
+        jobs[i] = (struct job){ .pipe_fd = -1 };
     while (good && (next < n || running)) {
         running = 0;
-        for (int i = 0; i < most && good; i++) {
-            if (jobs[i].from < 0 && next < n)
-                good = start(&jobs[i], next++, w);
-            running += jobs[i].from >= 0;
+        for (int i = 0; i < max_jobs && good; i++) {
+            if (jobs[i].pipe_fd < 0 && next < n)
+                good = start_job(&jobs[i], next++, w);
+            running += jobs[i].pipe_fd >= 0;
         }
-        good = good && (running == 0 || wait_for(jobs, most, w));
+        good = good && (running == 0 || wait_for_output(jobs, max_jobs, w));
     }
     if (!good)
-        give_up(jobs, most);
+        kill_jobs(jobs, max_jobs);
     return good;
 }

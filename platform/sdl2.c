@@ -16,12 +16,12 @@
 #include "platform.h"
 
 enum {
-    QUEUE_FRAMES = 9600, /* while more than this is queued (0.2 s), new sound is dropped */
+    MAX_QUEUED_FRAMES = 9600, /* while more than this is queued (0.2 s), new sound is dropped */
     FRAME_BYTES = 4,
-    PERIOD = 256,   /* size of the card's buffer in frames */
-    PUSHED = 16384, /* axis value above which a stick or trigger counts as pressed: half of its range */
-    TITLE = 40,     /* pixels of a window's title bar and of its other edges, while they are unknown */
-    EDGE = 2,
+    PERIOD = 256,            /* size of the card's buffer in frames */
+    STICK_THRESHOLD = 16384, /* axis value above which a stick or trigger counts as pressed: half of its range */
+    TITLE_HEIGHT = 40,       /* pixels of a window's title bar and of its other edges, while they are unknown */
+    BORDER_SIZE = 2,
 };
 
 /* The functions in use; SDL_Init is called as sdl.Init. */
@@ -59,29 +59,29 @@ static struct {
     SDL_Window *window;
     SDL_Renderer *renderer;
     SDL_Texture *texture;
-    struct plat_want want;
+    struct plat_config config;
     int texture_w, texture_h;
-    SDL_Rect on; /* the picture's rectangle in the window, in pixels */
+    SDL_Rect picture_rect; /* the picture's rectangle in the window, in pixels */
     SDL_AudioDeviceID speaker;
-    int taken; /* frames that the card has taken but not played: about two periods */
+    int device_frames; /* frames that the card has taken but not played: about two periods */
 } port;
 
-/* Keys and buttons. `down` follows presses and releases; `seen` collects presses until a poll reports them. */
+/* Keys and buttons. `down` follows presses and releases; `pressed` collects presses until a poll reports them. */
 static struct {
-    uint8_t down[PLAT_KEYS / 8], seen[PLAT_KEYS / 8];
-    uint32_t pad_down[PLAT_CONTROLLERS], pad_seen[PLAT_CONTROLLERS];
+    uint8_t down[PLAT_KEYS / 8], pressed[PLAT_KEYS / 8];
+    uint32_t pad_down[PLAT_CONTROLLERS], pad_pressed[PLAT_CONTROLLERS];
     SDL_GameController *controller[PLAT_CONTROLLERS];
-    uint8_t mouse_down, mouse_seen;
+    uint8_t mouse_down, mouse_pressed;
     int wheel;
     bool quit;
-    char text[PLAT_TEXT];
+    char text[PLAT_TEXT_SIZE];
     char *dropped; /* path of the last dropped file, to be freed with sdl.free; NULL: none */
-} in;
+} input;
 
-static bool failed(const char *what)
+static bool log_failure(const char *action)
 {
     char line[512];
-    snprintf(line, sizeof line, "%s: %s", what, sdl.GetError());
+    snprintf(line, sizeof line, "%s: %s", action, sdl.GetError());
     plat_log(line);
     return false;
 }
@@ -89,7 +89,7 @@ static bool failed(const char *what)
 /* ---- the library ---- */
 
 /* Fills in `sdl`. Returns false if the library is missing or too old. */
-static bool find_functions(void)
+static bool load_functions(void)
 {
 #ifdef SDL_LINKED
 #define STORE(name) sdl.name = SDL_##name;
@@ -97,9 +97,9 @@ static bool find_functions(void)
     NEWER_FUNCTIONS(STORE)
     return true;
 #else
-#define MISSING(name)    || !plat_symbol(library, "SDL_" #name, &sdl.name)
-#define FIND_NEWER(name) plat_symbol(library, "SDL_" #name, &sdl.name);
-    void *library = plat_library("SDL2-2.0", 0);
+#define MISSING(name)    || !plat_find_symbol(library, "SDL_" #name, &sdl.name)
+#define FIND_NEWER(name) plat_find_symbol(library, "SDL_" #name, &sdl.name);
+    void *library = plat_open_library("SDL2-2.0", 0);
 
     if (!library FUNCTIONS(MISSING))
         return false;
@@ -110,19 +110,19 @@ static bool find_functions(void)
 
 static bool loaded;
 
-static bool load(void)
+static bool load_sdl(void)
 {
-    return loaded = loaded || find_functions();
+    return loaded = loaded || load_functions();
 }
 
 /* ---- window ---- */
 
 /* Gets the size of the part of the desktop that a window's content may fill, without title bar and edges; 0, 0 if
  * unknown. Uses the borders of the window if it is open, otherwise TITLE and EDGE. */
-static void find_room(int *w, int *h)
+static void find_usable_size(int *w, int *h)
 {
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
-    int top = TITLE, left = EDGE, bottom = EDGE, right = EDGE;
+    int top = TITLE_HEIGHT, left = BORDER_SIZE, bottom = BORDER_SIZE, right = BORDER_SIZE;
     SDL_Rect r;
 
     *w = *h = 0;
@@ -131,62 +131,62 @@ static void find_room(int *w, int *h)
     if (port.window && !(sdl.GetWindowFlags(port.window) & SDL_WINDOW_FULLSCREEN))
         sdl.GetWindowBordersSize(port.window, &top, &left, &bottom, &right); /* zeroes if SDL does not know them */
     *w = r.w - left - right;
-    *h = r.h - (top ? top : TITLE) - bottom;
+    *h = r.h - (top ? top : TITLE_HEIGHT) - bottom;
 }
 
 /* Returns whether to use VSync. Without a refresh rate, VSync would only show pictures late. */
-static bool can_wait(const struct plat_want *want)
+static bool can_vsync(const struct plat_config *config)
 {
     SDL_DisplayMode mode;
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
 
-    return want->vsync && sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
+    return config->vsync && sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0 && mode.refresh_rate > 0;
 }
 
-static bool open_window(const struct plat_want *want)
+static bool open_window(const struct plat_config *config)
 {
-    const char *title = want->title ? want->title : "";
+    const char *title = config->title ? config->title : "";
     Uint32 flags = SDL_WINDOW_RESIZABLE | SDL_WINDOW_ALLOW_HIGHDPI;
-    int w, h, room_w, room_h;
+    int w, h, max_w, max_h;
 
-    if (want->fullscreen)
+    if (config->fullscreen)
         flags |= SDL_WINDOW_FULLSCREEN_DESKTOP;
-    find_room(&room_w, &room_h);
-    plat_fit(want, room_w, room_h, &w, &h);
+    find_usable_size(&max_w, &max_h);
+    plat_fit(config, max_w, max_h, &w, &h);
     port.window = sdl.CreateWindow(title, SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED, w, h, flags);
     if (!port.window)
-        return failed("cannot open a window");
-    sdl.SetWindowMinimumSize(port.window, want->w, want->h);
-    port.renderer = sdl.CreateRenderer(port.window, -1, can_wait(want) ? SDL_RENDERER_PRESENTVSYNC : 0);
+        return log_failure("cannot open a window");
+    sdl.SetWindowMinimumSize(port.window, config->w, config->h);
+    port.renderer = sdl.CreateRenderer(port.window, -1, can_vsync(config) ? SDL_RENDERER_PRESENTVSYNC : 0);
     if (!port.renderer)
-        return failed("cannot create a renderer");
+        return log_failure("cannot create a renderer");
     return true;
 }
 
-static void change_vsync(const struct plat_want *want)
+static void change_vsync(const struct plat_config *config)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 18)
-    if (sdl.RenderSetVSync && want->vsync != port.want.vsync)
-        sdl.RenderSetVSync(port.renderer, can_wait(want)); /* may fail; plat_window reports the state */
+    if (sdl.RenderSetVSync && config->vsync != port.config.vsync)
+        sdl.RenderSetVSync(port.renderer, can_vsync(config)); /* may fail; plat_window reports the state */
 #else
     (void)want;
 #endif
 }
 
-static void change_window(const struct plat_want *want)
+static void change_window(const struct plat_config *config)
 {
-    if (want->title)
-        sdl.SetWindowTitle(port.window, want->title);
-    if (want->fullscreen != port.want.fullscreen)
-        sdl.SetWindowFullscreen(port.window, want->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
-    change_vsync(want);
-    if (want->w == port.want.w && want->h == port.want.h && want->scale == port.want.scale &&
-        want->any == port.want.any)
+    if (config->title)
+        sdl.SetWindowTitle(port.window, config->title);
+    if (config->fullscreen != port.config.fullscreen)
+        sdl.SetWindowFullscreen(port.window, config->fullscreen ? SDL_WINDOW_FULLSCREEN_DESKTOP : 0);
+    change_vsync(config);
+    if (config->w == port.config.w && config->h == port.config.h && config->scale == port.config.scale &&
+        config->fractional == port.config.fractional)
         return;
-    int w, h, room_w, room_h;
-    find_room(&room_w, &room_h);
-    plat_fit(want, room_w, room_h, &w, &h);
-    sdl.SetWindowMinimumSize(port.window, want->w, want->h);
+    int w, h, max_w, max_h;
+    find_usable_size(&max_w, &max_h);
+    plat_fit(config, max_w, max_h, &w, &h);
+    sdl.SetWindowMinimumSize(port.window, config->w, config->h);
     sdl.SetWindowSize(port.window, w, h);
 }
 
@@ -216,17 +216,17 @@ static void ignore_alsa(const char *file, int line, const char *function, int er
     (void)format;
 }
 
-static void quiet_alsa(void)
+static void silence_alsa(void)
 {
     typedef int set_handler(void (*)(const char *, int, const char *, int, const char *, ...));
-    void *library = plat_library("asound", 2);
+    void *library = plat_open_library("asound", 2);
     set_handler *set;
 
-    if (library && plat_symbol(library, "snd_lib_error_set_handler", &set))
+    if (library && plat_find_symbol(library, "snd_lib_error_set_handler", &set))
         set(ignore_alsa);
 }
 #else
-static void quiet_alsa(void)
+static void silence_alsa(void)
 {
 }
 #endif
@@ -235,22 +235,24 @@ static bool start_sound(void)
 {
     if (sdl.WasInit(SDL_INIT_AUDIO))
         return true;
-    quiet_alsa();
+    silence_alsa();
     return sdl.InitSubSystem(SDL_INIT_AUDIO) == 0;
 }
 
-static void open_speaker(bool complain)
+static void open_speaker(bool logs_failure)
 {
-    const SDL_AudioSpec want = { .freq = port.want.rate, .format = AUDIO_S16SYS, .channels = 2, .samples = PERIOD };
+    const SDL_AudioSpec want = {
+        .freq = port.config.sound_rate, .format = AUDIO_S16SYS, .channels = 2, .samples = PERIOD
+    };
     SDL_AudioSpec have;
 
     if (start_sound())
         port.speaker = sdl.OpenAudioDevice(0, 0, &want, &have, 0);
     if (port.speaker) {
-        port.taken = 2 * have.samples;
+        port.device_frames = 2 * have.samples;
         sdl.PauseAudioDevice(port.speaker, 0);
-    } else if (complain) {
-        failed("no sound");
+    } else if (logs_failure) {
+        log_failure("no sound");
     }
 }
 
@@ -262,9 +264,9 @@ static void close_speaker(void)
 }
 
 /* Opens the speaker if sound is on and the speaker is closed: a device may be available now. */
-static void speaker_comes(void)
+static void speaker_added(void)
 {
-    if (port.speaker || port.want.rate <= 0)
+    if (port.speaker || port.config.sound_rate <= 0)
         return;
     open_speaker(false);
     if (port.speaker)
@@ -272,23 +274,23 @@ static void speaker_comes(void)
 }
 
 /* Closes the speaker if its device was removed, and tries to open another. */
-static void speaker_goes(SDL_AudioDeviceID device)
+static void speaker_removed(SDL_AudioDeviceID device)
 {
     if (!port.speaker || device != port.speaker)
         return;
     plat_log("curtain: sound device lost");
     close_speaker();
-    speaker_comes();
+    speaker_added();
 }
 
 static void change_speaker(int rate)
 {
-    const bool another = rate != port.want.rate;
+    const bool changed = rate != port.config.sound_rate;
 
-    port.want.rate = rate;
-    if (another)
+    port.config.sound_rate = rate;
+    if (changed)
         close_speaker();
-    if (another && rate > 0)
+    if (changed && rate > 0)
         open_speaker(true);
 }
 
@@ -296,7 +298,7 @@ static void change_speaker(int rate)
 
 /* Returns whether SDL chose a driver that shows nothing, as it may without a display. A user who sets SDL_VIDEODRIVER
  * has chosen the driver. */
-static bool nobody_sees(void)
+static bool is_headless_driver(void)
 {
     const char *driver = sdl.GetCurrentVideoDriver();
 
@@ -311,68 +313,68 @@ static void start_controllers(void)
 {
     sdl.SetHint("SDL_GAMECONTROLLER_USE_BUTTON_LABELS", "0");
     if (sdl.InitSubSystem(SDL_INIT_GAMECONTROLLER) != 0)
-        failed("no controllers");
+        log_failure("no controllers");
 }
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *config)
 {
-    bool open = port.window != 0;
-    if (!load()) {
+    bool was_open = port.window != 0;
+    if (!load_sdl()) {
         plat_log("curtain: SDL 2.0.10 or later is required; install the package libsdl2-2.0-0 (Debian, Ubuntu), "
                  "SDL2 (Fedora) or sdl2 (Arch, Homebrew)");
         return false;
     }
-    if (!open && sdl.Init(SDL_INIT_VIDEO) != 0)
-        return failed("cannot open a window");
-    if (!open && nobody_sees()) {
+    if (!was_open && sdl.Init(SDL_INIT_VIDEO) != 0)
+        return log_failure("cannot open a window");
+    if (!was_open && is_headless_driver()) {
         plat_log("curtain: cannot open a window: no display");
         plat_close();
         return false;
     }
-    if (open) {
-        change_window(want);
-    } else if (!open_window(want)) {
+    if (was_open) {
+        change_window(config);
+    } else if (!open_window(config)) {
         plat_close();
         return false;
     }
-    if (!open) {
-        plat_heed_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
+    if (!was_open) {
+        plat_catch_hangup(true); /* SDL turns only SIGINT and SIGTERM into SDL_QUIT */
         start_controllers();
     }
-    change_speaker(want->rate);
-    if (want->text)
+    change_speaker(config->sound_rate);
+    if (config->text_input)
         sdl.StartTextInput();
     else
         sdl.StopTextInput();
-    sdl.ShowCursor(want->fullscreen ? SDL_DISABLE : SDL_ENABLE);
-    port.want = *want;
+    sdl.ShowCursor(config->fullscreen ? SDL_DISABLE : SDL_ENABLE);
+    port.config = *config;
     return true;
 }
 
 void plat_close(void)
 {
-    plat_heed_hangup(false);
+    plat_catch_hangup(false);
     if (!loaded)
         return;
     close_speaker();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        if (in.controller[i])
-            sdl.GameControllerClose(in.controller[i]);
+        if (input.controller[i])
+            sdl.GameControllerClose(input.controller[i]);
     if (port.texture)
         sdl.DestroyTexture(port.texture);
     if (port.renderer)
         sdl.DestroyRenderer(port.renderer);
     if (port.window)
         sdl.DestroyWindow(port.window);
-    sdl.free(in.dropped);
+    sdl.free(input.dropped);
     memset(&port, 0, sizeof port);
-    memset(&in, 0, sizeof in);
+    memset(&input, 0, sizeof input);
     sdl.Quit();
 }
 
 void plat_alert(const char *text)
 {
-    if (load())
+    if (load_sdl())
         sdl.ShowSimpleMessageBox(SDL_MESSAGEBOX_ERROR, "Curtain", text, NULL);
 }
 
@@ -384,66 +386,66 @@ static void set_bit(uint8_t *bits, unsigned i, bool on)
     bits[i >> 3] = (uint8_t)(on ? bits[i >> 3] | bit : bits[i >> 3] & ~bit);
 }
 
-static void key(unsigned scancode, bool down)
+static void set_key(unsigned scancode, bool down)
 {
     if (scancode >= PLAT_KEYS)
         return;
-    set_bit(in.down, scancode, down);
+    set_bit(input.down, scancode, down);
     if (down)
-        set_bit(in.seen, scancode, true);
+        set_bit(input.pressed, scancode, true);
 }
 
 static void release_all(void)
 {
-    memset(in.down, 0, sizeof in.down);
-    in.mouse_down = 0;
+    memset(input.down, 0, sizeof input.down);
+    input.mouse_down = 0;
 }
 
-static int controller_of(SDL_JoystickID id)
+static int find_controller(SDL_JoystickID id)
 {
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        if (in.controller[i] && sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(in.controller[i])) == id)
+        if (input.controller[i] && sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(input.controller[i])) == id)
             return i;
     return -1;
 }
 
-static void controller_comes(int device)
+static void controller_added(int device)
 {
-    if (controller_of(sdl.JoystickGetDeviceInstanceID(device)) >= 0)
+    if (find_controller(sdl.JoystickGetDeviceInstanceID(device)) >= 0)
         return;
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        if (!in.controller[i]) {
-            in.controller[i] = sdl.GameControllerOpen(device);
+        if (!input.controller[i]) {
+            input.controller[i] = sdl.GameControllerOpen(device);
             return;
         }
 }
 
-static void controller_goes(SDL_JoystickID id)
+static void controller_removed(SDL_JoystickID id)
 {
-    int i = controller_of(id);
+    int i = find_controller(id);
     if (i < 0)
         return;
-    sdl.GameControllerClose(in.controller[i]);
-    in.controller[i] = 0;
-    in.pad_down[i] = in.pad_seen[i] = 0;
+    sdl.GameControllerClose(input.controller[i]);
+    input.controller[i] = 0;
+    input.pad_down[i] = input.pad_pressed[i] = 0;
     for (int d = 0; d < sdl.NumJoysticks(); d++) /* a controller for which there was no free number */
         if (sdl.IsGameController(d))
-            controller_comes(d);
+            controller_added(d);
 }
 
-static void controller_switch(SDL_JoystickID id, int which, bool down)
+static void set_controller_button(SDL_JoystickID id, int button, bool down)
 {
-    int i = controller_of(id);
-    if (i < 0 || which < 0)
+    int i = find_controller(id);
+    if (i < 0 || button < 0)
         return;
-    uint32_t bit = (uint32_t)1 << which;
-    in.pad_down[i] = down ? in.pad_down[i] | bit : in.pad_down[i] & ~bit;
-    in.pad_seen[i] |= down ? bit : 0;
+    uint32_t bit = (uint32_t)1 << button;
+    input.pad_down[i] = down ? input.pad_down[i] | bit : input.pad_down[i] & ~bit;
+    input.pad_pressed[i] |= down ? bit : 0;
 }
 
 /* Each #if is for an SDL release that added controller types. A single Joy-Con is held sideways, so its labels would
  * not help; its kind is unknown. */
-static enum plat_kind kind_of(SDL_GameController *c)
+static enum plat_controller_kind controller_kind(SDL_GameController *c)
 {
 #if SDL_VERSION_ATLEAST(2, 0, 12)
     switch (sdl.GameControllerGetType ? sdl.GameControllerGetType(c) : SDL_CONTROLLER_TYPE_UNKNOWN) {
@@ -483,7 +485,7 @@ static enum plat_kind kind_of(SDL_GameController *c)
 
 bool plat_controller(int i, struct plat_controller *controller)
 {
-    SDL_GameController *c = i >= 0 && i < PLAT_CONTROLLERS ? in.controller[i] : NULL;
+    SDL_GameController *c = i >= 0 && i < PLAT_CONTROLLERS ? input.controller[i] : NULL;
 
     memset(controller, 0, sizeof *controller);
     if (!c)
@@ -491,7 +493,7 @@ bool plat_controller(int i, struct plat_controller *controller)
     const char *name = sdl.GameControllerName(c);
     snprintf(controller->name, sizeof controller->name, "%s", name ? name : "");
     controller->id = (uint32_t)sdl.JoystickInstanceID(sdl.GameControllerGetJoystick(c));
-    controller->kind = kind_of(c);
+    controller->kind = controller_kind(c);
     return true;
 }
 
@@ -508,9 +510,9 @@ bool plat_key_label(unsigned usage, char *text, size_t size)
     return text[0] != 0;
 }
 
-static int button_switch(unsigned button)
+static int map_button(unsigned button)
 {
-    static const signed char of[] = {
+    static const signed char buttons[] = {
         [SDL_CONTROLLER_BUTTON_A] = PLAT_SOUTH,
         [SDL_CONTROLLER_BUTTON_B] = PLAT_EAST,
         [SDL_CONTROLLER_BUTTON_X] = PLAT_WEST,
@@ -527,12 +529,12 @@ static int button_switch(unsigned button)
         [SDL_CONTROLLER_BUTTON_DPAD_LEFT] = PLAT_DPAD_LEFT,
         [SDL_CONTROLLER_BUTTON_DPAD_RIGHT] = PLAT_DPAD_RIGHT,
     };
-    return button < sizeof of ? of[button] : -1;
+    return button < sizeof buttons ? buttons[button] : -1;
 }
 
-static void controller_axis(SDL_JoystickID id, unsigned axis, int v)
+static void set_controller_axis(SDL_JoystickID id, unsigned axis, int v)
 {
-    static const signed char of[SDL_CONTROLLER_AXIS_MAX][2] = {
+    static const signed char buttons[SDL_CONTROLLER_AXIS_MAX][2] = {
         /* controls for the negative and the positive direction; -1: none */
         [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_LEFT, PLAT_LEFT_RIGHT },
         [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_UP, PLAT_LEFT_DOWN },
@@ -543,16 +545,16 @@ static void controller_axis(SDL_JoystickID id, unsigned axis, int v)
     };
     if (axis >= SDL_CONTROLLER_AXIS_MAX)
         return;
-    controller_switch(id, of[axis][0], v < -PUSHED);
-    controller_switch(id, of[axis][1], v > PUSHED);
+    set_controller_button(id, buttons[axis][0], v < -STICK_THRESHOLD);
+    set_controller_button(id, buttons[axis][1], v > STICK_THRESHOLD);
 }
 
 /* Appends typed text, or drops it if it does not fit. SDL's UTF-8 has only whole characters. */
-static void typed(const char *utf8)
+static void append_text(const char *utf8)
 {
-    size_t have = strlen(in.text), more = strlen(utf8);
-    if (have + more < sizeof in.text)
-        memcpy(in.text + have, utf8, more + 1);
+    size_t used = strlen(input.text), more = strlen(utf8);
+    if (used + more < sizeof input.text)
+        memcpy(input.text + used, utf8, more + 1);
 }
 
 static uint8_t mouse_bit(unsigned button)
@@ -560,56 +562,56 @@ static uint8_t mouse_bit(unsigned button)
     return button == SDL_BUTTON_LEFT ? 1 : button == SDL_BUTTON_RIGHT ? 2 : button == SDL_BUTTON_MIDDLE ? 4 : 0;
 }
 
-static void drop(char *path)
+static void set_dropped(char *path)
 {
-    if (in.dropped)
-        sdl.free(in.dropped);
-    in.dropped = path;
+    if (input.dropped)
+        sdl.free(input.dropped);
+    input.dropped = path;
 }
 
 bool plat_dropped(char *path, size_t size)
 {
-    const bool was = in.dropped && snprintf(path, size, "%s", in.dropped) < (int)size;
-    if (was)
+    const bool copied = input.dropped && snprintf(path, size, "%s", input.dropped) < (int)size;
+    if (copied)
         plat_slashes(path);
-    drop(NULL);
-    return was;
+    set_dropped(NULL);
+    return copied;
 }
 
 /* Destroys the texture; the next picture creates another one. The graphics driver may lose a texture's contents, for
  * example during sleep. */
-static void forget_texture(void)
+static void destroy_texture(void)
 {
     if (port.texture)
         sdl.DestroyTexture(port.texture);
     port.texture = NULL;
 }
 
-static void event(const SDL_Event *e)
+static void handle_event(const SDL_Event *e)
 {
     switch (e->type) {
     case SDL_QUIT:
-        in.quit = true;
+        input.quit = true;
         break;
     case SDL_KEYDOWN:
     case SDL_KEYUP:
-        key((unsigned)e->key.keysym.scancode, e->type == SDL_KEYDOWN);
+        set_key((unsigned)e->key.keysym.scancode, e->type == SDL_KEYDOWN);
         break;
     case SDL_TEXTINPUT:
-        typed(e->text.text);
+        append_text(e->text.text);
         break;
     case SDL_DROPFILE:
-        drop(e->drop.file);
+        set_dropped(e->drop.file);
         break;
     case SDL_MOUSEBUTTONDOWN:
-        in.mouse_down |= mouse_bit(e->button.button);
-        in.mouse_seen |= in.mouse_down;
+        input.mouse_down |= mouse_bit(e->button.button);
+        input.mouse_pressed |= input.mouse_down;
         break;
     case SDL_MOUSEBUTTONUP:
-        in.mouse_down &= (uint8_t)~mouse_bit(e->button.button);
+        input.mouse_down &= (uint8_t)~mouse_bit(e->button.button);
         break;
     case SDL_MOUSEWHEEL:
-        in.wheel += e->wheel.y;
+        input.wheel += e->wheel.y;
         break;
     case SDL_WINDOWEVENT:
         if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)
@@ -617,81 +619,81 @@ static void event(const SDL_Event *e)
         break;
     case SDL_RENDER_TARGETS_RESET:
     case SDL_RENDER_DEVICE_RESET:
-        forget_texture();
+        destroy_texture();
         break;
     case SDL_AUDIODEVICEADDED:
         if (!e->adevice.iscapture)
-            speaker_comes();
+            speaker_added();
         break;
     case SDL_AUDIODEVICEREMOVED:
         if (!e->adevice.iscapture)
-            speaker_goes(e->adevice.which);
+            speaker_removed(e->adevice.which);
         break;
     case SDL_CONTROLLERDEVICEADDED:
-        controller_comes(e->cdevice.which);
+        controller_added(e->cdevice.which);
         break;
     case SDL_CONTROLLERDEVICEREMOVED:
-        controller_goes(e->cdevice.which);
+        controller_removed(e->cdevice.which);
         break;
     case SDL_CONTROLLERBUTTONDOWN:
     case SDL_CONTROLLERBUTTONUP:
-        controller_switch(e->cbutton.which, button_switch(e->cbutton.button), e->type == SDL_CONTROLLERBUTTONDOWN);
+        set_controller_button(e->cbutton.which, map_button(e->cbutton.button), e->type == SDL_CONTROLLERBUTTONDOWN);
         break;
     case SDL_CONTROLLERAXISMOTION:
-        controller_axis(e->caxis.which, e->caxis.axis, e->caxis.value);
+        set_controller_axis(e->caxis.which, e->caxis.axis, e->caxis.value);
         break;
     }
 }
 
 /* Converts the mouse position from window coordinates to picture pixels. These differ on high-DPI displays. */
-static void find_mouse(struct plat_input *to)
+static void find_mouse(struct plat_input *out)
 {
     int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
-    to->mouse_x = to->mouse_y = -1;
-    if (!port.on.w || sdl.GetMouseFocus() != port.window)
+    out->mouse_x = out->mouse_y = -1;
+    if (!port.picture_rect.w || sdl.GetMouseFocus() != port.window)
         return;
     sdl.GetMouseState(&x, &y);
     sdl.GetWindowSize(port.window, &ww, &wh);
     sdl.GetRendererOutputSize(port.renderer, &ow, &oh);
-    x = x * ow / (ww ? ww : 1) - port.on.x;
-    y = y * oh / (wh ? wh : 1) - port.on.y;
-    if (x < 0 || y < 0 || x >= port.on.w || y >= port.on.h)
+    x = x * ow / (ww ? ww : 1) - port.picture_rect.x;
+    y = y * oh / (wh ? wh : 1) - port.picture_rect.y;
+    if (x < 0 || y < 0 || x >= port.picture_rect.w || y >= port.picture_rect.h)
         return;
-    to->mouse_x = x * port.texture_w / port.on.w;
-    to->mouse_y = y * port.texture_h / port.on.h;
+    out->mouse_x = x * port.texture_w / port.picture_rect.w;
+    out->mouse_y = y * port.texture_h / port.picture_rect.h;
 }
 
-void plat_poll(struct plat_input *to)
+void plat_poll(struct plat_input *out)
 {
-    memset(to, 0, sizeof *to);
+    memset(out, 0, sizeof *out);
     for (SDL_Event e; port.window && sdl.PollEvent(&e);)
-        event(&e);
+        handle_event(&e);
     for (int i = 0; i < PLAT_KEYS / 8; i++)
-        to->keys[i] = in.down[i] | in.seen[i];
+        out->keys[i] = input.down[i] | input.pressed[i];
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
-        to->controllers[i] = in.pad_down[i] | in.pad_seen[i];
-    to->mouse = in.mouse_down | in.mouse_seen;
-    to->wheel = in.wheel;
-    to->quit = in.quit || plat_hung_up();
+        out->controllers[i] = input.pad_down[i] | input.pad_pressed[i];
+    out->mouse_buttons = input.mouse_down | input.mouse_pressed;
+    out->wheel = input.wheel;
+    out->quit = input.quit || plat_hung_up();
     const Uint32 flags = port.window ? sdl.GetWindowFlags(port.window) : 0;
-    to->focus = flags & SDL_WINDOW_INPUT_FOCUS;
-    to->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
-    memcpy(to->text, in.text, sizeof to->text);
-    find_mouse(to);
-    memset(in.seen, 0, sizeof in.seen);
-    memset(in.pad_seen, 0, sizeof in.pad_seen);
-    in.mouse_seen = 0;
-    in.wheel = 0;
-    in.text[0] = 0;
+    out->has_focus = flags & SDL_WINDOW_INPUT_FOCUS;
+    out->hidden = flags & (SDL_WINDOW_HIDDEN | SDL_WINDOW_MINIMIZED);
+    memcpy(out->text, input.text, sizeof out->text);
+    find_mouse(out);
+    memset(input.pressed, 0, sizeof input.pressed);
+    memset(input.pad_pressed, 0, sizeof input.pad_pressed);
+    input.mouse_pressed = 0;
+    input.wheel = 0;
+    input.text[0] = 0;
 }
 
 /* ---- picture ---- */
 
-static bool fit_texture(int w, int h)
+static bool ensure_texture(int w, int h)
 {
     if (port.texture && port.texture_w == w && port.texture_h == h)
         return true;
-    forget_texture();
+    destroy_texture();
     sdl.SetHint(SDL_HINT_RENDER_SCALE_QUALITY, "nearest");
     port.texture = sdl.CreateTexture(port.renderer, SDL_PIXELFORMAT_ARGB8888, SDL_TEXTUREACCESS_STREAMING, w, h);
     port.texture_w = w;
@@ -702,36 +704,37 @@ static bool fit_texture(int w, int h)
 }
 
 /* Centres the picture, scaled by a whole number. A window smaller than the picture shows its middle. */
-static void place(int w, int h)
+static void place_picture(int w, int h)
 {
     int ow = w, oh = h;
     sdl.GetRendererOutputSize(port.renderer, &ow, &oh);
     int s = ow / w < oh / h ? ow / w : oh / h;
     s = s < 1 ? 1 : s;
-    port.on = (SDL_Rect){ (ow - w * s) / 2, (oh - h * s) / 2, w * s, h * s };
+    port.picture_rect = (SDL_Rect){ (ow - w * s) / 2, (oh - h * s) / 2, w * s, h * s };
 }
 
 static void present(void)
 {
     sdl.SetRenderDrawColor(port.renderer, 0, 0, 0, 255);
     sdl.RenderClear(port.renderer);
-    sdl.RenderCopy(port.renderer, port.texture, 0, &port.on);
+    sdl.RenderCopy(port.renderer, port.texture, 0, &port.picture_rect);
     sdl.RenderPresent(port.renderer);
 }
 
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 {
-    if (!port.renderer || !fit_texture(w, h) || sdl.UpdateTexture(port.texture, 0, rgb, pitch * (int)sizeof *rgb) != 0)
+    if (!port.renderer || !ensure_texture(w, h) ||
+        sdl.UpdateTexture(port.texture, 0, rgb, pitch * (int)sizeof *rgb) != 0)
         return false;
-    port.on = (SDL_Rect){ 0, 0, w, h };
-    sdl.GetRendererOutputSize(port.renderer, &port.on.w, &port.on.h);
+    port.picture_rect = (SDL_Rect){ 0, 0, w, h };
+    sdl.GetRendererOutputSize(port.renderer, &port.picture_rect.w, &port.picture_rect.h);
     present();
     return true;
 }
 
 /* Returns a refresh rate in thousandths of a Hz, restoring what SDL cuts off: 59 is 59.94 and 119 is 119.88, but 24 and
  * 144 are exact. */
-static int thousandths(int hz)
+static int refresh_millihertz(int hz)
 {
     return hz % 5 == 4 && hz % 24 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;
 }
@@ -746,23 +749,23 @@ bool plat_window(struct plat_window *out)
         return false;
     const int display = sdl.GetWindowDisplayIndex(port.window);
     if (sdl.GetDesktopDisplayMode(display < 0 ? 0 : display, &mode) == 0)
-        out->refresh = thousandths(mode.refresh_rate);
-    out->waits = sdl.GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
+        out->refresh = refresh_millihertz(mode.refresh_rate);
+    out->vsync = sdl.GetRendererInfo(port.renderer, &info) == 0 && info.flags & SDL_RENDERER_PRESENTVSYNC;
     return out->w > 0 && out->h > 0;
 }
 
 void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[256])
 {
     uint32_t opaque[256];
-    void *to;
-    int to_pitch;
-    if (!port.renderer || !fit_texture(w, h) || sdl.LockTexture(port.texture, 0, &to, &to_pitch) != 0)
+    void *locked;
+    int locked_pitch;
+    if (!port.renderer || !ensure_texture(w, h) || sdl.LockTexture(port.texture, 0, &locked, &locked_pitch) != 0)
         return;
     for (int i = 0; i < 256; i++)
         opaque[i] = rgb[i] | 0xFF000000u;
-    plat_rgb(to, to_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
+    plat_rgb(locked, locked_pitch / (int)sizeof opaque[0], pix, pitch, w, h, opaque);
     sdl.UnlockTexture(port.texture);
-    place(w, h);
+    place_picture(w, h);
     present();
 }
 
@@ -771,7 +774,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 void plat_about(char *text, size_t size)
 {
     SDL_version v;
-    if (!load()) {
+    if (!load_sdl()) {
         snprintf(text, size, "SDL 2 (not installed)");
         return;
     }
@@ -784,8 +787,8 @@ int plat_sound(const int16_t *lr, int frames)
 {
     if (!port.speaker)
         return -1;
-    int waiting = (int)(sdl.GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
-    if (waiting <= QUEUE_FRAMES && frames > 0)
+    int queued = (int)(sdl.GetQueuedAudioSize(port.speaker) / FRAME_BYTES);
+    if (queued <= MAX_QUEUED_FRAMES && frames > 0)
         sdl.QueueAudio(port.speaker, lr, (Uint32)frames * FRAME_BYTES);
-    return waiting ? waiting + port.taken : 0;
+    return queued ? queued + port.device_frames : 0;
 }

@@ -15,7 +15,7 @@
 
 #ifndef PLAT_OWN_RGB
 /* Returns eight pixels in memory order; compilers turn this into one load where they can. */
-static inline uint64_t eight(const uint8_t *p)
+static inline uint64_t read_eight(const uint8_t *p)
 {
     return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24 | (uint64_t)p[4] << 32 |
            (uint64_t)p[5] << 40 | (uint64_t)p[6] << 48 | (uint64_t)p[7] << 56;
@@ -23,20 +23,20 @@ static inline uint64_t eight(const uint8_t *p)
 
 /* Converts eight pixels. The first two of each half are looked up first, so that no load waits for the one before
  * it. */
-static inline void eight_rgb(uint32_t *to, const uint8_t *from, const uint32_t rgb[256])
+static inline void expand_eight(uint32_t *dst, const uint8_t *src, const uint32_t rgb[256])
 {
-    uint32_t a = (uint32_t)eight(from), b = (uint32_t)(eight(from) >> 32);
+    uint32_t a = (uint32_t)read_eight(src), b = (uint32_t)(read_eight(src) >> 32);
 
-    to[0] = rgb[a & 255];
-    to[1] = rgb[a >> 8 & 255];
-    to[4] = rgb[b & 255];
-    to[5] = rgb[b >> 8 & 255];
+    dst[0] = rgb[a & 255];
+    dst[1] = rgb[a >> 8 & 255];
+    dst[4] = rgb[b & 255];
+    dst[5] = rgb[b >> 8 & 255];
     a >>= 16;
     b >>= 16;
-    to[2] = rgb[a & 255];
-    to[3] = rgb[a >> 8];
-    to[6] = rgb[b & 255];
-    to[7] = rgb[b >> 8];
+    dst[2] = rgb[a & 255];
+    dst[3] = rgb[a >> 8];
+    dst[6] = rgb[b & 255];
+    dst[7] = rgb[b >> 8];
 }
 
 /* Converts 16 pixels per iteration: a shorter loop takes a fifth longer if it starts at an unfavourable address. */
@@ -44,31 +44,31 @@ DEFAULT void plat_rgb(uint32_t *out, int out_pitch, const uint8_t *pix, int pitc
                       const uint32_t rgb[256])
 {
     for (int y = 0; y < h; y++, out += out_pitch, pix += pitch) {
-        const uint8_t *from = pix;
-        uint32_t *to = out;
+        const uint8_t *src = pix;
+        uint32_t *dst = out;
         int left = w;
-        for (; left >= 16; left -= 16, from += 16, to += 16) {
-            eight_rgb(to, from, rgb);
-            eight_rgb(to + 8, from + 8, rgb);
+        for (; left >= 16; left -= 16, src += 16, dst += 16) {
+            expand_eight(dst, src, rgb);
+            expand_eight(dst + 8, src + 8, rgb);
         }
         while (left-- > 0)
-            *to++ = rgb[*from++];
+            *dst++ = rgb[*src++];
     }
 }
 #endif
 
 #ifndef PLAT_OWN_FIT
 /* Computes in quarters of the picture's size. */
-DEFAULT void plat_fit(const struct plat_want *want, int room_w, int room_h, int *w, int *h)
+DEFAULT void plat_fit(const struct plat_config *config, int max_w, int max_h, int *w, int *h)
 {
-    const long fits_w = 4L * room_w / want->w, fits_h = 4L * room_h / want->h;
-    long quarters = want->scale > 0 ? 4L * want->scale : fits_w < fits_h ? fits_w : fits_h;
+    const long quarters_w = 4L * max_w / config->w, quarters_h = 4L * max_h / config->h;
+    long quarters = config->scale > 0 ? 4L * config->scale : quarters_w < quarters_h ? quarters_w : quarters_h;
 
-    if (want->scale <= 0 && !want->any)
+    if (config->scale <= 0 && !config->fractional)
         quarters -= quarters % 4;
     quarters = quarters < 4 ? 4 : quarters;
-    *w = (int)(want->w * quarters / 4);
-    *h = (int)(want->h * quarters / 4);
+    *w = (int)(config->w * quarters / 4);
+    *h = (int)(config->h * quarters / 4);
 }
 #endif
 
@@ -143,11 +143,11 @@ DEFAULT uint64_t plat_usec(void)
 
 #ifndef PLAT_OWN_WAIT
 /* Sleeps whole milliseconds and spins for the rest, because a sleep ends late. */
-DEFAULT void plat_wait(uint64_t until)
+DEFAULT void plat_wait(uint64_t deadline)
 {
-    for (uint64_t now, from = plat_usec(); (now = plat_usec()) < until && now >= from;) {
+    for (uint64_t now, start = plat_usec(); (now = plat_usec()) < deadline && now >= start;) {
 #ifdef CLOCK_MONOTONIC
-        const uint64_t ms = (until - now) / 1000;
+        const uint64_t ms = (deadline - now) / 1000;
         const struct timespec t = { .tv_sec = (time_t)(ms / 1000), .tv_nsec = (long)(ms % 1000 * 1000000) };
         if (ms)
             nanosleep(&t, NULL);
@@ -167,12 +167,12 @@ DEFAULT int plat_sound(const int16_t *lr, int frames)
 
 /* ---- the program's name ---- */
 
-static char given_name[64]; /* "": the name is curtain */
+static char program_name[64]; /* "": the name is curtain */
 
 #ifndef PLAT_OWN_NAME
 DEFAULT void plat_name(const char *name)
 {
-    snprintf(given_name, sizeof given_name, "%s", name);
+    snprintf(program_name, sizeof program_name, "%s", name);
 }
 #endif
 
@@ -181,10 +181,11 @@ enum { LOG_LINE = 4096 };
 
 DEFAULT void plat_log(const char *line)
 {
-    const size_t own = strlen("curtain");
-    const bool named = given_name[0] && strncmp(line, "curtain: ", own + 2) == 0;
+    const size_t prefix_length = strlen("curtain");
+    const bool is_renamed = program_name[0] && strncmp(line, "curtain: ", prefix_length + 2) == 0;
     char text[LOG_LINE];
-    int n = snprintf(text, sizeof text, "%s%s\n", named ? given_name : "", named ? line + own : line);
+    int n =
+        snprintf(text, sizeof text, "%s%s\n", is_renamed ? program_name : "", is_renamed ? line + prefix_length : line);
 
     if (n >= (int)sizeof text) {
         n = (int)sizeof text - 1;
@@ -229,14 +230,14 @@ DEFAULT bool plat_beside(const char *path, char *name, size_t size)
 /* Creates the folders before the last name of a path. Returns 0, or the errno of the first failure. */
 static int make_folders(char *path)
 {
-    int why = 0;
+    int error = 0;
     for (char *p = path + 1; (p = strchr(p, '/')) != 0; p++) {
         *p = 0;
-        if (!host_make_folder(path) && !why)
-            why = errno;
+        if (!host_make_folder(path) && !error)
+            error = errno;
         *p = '/';
     }
-    return why;
+    return error;
 }
 
 #ifndef PLAT_OWN_FILES
@@ -251,9 +252,9 @@ static bool same_name(const char *a, const char *b)
     return *a == *b;
 }
 
-static bool starts(const char *s, const char *with)
+static bool starts_with(const char *s, const char *prefix)
 {
-    return strncmp(s, with, strlen(with)) == 0;
+    return strncmp(s, prefix, strlen(prefix)) == 0;
 }
 
 static bool fits(int n)
@@ -265,35 +266,35 @@ static bool fits(int n)
     return n < HOST_PATH;
 }
 
-static bool picture_path(char path[HOST_PATH], const char *name)
+static bool resolve_picture_path(char path[HOST_PATH], const char *name)
 {
     char folder[HOST_PATH];
     if (!host_pictures_folder(folder))
         return fits(snprintf(path, HOST_PATH, "%s", name));
-    return fits(snprintf(path, HOST_PATH, "%s/%s/%s", folder, given_name[0] ? given_name : "Curtain", name));
+    return fits(snprintf(path, HOST_PATH, "%s/%s/%s", folder, program_name[0] ? program_name : "Curtain", name));
 }
 
 /* Converts a name to a path. Returns false if the path is too long or the user has no folder. */
-static bool path_of(char path[HOST_PATH], const char *name)
+static bool resolve_path(char path[HOST_PATH], const char *name)
 {
     char data[HOST_PATH];
-    if (starts(name, "pictures:"))
-        return picture_path(path, name + strlen("pictures:"));
-    if (!starts(name, "user:"))
+    if (starts_with(name, "pictures:"))
+        return resolve_picture_path(path, name + strlen("pictures:"));
+    if (!starts_with(name, "user:"))
         return fits(snprintf(path, HOST_PATH, "%s", name));
     if (!host_data_folder(data))
         return false;
-    return fits(snprintf(path, HOST_PATH, "%s/curtain%s%s/%s", data, given_name[0] ? "-" : "", given_name,
+    return fits(snprintf(path, HOST_PATH, "%s/curtain%s%s/%s", data, program_name[0] ? "-" : "", program_name,
                          name + strlen("user:")));
 }
 
 DEFAULT bool plat_path(const char *name, char *path, size_t size)
 {
-    char below[HOST_PATH], folder[HOST_PATH + 1];
-    if (!path_of(below, name))
+    char resolved[HOST_PATH], folder[HOST_PATH + 1];
+    if (!resolve_path(resolved, name))
         return false;
-    host_folder_before(below, folder);
-    return snprintf(path, size, "%s%s", folder, below) < (int)size;
+    host_base_folder(resolved, folder);
+    return snprintf(path, size, "%s%s", folder, resolved) < (int)size;
 }
 
 /* ---- files ---- */
@@ -301,13 +302,13 @@ DEFAULT bool plat_path(const char *name, char *path, size_t size)
 DEFAULT long plat_size(const char *name)
 {
     char path[HOST_PATH];
-    return path_of(path, name) ? host_size(path) : -1;
+    return resolve_path(path, name) ? host_size(path) : -1;
 }
 
 DEFAULT long plat_load(const char *name, void *buf, size_t cap)
 {
     char path[HOST_PATH];
-    FILE *f = path_of(path, name) ? host_open(path, HOST_READ) : 0;
+    FILE *f = resolve_path(path, name) ? host_open(path, HOST_READ) : 0;
     if (!f)
         return -1;
     size_t n = fread(buf, 1, cap, f);
@@ -316,14 +317,14 @@ DEFAULT long plat_load(const char *name, void *buf, size_t cap)
     return good ? (long)n : -1;
 }
 
-DEFAULT FILE *plat_stream(const char *name, bool write)
+DEFAULT FILE *plat_open_stream(const char *name, bool for_writing)
 {
     char path[HOST_PATH];
-    return path_of(path, name) ? host_open(path, write ? HOST_WRITE : HOST_STREAM) : 0;
+    return resolve_path(path, name) ? host_open(path, for_writing ? HOST_WRITE : HOST_STREAM) : 0;
 }
 
 /* Splits a path in place. Sets *folder to its folder and returns its last name. */
-static const char *split(char path[HOST_PATH], const char **folder)
+static const char *split_path(char path[HOST_PATH], const char **folder)
 {
     char *slash = strrchr(path, '/');
 
@@ -335,140 +336,140 @@ static const char *split(char path[HOST_PATH], const char **folder)
 
 /* Returns whether two paths are the same file. If neither exists, returns whether writing the second would overwrite
  * the first, even if only on a file system that ignores case. */
-static bool is_same(char a[HOST_PATH], char b[HOST_PATH])
+static bool is_same_target(char a[HOST_PATH], char b[HOST_PATH])
 {
     const char *folder_a, *folder_b;
-    if (!host_follow(a) || !host_follow(b))
+    if (!host_resolve_links(a) || !host_resolve_links(b))
         return false;
-    const bool there = host_exists(a);
-    if (there != host_exists(b))
+    const bool exists = host_exists(a);
+    if (exists != host_exists(b))
         return false;
-    if (there)
-        return !host_special(a) && host_same_file(a, b);
-    const char *name_a = split(a, &folder_a), *name_b = split(b, &folder_b);
+    if (exists)
+        return !host_is_special(a) && host_same_file(a, b);
+    const char *name_a = split_path(a, &folder_a), *name_b = split_path(b, &folder_b);
     return same_name(name_a, name_b) && host_same_file(folder_a, folder_b);
 }
 
-DEFAULT bool plat_same(const char *a, const char *b)
+DEFAULT bool plat_same_file(const char *a, const char *b)
 {
     char one[HOST_PATH], two[HOST_PATH];
-    return path_of(one, a) && path_of(two, b) && is_same(one, two);
+    return resolve_path(one, a) && resolve_path(two, b) && is_same_target(one, two);
 }
 
-static bool write_all(FILE *f, const void *buf, size_t len)
+static bool write_and_close(FILE *f, const void *buf, size_t len)
 {
-    bool good = fwrite(buf, 1, len, f) == len && fflush(f) == 0 && host_to_disk(f);
-    int why = errno;
+    bool good = fwrite(buf, 1, len, f) == len && fflush(f) == 0 && host_sync_file(f);
+    int error = errno;
     bool closed = fclose(f) == 0;
     if (!good)
-        errno = why; /* the reason of the first failure */
+        errno = error; /* the reason of the first failure */
     return closed && good;
 }
 
-enum { MOST_TEMPS = 100 };
+enum { MAX_TEMPS = 100 };
 
 /* Writes a new file next to the target and renames it, so that the target always has its old or its new content. */
-static bool save_whole(char path[HOST_PATH], const void *buf, size_t len)
+static bool replace_file(char path[HOST_PATH], const void *buf, size_t len)
 {
     char temp[HOST_PATH + 32];
     FILE *f = 0;
-    for (int i = 0; !f && i < MOST_TEMPS; i++) {
-        snprintf(temp, sizeof temp, i ? "%s.%ld-%d.tmp" : "%s.%ld.tmp", path, host_process(), i);
+    for (int i = 0; !f && i < MAX_TEMPS; i++) {
+        snprintf(temp, sizeof temp, i ? "%s.%ld-%d.tmp" : "%s.%ld.tmp", path, host_process_id(), i);
         f = host_open(temp, HOST_NEW);
         if (!f && errno != EEXIST)
             return false;
     }
     if (!f)
         return false;
-    host_keep_mode(f, path);
-    if (!write_all(f, buf, len) || !host_replace(temp, path)) {
-        int why = errno;
+    host_copy_mode(f, path);
+    if (!write_and_close(f, buf, len) || !host_replace(temp, path)) {
+        int error = errno;
         host_remove(temp);
-        errno = why;
+        errno = error;
         return false;
     }
     const char *folder;
-    split(path, &folder);
-    host_folder_to_disk(folder);
+    split_path(path, &folder);
+    host_sync_folder(folder);
     return true;
 }
 
-static bool save_into(const char *path, const void *buf, size_t len)
+static bool overwrite_file(const char *path, const void *buf, size_t len)
 {
     FILE *f = host_open(path, HOST_WRITE);
-    return f && write_all(f, buf, len);
+    return f && write_and_close(f, buf, len);
 }
 
 DEFAULT bool plat_save(const char *name, const void *buf, size_t len)
 {
     char path[HOST_PATH];
-    if (!path_of(path, name) || !host_follow(path))
+    if (!resolve_path(path, name) || !host_resolve_links(path))
         return false;
-    int why = make_folders(path);
-    bool good = host_special(path) ? save_into(path, buf, len) : save_whole(path, buf, len);
-    if (!good && why)
-        errno = why;
+    int error = make_folders(path);
+    bool good = host_is_special(path) ? overwrite_file(path, buf, len) : replace_file(path, buf, len);
+    if (!good && error)
+        errno = error;
     return good;
 }
 
 DEFAULT bool plat_append(const char *name, const void *buf, size_t len)
 {
     char path[HOST_PATH];
-    if (!path_of(path, name))
+    if (!resolve_path(path, name))
         return false;
-    int why = make_folders(path);
+    int error = make_folders(path);
     FILE *f = host_open(path, HOST_APPEND);
     if (!f) {
-        errno = why ? why : errno;
+        errno = error ? error : errno;
         return false;
     }
     bool good = fwrite(buf, 1, len, f) == len;
     return fclose(f) == 0 && good;
 }
 
-DEFAULT bool plat_runnable(const char *name)
+DEFAULT bool plat_make_executable(const char *name)
 {
     char path[HOST_PATH];
-    return path_of(path, name) && host_runnable(path);
+    return resolve_path(path, name) && host_make_executable(path);
 }
 
 DEFAULT bool plat_remove(const char *name)
 {
     char path[HOST_PATH];
-    return path_of(path, name) && host_remove(path);
+    return resolve_path(path, name) && host_remove(path);
 }
 
-DEFAULT int plat_list(const char *dir, void (*each)(void *user, const struct plat_file *file), void *user)
+DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const struct plat_file *file), void *user)
 {
     char folder[HOST_PATH];
-    return path_of(folder, dir) ? host_list(folder[0] ? folder : ".", each, user) : -1;
+    return resolve_path(folder, dir) ? host_list(folder[0] ? folder : ".", visit, user) : -1;
 }
 #endif
 
 /* ---- pieces of work ---- */
 
-static bool piece_here(int i, const struct plat_work *w)
+static bool run_piece(int i, const struct plat_work *w)
 {
-    FILE *out = plat_scratch();
+    FILE *out = plat_open_scratch();
     if (!out)
         return false;
-    w->work(w->context, i, out);
+    w->run(w->context, i, out);
     const long size = ftell(out);
     rewind(out);
     char *text = size >= 0 ? malloc((size_t)size + 1) : NULL;
     if (text)
         w->done(w->context, i, text, fread(text, 1, (size_t)size, out), 0);
     fclose(out);
-    w->waits(w->context);
+    w->on_wait(w->context);
     free(text);
     return text != NULL;
 }
 
-bool host_each(int n, const struct plat_work *w)
+bool host_run_jobs(int n, const struct plat_work *w)
 {
     bool good = true;
     for (int i = 0; i < n && good; i++)
-        good = piece_here(i, w);
+        good = run_piece(i, w);
     return good;
 }
 
@@ -484,49 +485,49 @@ DEFAULT void plat_about(char *text, size_t size)
 /* ---- crashes ---- */
 
 #ifndef PLAT_OWN_CRASH
-enum { CRASH_NUMBERS = 1000, CRASH_ENDING = 32 /* bytes reserved for "-999.txt" */ };
+enum { MAX_CRASH_REPORTS = 1000, CRASH_SUFFIX_SIZE = 32 /* bytes reserved for "-999.txt" */ };
 
 /* Everything the handler needs is prepared before a crash. */
 static struct {
-    void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n));
+    void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n));
     void *context;
     char path[HOST_PATH];
-    size_t stem; /* length of the stem in path, in bytes */
+    size_t stem_length; /* length of the stem in path, in bytes */
     int file;
     bool armed;
 } crash;
 
-static void crash_say(const char *text)
+static void crash_log(const char *text)
 {
     host_log(text, strlen(text));
 }
 
-static void crash_out(const void *bytes, size_t n)
+static void crash_write(const void *bytes, size_t n)
 {
     host_crash_write(crash.file, bytes, n);
 }
 
 /* Writes "-N.txt" after the stem in crash.path. */
-static void crash_name(int n)
+static void crash_set_number(int n)
 {
-    char digits[12], *to = crash.path + crash.stem;
+    char digits[12], *out = crash.path + crash.stem_length;
     int k = 0;
     for (; n > 0; n /= 10)
         digits[k++] = (char)('0' + n % 10);
-    *to++ = '-';
+    *out++ = '-';
     while (k > 0)
-        *to++ = digits[--k];
-    memcpy(to, ".txt", sizeof ".txt");
+        *out++ = digits[--k];
+    memcpy(out, ".txt", sizeof ".txt");
 }
 
 /* Creates the report's file, which only the user may read: it shows how they played and where their folders are.
  * Returns false on failure. */
 static bool crash_open(void)
 {
-    crash.path[crash.stem] = 0;
+    crash.path[crash.stem_length] = 0;
     make_folders(crash.path);
-    for (int n = 1; n < CRASH_NUMBERS; n++) {
-        crash_name(n);
+    for (int n = 1; n < MAX_CRASH_REPORTS; n++) {
+        crash_set_number(n);
         crash.file = host_crash_open(crash.path);
         if (crash.file >= 0 || errno != EEXIST)
             return crash.file >= 0;
@@ -535,47 +536,47 @@ static bool crash_open(void)
 }
 
 /* Writes the crash report. Calls only functions that are safe in a signal handler. */
-static void crashes(const char *what)
+static void handle_crash(const char *reason)
 {
     crash.armed = false;
-    crash_say(given_name[0] ? given_name : "curtain");
-    crash_say(": crashed (");
-    crash_say(what);
+    crash_log(program_name[0] ? program_name : "curtain");
+    crash_log(": crashed (");
+    crash_log(reason);
     if (crash_open()) {
-        crash.fn(crash.context, what, crash_out);
+        crash.fn(crash.context, reason, crash_write);
         host_crash_close(crash.file);
-        crash_say("); report: ");
+        crash_log("); report: ");
     } else {
-        crash_say("); cannot write a report to ");
+        crash_log("); cannot write a report to ");
     }
-    crash_say(crash.path);
-    crash_say("\n");
+    crash_log(crash.path);
+    crash_log("\n");
 }
 
 /* Returns whether this handler is already installed. plat_crash is called every frame. */
-static bool crash_is(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
-                     const void *context)
+static bool crash_is_armed(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
+                           const void *context)
 {
     char path[HOST_PATH];
     return crash.armed && fn == crash.fn && context == crash.context &&
-           plat_path(stem, path, sizeof path - CRASH_ENDING) && strlen(path) == crash.stem &&
-           memcmp(path, crash.path, crash.stem) == 0;
+           plat_path(stem, path, sizeof path - CRASH_SUFFIX_SIZE) && strlen(path) == crash.stem_length &&
+           memcmp(path, crash.path, crash.stem_length) == 0;
 }
 
 DEFAULT bool plat_crash(const char *stem,
-                        void (*fn)(void *context, const char *what, void (*out)(const void *bytes, size_t n)),
+                        void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
                         void *context)
 {
-    if (fn && crash_is(stem, fn, context))
+    if (fn && crash_is_armed(stem, fn, context))
         return true;
     host_crash_disarm();
     crash.armed = false;
-    if (!fn || !plat_path(stem, crash.path, sizeof crash.path - CRASH_ENDING))
+    if (!fn || !plat_path(stem, crash.path, sizeof crash.path - CRASH_SUFFIX_SIZE))
         return !fn;
     crash.fn = fn;
     crash.context = context;
-    crash.stem = strlen(crash.path);
-    crash.armed = host_crash_arm(crashes);
+    crash.stem_length = strlen(crash.path);
+    crash.armed = host_crash_arm(handle_crash);
     return crash.armed;
 }
 #endif

@@ -3,23 +3,24 @@
  *
  * Write these six functions for your host; platform.h has the contract of each. Games are playable once plat_show and
  * plat_poll work. Then, if the defaults in stdio.c do not suit, add any of plat_rgb, plat_fit, plat_window, plat_paint,
- * plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load, plat_same,
- * plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program, plat_program_path, plat_alert, plat_beside,
- * plat_runnable, plat_crash, plat_about, plat_system and plat_log to your file: the linker prefers yours.
+ * plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load,
+ * plat_same_file, plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program, plat_program_path,
+ * plat_alert, plat_beside, plat_make_executable, plat_crash, plat_about, plat_system and plat_log to your file: the
+ * linker prefers yours.
  *
  * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
- * program_open, program_frame and program_close from here.
+ * program_open, program_run_frame and program_close from here.
  */
 #include <string.h>
 #include "platform.h"
 
 static uint64_t now;
 
-/* Open the window or the screen. Open the speaker if want->rate is not 0, and continue without it if there is none. On
- * an open port, change what differs from the last call; toggling fullscreen is such a call. */
-bool plat_open(const struct plat_want *want)
+/* Open the window or the screen. Open the speaker if config->rate is not 0, and continue without it if there is none.
+ * On an open port, change what differs from the last call; toggling fullscreen is such a call. */
+bool plat_open(const struct plat_config *config)
 {
-    (void)want;
+    (void)config;
     return true;
 }
 
@@ -34,7 +35,7 @@ void plat_close(void)
 void plat_poll(struct plat_input *in)
 {
     memset(in, 0, sizeof *in);
-    in->focus = true;
+    in->has_focus = true;
     in->mouse_x = in->mouse_y = -1;
     in->quit = true;
 }
@@ -57,9 +58,9 @@ uint64_t plat_usec(void)
     return now;
 }
 
-/* Sleep until plat_usec() reaches `until`, accurate to a millisecond or better. */
-void plat_wait(uint64_t until)
+/* Sleep until plat_usec() reaches `deadline`, accurate to a millisecond or better. */
+void plat_wait(uint64_t deadline)
 {
-    if (until > now)
-        now = until;
+    if (deadline > now)
+        now = deadline;
 }

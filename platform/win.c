@@ -16,17 +16,17 @@
 #include <string.h>
 
 enum {
-    LONG_FROM = 240, /* paths this long get the prefix: folders are limited to MAX_PATH - 12 */
-    PREFIX = 8       /* characters of \\?\UNC\ */
+    LONG_PATH = 240, /* paths this long get the prefix: folders are limited to MAX_PATH - 12 */
+    MAX_PREFIX = 8   /* characters of \\?\UNC\ */
 };
 
 /* ---- names ---- */
 
-bool win_fail(void)
+bool win_set_errno(void)
 {
     static const struct {
-        DWORD is;
-        int why;
+        DWORD code;
+        int error;
     } errors[] = {
         { ERROR_FILE_NOT_FOUND, ENOENT },
         { ERROR_PATH_NOT_FOUND, ENOENT },
@@ -52,19 +52,19 @@ bool win_fail(void)
         { ERROR_CANT_RESOLVE_FILENAME, ELOOP },
         { ERROR_NO_UNICODE_TRANSLATION, EILSEQ },
     };
-    const DWORD is = GetLastError();
+    const DWORD code = GetLastError();
 
     errno = EIO;
     for (size_t i = 0; i < sizeof errors / sizeof *errors; i++)
-        if (errors[i].is == is)
-            errno = errors[i].why;
+        if (errors[i].code == code)
+            errno = errors[i].error;
     return false;
 }
 
-bool win_utf8(char *out, size_t size, const wchar_t *wide)
+bool win_to_utf8(char *out, size_t size, const wchar_t *wide)
 {
     if (WideCharToMultiByte(CP_UTF8, WC_ERR_INVALID_CHARS, wide, -1, out, (int)size, NULL, NULL) == 0)
-        return win_fail();
+        return win_set_errno();
     plat_slashes(out);
     return true;
 }
@@ -75,29 +75,31 @@ static bool is_device(const wchar_t *full)
     return wcsncmp(full, L"\\\\.\\", 4) == 0;
 }
 
-bool win_path(wchar_t out[WIN_PATH], const char *path)
+bool win_to_full_path(wchar_t out[WIN_PATH], const char *path)
 {
-    wchar_t typed[HOST_PATH], *full = out + PREFIX;
+    wchar_t wide[HOST_PATH], *full = out + MAX_PREFIX;
 
-    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, typed, HOST_PATH) == 0)
-        return win_fail();
-    const DWORD n = GetFullPathNameW(typed[0] ? typed : L".", WIN_PATH - PREFIX, full, NULL);
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, wide, HOST_PATH) == 0)
+        return win_set_errno();
+    const DWORD n = GetFullPathNameW(wide[0] ? wide : L".", WIN_PATH - MAX_PREFIX, full, NULL);
     if (n == 0)
-        return win_fail();
-    if (n >= WIN_PATH - PREFIX) {
+        return win_set_errno();
+    if (n >= WIN_PATH - MAX_PREFIX) {
         errno = ENAMETOOLONG;
         return false;
     }
-    const bool special = is_device(full) || wcsncmp(full, L"\\\\?\\", 4) == 0, server = wcsncmp(full, L"\\\\", 2) == 0;
-    const wchar_t *prefix = n < LONG_FROM || special ? L"" : server ? L"\\\\?\\UNC" : L"\\\\?\\";
-    const size_t before = wcslen(prefix), skip = before && server ? 1 : 0; /* \\server is \\?\UNC\server */
-    memmove(out + before, full + skip, (n + 1 - skip) * sizeof *out);
-    memcpy(out, prefix, before * sizeof *out);
+    const bool is_prefixed = is_device(full) || wcsncmp(full, L"\\\\?\\", 4) == 0,
+               is_server = wcsncmp(full, L"\\\\", 2) == 0;
+    const wchar_t *prefix = n < LONG_PATH || is_prefixed ? L"" : is_server ? L"\\\\?\\UNC" : L"\\\\?\\";
+    const size_t prefix_length = wcslen(prefix),
+                 skip = prefix_length && is_server ? 1 : 0; /* \\server is \\?\UNC\server */
+    memmove(out + prefix_length, full + skip, (n + 1 - skip) * sizeof *out);
+    memcpy(out, prefix, prefix_length * sizeof *out);
     return true;
 }
 
 /* Removes the prefix of a long path. */
-static const wchar_t *without_prefix(wchar_t *path)
+static const wchar_t *strip_prefix(wchar_t *path)
 {
     if (wcsncmp(path, L"\\\\?\\UNC\\", 8) == 0) {
         path[6] = L'\\';
@@ -114,19 +116,20 @@ void plat_slashes(char *path)
 }
 
 /* Gets a folder from an environment variable that has an absolute path. */
-static bool variable_folder(char out[HOST_PATH], const wchar_t *name)
+static bool folder_from_variable(char out[HOST_PATH], const wchar_t *name)
 {
     wchar_t wide[HOST_PATH];
     const DWORD n = GetEnvironmentVariableW(name, wide, HOST_PATH);
     const bool absolute = n > 2 && n < HOST_PATH && (wide[1] == L':' || (wide[0] == L'\\' && wide[1] == L'\\'));
 
-    return absolute && win_utf8(out, HOST_PATH, wide);
+    return absolute && win_to_utf8(out, HOST_PATH, wide);
 }
 
-static bool known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
+static bool get_known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
 {
     wchar_t *wide = NULL;
-    const bool good = SHGetKnownFolderPath(id, KF_FLAG_CREATE, NULL, &wide) == S_OK && win_utf8(out, HOST_PATH, wide);
+    const bool good =
+        SHGetKnownFolderPath(id, KF_FLAG_CREATE, NULL, &wide) == S_OK && win_to_utf8(out, HOST_PATH, wide);
 
     CoTaskMemFree(wide);
     return good;
@@ -136,23 +139,23 @@ static bool known_folder(char out[HOST_PATH], const KNOWNFOLDERID *id)
  * every host. */
 bool host_data_folder(char out[HOST_PATH])
 {
-    return variable_folder(out, L"XDG_DATA_HOME") || known_folder(out, &FOLDERID_RoamingAppData);
+    return folder_from_variable(out, L"XDG_DATA_HOME") || get_known_folder(out, &FOLDERID_RoamingAppData);
 }
 
 bool host_pictures_folder(char out[HOST_PATH])
 {
-    return variable_folder(out, L"XDG_PICTURES_DIR") || known_folder(out, &FOLDERID_Pictures);
+    return folder_from_variable(out, L"XDG_PICTURES_DIR") || get_known_folder(out, &FOLDERID_Pictures);
 }
 
 /* C:name is relative to that drive's current folder, and /name to the current drive's root: nothing is added to
  * either. */
-void host_folder_before(const char *path, char out[HOST_PATH + 1])
+void host_base_folder(const char *path, char out[HOST_PATH + 1])
 {
     wchar_t wide[WIN_PATH];
 
     out[0] = 0;
     if (path[0] == '/' || path[0] == '\\' || (path[0] && path[1] == ':') || !GetCurrentDirectoryW(WIN_PATH, wide) ||
-        !win_utf8(out, HOST_PATH, wide))
+        !win_to_utf8(out, HOST_PATH, wide))
         return;
     const size_t n = strlen(out);
     if (n && out[n - 1] != '/')
@@ -163,17 +166,18 @@ void host_folder_before(const char *path, char out[HOST_PATH + 1])
 
 enum { SHARE = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE };
 
-static HANDLE open_path(const char *path, DWORD access, DWORD how, DWORD flags)
+static HANDLE open_path(const char *path, DWORD access, DWORD disposition, DWORD flags)
 {
     wchar_t wide[WIN_PATH];
-    HANDLE h = win_path(wide, path) ? CreateFileW(wide, access, SHARE, NULL, how, flags, NULL) : INVALID_HANDLE_VALUE;
+    HANDLE h = win_to_full_path(wide, path) ? CreateFileW(wide, access, SHARE, NULL, disposition, flags, NULL)
+                                            : INVALID_HANDLE_VALUE;
 
     if (h == INVALID_HANDLE_VALUE)
-        win_fail();
+        win_set_errno();
     return h;
 }
 
-FILE *win_stream(HANDLE h, int flags, const char *mode)
+FILE *win_open_stream(HANDLE h, int flags, const char *mode)
 {
     const int file = _open_osfhandle((intptr_t)h, flags | _O_BINARY | _O_NOINHERIT);
     FILE *f = file >= 0 ? _fdopen(file, mode) : NULL;
@@ -185,24 +189,24 @@ FILE *win_stream(HANDLE h, int flags, const char *mode)
     return f;
 }
 
-static DWORD attributes(const char *path)
+static DWORD get_attributes(const char *path)
 {
     wchar_t wide[WIN_PATH];
 
-    if (!win_path(wide, path))
+    if (!win_to_full_path(wide, path))
         return INVALID_FILE_ATTRIBUTES;
     if (is_device(wide))
         return FILE_ATTRIBUTE_DEVICE;
-    const DWORD is = GetFileAttributesW(wide);
-    if (is == INVALID_FILE_ATTRIBUTES)
-        win_fail();
-    return is;
+    const DWORD attrs = GetFileAttributesW(wide);
+    if (attrs == INVALID_FILE_ATTRIBUTES)
+        win_set_errno();
+    return attrs;
 }
 
 FILE *host_open(const char *path, enum host_mode mode)
 {
     static const struct {
-        DWORD access, how;
+        DWORD access, disposition;
         int flags;
         const char *mode;
     } modes[] = {
@@ -212,15 +216,15 @@ FILE *host_open(const char *path, enum host_mode mode)
         [HOST_WRITE] = { GENERIC_WRITE, CREATE_ALWAYS, _O_WRONLY, "wb" },
         [HOST_APPEND] = { FILE_APPEND_DATA | SYNCHRONIZE, OPEN_ALWAYS, _O_WRONLY | _O_APPEND, "ab" },
     };
-    HANDLE h = open_path(path, modes[mode].access, modes[mode].how, FILE_ATTRIBUTE_NORMAL);
+    HANDLE h = open_path(path, modes[mode].access, modes[mode].disposition, FILE_ATTRIBUTE_NORMAL);
 
     if (h == INVALID_HANDLE_VALUE) {
-        const int why = errno;
-        errno = why == EACCES && host_special(path) ? EISDIR : why;
+        const int error = errno;
+        errno = error == EACCES && host_is_special(path) ? EISDIR : error;
         return NULL;
     }
     if (mode != HOST_READ || GetFileType(h) == FILE_TYPE_DISK)
-        return win_stream(h, modes[mode].flags, modes[mode].mode);
+        return win_open_stream(h, modes[mode].flags, modes[mode].mode);
     CloseHandle(h);
     return NULL;
 }
@@ -230,12 +234,12 @@ long host_size(const char *path)
     WIN32_FILE_ATTRIBUTE_DATA data;
     wchar_t wide[WIN_PATH];
 
-    if (!win_path(wide, path))
+    if (!win_to_full_path(wide, path))
         return -1;
     if (is_device(wide))
         return 0;
     if (!GetFileAttributesExW(wide, GetFileExInfoStandard, &data)) {
-        win_fail();
+        win_set_errno();
         return -1;
     }
     if (data.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY)
@@ -245,18 +249,18 @@ long host_size(const char *path)
 
 bool host_exists(const char *path)
 {
-    return attributes(path) != INVALID_FILE_ATTRIBUTES;
+    return get_attributes(path) != INVALID_FILE_ATTRIBUTES;
 }
 
-bool host_special(const char *path)
+bool host_is_special(const char *path)
 {
-    const DWORD is = attributes(path);
+    const DWORD attrs = get_attributes(path);
 
-    return is != INVALID_FILE_ATTRIBUTES && is & (FILE_ATTRIBUTE_DIRECTORY | FILE_ATTRIBUTE_DEVICE);
+    return attrs != INVALID_FILE_ATTRIBUTES && attrs & (FILE_ATTRIBUTE_DIRECTORY | FILE_ATTRIBUTE_DEVICE);
 }
 
 /* Opens a file or folder to query it. */
-static HANDLE open_to_ask(const char *path)
+static HANDLE open_for_query(const char *path)
 {
     return open_path(path, FILE_READ_ATTRIBUTES, OPEN_EXISTING, FILE_FLAG_BACKUP_SEMANTICS);
 }
@@ -264,7 +268,7 @@ static HANDLE open_to_ask(const char *path)
 bool host_same_file(const char *a, const char *b)
 {
     BY_HANDLE_FILE_INFORMATION one, two;
-    HANDLE first = open_to_ask(a), second = open_to_ask(b);
+    HANDLE first = open_for_query(a), second = open_for_query(b);
     const bool good = first != INVALID_HANDLE_VALUE && second != INVALID_HANDLE_VALUE &&
                       GetFileInformationByHandle(first, &one) && GetFileInformationByHandle(second, &two);
 
@@ -277,132 +281,132 @@ bool host_same_file(const char *a, const char *b)
 }
 
 /* A path that is not a link stays as the user typed it. */
-bool host_follow(char path[HOST_PATH])
+bool host_resolve_links(char path[HOST_PATH])
 {
     wchar_t wide[WIN_PATH];
-    const DWORD is = attributes(path);
+    const DWORD attrs = get_attributes(path);
 
-    if (is == INVALID_FILE_ATTRIBUTES || !(is & FILE_ATTRIBUTE_REPARSE_POINT))
+    if (attrs == INVALID_FILE_ATTRIBUTES || !(attrs & FILE_ATTRIBUTE_REPARSE_POINT))
         return true;
-    HANDLE h = open_to_ask(path);
+    HANDLE h = open_for_query(path);
     if (h == INVALID_HANDLE_VALUE)
         return false;
     const DWORD n = GetFinalPathNameByHandleW(h, wide, WIN_PATH, VOLUME_NAME_DOS);
     CloseHandle(h);
-    return n > 0 && n < WIN_PATH ? win_utf8(path, HOST_PATH, without_prefix(wide)) : win_fail();
+    return n > 0 && n < WIN_PATH ? win_to_utf8(path, HOST_PATH, strip_prefix(wide)) : win_set_errno();
 }
 
 bool host_make_folder(const char *path)
 {
     wchar_t wide[WIN_PATH];
-    const DWORD is = attributes(path); /* creating C: fails with several different errors */
+    const DWORD attrs = get_attributes(path); /* creating C: fails with several different errors */
 
-    if (is != INVALID_FILE_ATTRIBUTES) {
+    if (attrs != INVALID_FILE_ATTRIBUTES) {
         errno = ENOTDIR;
-        return is & FILE_ATTRIBUTE_DIRECTORY;
+        return attrs & FILE_ATTRIBUTE_DIRECTORY;
     }
-    if (!win_path(wide, path))
+    if (!win_to_full_path(wide, path))
         return false;
-    return CreateDirectoryW(wide, NULL) || GetLastError() == ERROR_ALREADY_EXISTS || win_fail();
+    return CreateDirectoryW(wide, NULL) || GetLastError() == ERROR_ALREADY_EXISTS || win_set_errno();
 }
 
-bool host_to_disk(FILE *f)
+bool host_sync_file(FILE *f)
 {
     return _commit(_fileno(f)) == 0 || GetFileType((HANDLE)_get_osfhandle(_fileno(f))) != FILE_TYPE_DISK;
 }
 
 /* Does nothing: host_replace writes through to the disk. */
-void host_folder_to_disk(const char *folder)
+void host_sync_folder(const char *folder)
 {
     (void)folder;
 }
 
 /* Does nothing: files inherit their permissions from the folder. */
-void host_keep_mode(FILE *f, const char *path)
+void host_copy_mode(FILE *f, const char *path)
 {
     (void)f;
     (void)path;
 }
 
-enum { TRIES = 20, TRY_MS = 10 };
+enum { MAX_TRIES = 20, RETRY_MS = 10 };
 
 /* Retries, because a virus scanner or indexer may hold either file for a moment. */
 bool host_replace(const char *from, const char *to)
 {
     wchar_t one[WIN_PATH], two[WIN_PATH];
 
-    if (!win_path(one, from) || !win_path(two, to))
+    if (!win_to_full_path(one, from) || !win_to_full_path(two, to))
         return false;
-    for (int i = 0; i < TRIES; i++) {
+    for (int i = 0; i < MAX_TRIES; i++) {
         if (MoveFileExW(one, two, MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH))
             return true;
-        const DWORD why = GetLastError();
-        if (why != ERROR_ACCESS_DENIED && why != ERROR_SHARING_VIOLATION)
+        const DWORD error = GetLastError();
+        if (error != ERROR_ACCESS_DENIED && error != ERROR_SHARING_VIOLATION)
             break;
-        Sleep(TRY_MS);
-        SetLastError(why);
+        Sleep(RETRY_MS);
+        SetLastError(error);
     }
-    return win_fail();
+    return win_set_errno();
 }
 
 /* Also removes an empty folder, as remove does on other hosts. */
 bool host_remove(const char *path)
 {
     wchar_t wide[WIN_PATH];
-    const DWORD is = attributes(path);
+    const DWORD attrs = get_attributes(path);
 
-    if (is == INVALID_FILE_ATTRIBUTES || !win_path(wide, path))
+    if (attrs == INVALID_FILE_ATTRIBUTES || !win_to_full_path(wide, path))
         return false;
-    return (is & FILE_ATTRIBUTE_DIRECTORY ? RemoveDirectoryW(wide) : DeleteFileW(wide)) || win_fail();
+    return (attrs & FILE_ATTRIBUTE_DIRECTORY ? RemoveDirectoryW(wide) : DeleteFileW(wide)) || win_set_errno();
 }
 
-bool host_runnable(const char *path)
+bool host_make_executable(const char *path)
 {
     return host_exists(path);
 }
 
 /* Fills in an entry of a folder. Returns false for entries to skip, such as links to folders; a folder that a cloud
  * service fills is not a link. */
-static bool entry(struct plat_file *file, char name[HOST_PATH], const WIN32_FIND_DATAW *found)
+static bool read_entry(struct plat_file *file, char name[HOST_PATH], const WIN32_FIND_DATAW *found)
 {
-    const DWORD is = found->dwFileAttributes;
-    const bool link = is & FILE_ATTRIBUTE_REPARSE_POINT && IsReparseTagNameSurrogate(found->dwReserved0);
+    const DWORD attrs = found->dwFileAttributes;
+    const bool is_link = attrs & FILE_ATTRIBUTE_REPARSE_POINT && IsReparseTagNameSurrogate(found->dwReserved0);
 
     if (wcscmp(found->cFileName, L".") == 0 || wcscmp(found->cFileName, L"..") == 0 ||
-        (link && is & FILE_ATTRIBUTE_DIRECTORY) || !win_utf8(name, HOST_PATH, found->cFileName))
+        (is_link && attrs & FILE_ATTRIBUTE_DIRECTORY) || !win_to_utf8(name, HOST_PATH, found->cFileName))
         return false;
     file->name = name;
-    file->folder = is & FILE_ATTRIBUTE_DIRECTORY;
+    file->is_folder = attrs & FILE_ATTRIBUTE_DIRECTORY;
     file->time =
         (int64_t)((uint64_t)found->ftLastWriteTime.dwHighDateTime << 32 | found->ftLastWriteTime.dwLowDateTime);
     return true;
 }
 
-int host_list(const char *folder, void (*each)(void *user, const struct plat_file *file), void *user)
+int host_list(const char *folder, void (*visit)(void *user, const struct plat_file *file), void *user)
 {
     wchar_t wide[WIN_PATH];
     WIN32_FIND_DATAW found;
-    char all[HOST_PATH + 2], name[HOST_PATH];
+    char pattern[HOST_PATH + 2], name[HOST_PATH];
     int n = 0;
-    const DWORD is = attributes(folder);
+    const DWORD attrs = get_attributes(folder);
 
-    if (is == INVALID_FILE_ATTRIBUTES)
+    if (attrs == INVALID_FILE_ATTRIBUTES)
         return -1;
-    if (!(is & FILE_ATTRIBUTE_DIRECTORY)) {
+    if (!(attrs & FILE_ATTRIBUTE_DIRECTORY)) {
         errno = ENOTDIR;
         return -1;
     }
-    snprintf(all, sizeof all, "%s/*", folder);
-    HANDLE h = win_path(wide, all) ? FindFirstFileW(wide, &found) : INVALID_HANDLE_VALUE;
+    snprintf(pattern, sizeof pattern, "%s/*", folder);
+    HANDLE h = win_to_full_path(wide, pattern) ? FindFirstFileW(wide, &found) : INVALID_HANDLE_VALUE;
     if (h == INVALID_HANDLE_VALUE) {
-        win_fail();
+        win_set_errno();
         return -1;
     }
     do {
         struct plat_file file;
-        if (!entry(&file, name, &found))
+        if (!read_entry(&file, name, &found))
             continue;
-        each(user, &file);
+        visit(user, &file);
         n++;
     } while (FindNextFileW(h, &found));
     FindClose(h);

@@ -22,7 +22,7 @@ bool plat_program(char *name, size_t size)
     wchar_t wide[WIN_PATH];
     const DWORD n = GetModuleFileNameW(NULL, wide, WIN_PATH);
 
-    return n > 0 && n < WIN_PATH && win_utf8(name, size, wide);
+    return n > 0 && n < WIN_PATH && win_to_utf8(name, size, wide);
 }
 #endif
 
@@ -39,7 +39,7 @@ void plat_system(char *text, size_t size)
     OSVERSIONINFOW v = { .dwOSVersionInfoSize = sizeof v };
     get_version *get = NULL;
 
-    plat_symbol(GetModuleHandleW(L"ntdll"), "RtlGetVersion", &get);
+    plat_find_symbol(GetModuleHandleW(L"ntdll"), "RtlGetVersion", &get);
     if (get && get(&v) == 0)
         snprintf(text, size, "Windows %u.%u.%u x86_64", (unsigned)v.dwMajorVersion, (unsigned)v.dwMinorVersion,
                  (unsigned)v.dwBuildNumber);
@@ -48,7 +48,7 @@ void plat_system(char *text, size_t size)
 }
 #endif
 
-long host_process(void)
+long host_process_id(void)
 {
     return (long)GetCurrentProcessId();
 }
@@ -60,25 +60,25 @@ enum { LAST_LINES = 2048, LOG_BUFFER = 4096 };
 static char last_lines[LAST_LINES]; /* the end of the log, for the message box; UTF-8 */
 static bool no_console;             /* standard error is not connected to anything */
 
-static void remember(const char *text, size_t size)
+static void append_last_lines(const char *text, size_t size)
 {
-    const size_t has = strlen(last_lines);
+    const size_t used = strlen(last_lines);
 
     if (size >= LAST_LINES)
         return;
-    const size_t from = has + size < LAST_LINES ? has : 0;
-    memcpy(last_lines + from, text, size);
-    last_lines[from + size] = 0;
+    const size_t offset = used + size < LAST_LINES ? used : 0;
+    memcpy(last_lines + offset, text, size);
+    last_lines[offset + size] = 0;
 }
 
 void host_log(const char *text, size_t size)
 {
-    remember(text, size);
+    append_last_lines(text, size);
     fflush(stderr);
     _write(_fileno(stderr), text, (unsigned)size);
 }
 
-bool plat_terminal(void)
+bool plat_has_terminal(void)
 {
     HANDLE h = GetStdHandle(STD_ERROR_HANDLE);
     DWORD mode;
@@ -88,15 +88,15 @@ bool plat_terminal(void)
 
 /* ---- the entry point ---- */
 
-static UINT code_page_before;
+static UINT previous_code_page;
 
 static void restore_code_page(void)
 {
-    SetConsoleOutputCP(code_page_before);
+    SetConsoleOutputCP(previous_code_page);
 }
 
 /* Frees the console if this program is alone in it, and so was not started from it. Sets no_console. */
-static void open_console(void)
+static void set_up_console(void)
 {
     DWORD processes[2];
     const DWORD n = GetConsoleProcessList(processes, 2);
@@ -106,7 +106,7 @@ static void open_console(void)
     no_console = GetFileType(GetStdHandle(STD_ERROR_HANDLE)) == FILE_TYPE_UNKNOWN;
     if (n <= 1)
         return;
-    code_page_before = GetConsoleOutputCP();
+    previous_code_page = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
     atexit(restore_code_page);
 }
@@ -121,17 +121,17 @@ static void show_last_lines(void)
 
 /* Returns the arguments as UTF-8, allocated for the life of the process, or NULL on failure. Invalid UTF-16 becomes
  * U+FFFD, which names no file. */
-static char **utf8_words(int argc, wchar_t **wide)
+static char **utf8_args(int argc, wchar_t **wide)
 {
-    char **words = calloc((size_t)argc + 1, sizeof *words);
+    char **args = calloc((size_t)argc + 1, sizeof *args);
 
-    for (int i = 0; words && i < argc; i++) {
+    for (int i = 0; args && i < argc; i++) {
         const size_t size = 3 * wcslen(wide[i]) + 1;
-        words[i] = malloc(size);
-        if (!words[i] || !WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, words[i], (int)size, NULL, NULL))
+        args[i] = malloc(size);
+        if (!args[i] || !WideCharToMultiByte(CP_UTF8, 0, wide[i], -1, args[i], (int)size, NULL, NULL))
             return NULL;
     }
-    return words;
+    return args;
 }
 
 int main(int argc, char **argv);
@@ -139,15 +139,15 @@ int wmain(int argc, wchar_t **wide);
 
 int wmain(int argc, wchar_t **wide)
 {
-    char **words = utf8_words(argc, wide);
+    char **args = utf8_args(argc, wide);
 
     _setmode(_fileno(stdin), _O_BINARY);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
     setvbuf(stderr, NULL, _IOFBF, LOG_BUFFER); /* otherwise each byte is a separate write */
     _set_error_mode(_OUT_TO_STDERR);
-    open_console();
-    const int code = words ? main(argc, words) : 3;
+    set_up_console();
+    const int code = args ? main(argc, args) : 3;
     fflush(stderr);
     if (code != 0 && no_console)
         show_last_lines();
@@ -159,9 +159,9 @@ int wmain(int argc, wchar_t **wide)
 enum { CRASH_STACK = 1 << 16 };
 
 static struct {
-    void (*crashed)(const char *what);
-    LPTOP_LEVEL_EXCEPTION_FILTER before;
-    void (*abort_before)(int);
+    void (*on_crash)(const char *what);
+    LPTOP_LEVEL_EXCEPTION_FILTER previous_filter;
+    void (*previous_abort)(int);
     bool armed;
 } crash;
 
@@ -170,8 +170,8 @@ void host_crash_disarm(void)
     if (!crash.armed)
         return;
     crash.armed = false;
-    SetUnhandledExceptionFilter(crash.before);
-    signal(SIGABRT, crash.abort_before);
+    SetUnhandledExceptionFilter(crash.previous_filter);
+    signal(SIGABRT, crash.previous_abort);
 }
 
 static const char *name_exception(DWORD code)
@@ -192,32 +192,32 @@ static const char *name_exception(DWORD code)
     }
 }
 
-static LONG WINAPI crash_exception(EXCEPTION_POINTERS *e)
+static LONG WINAPI handle_exception(EXCEPTION_POINTERS *e)
 {
-    void (*crashed)(const char *) = crash.crashed;
+    void (*on_crash)(const char *) = crash.on_crash;
 
     host_crash_disarm();
-    crashed(name_exception(e->ExceptionRecord->ExceptionCode));
+    on_crash(name_exception(e->ExceptionRecord->ExceptionCode));
     return EXCEPTION_CONTINUE_SEARCH;
 }
 
 /* abort ends the program when this handler returns. */
-static void crash_abort(int sig)
+static void handle_abort(int sig)
 {
     (void)sig;
     host_crash_disarm();
-    crash.crashed("abort");
+    crash.on_crash("abort");
 }
 
 /* Reserves stack for the report after a stack overflow. */
-bool host_crash_arm(void (*crashed)(const char *what))
+bool host_crash_arm(void (*on_crash)(const char *what))
 {
-    ULONG room = CRASH_STACK;
+    ULONG stack_size = CRASH_STACK;
 
-    SetThreadStackGuarantee(&room);
-    crash.crashed = crashed;
-    crash.before = SetUnhandledExceptionFilter(crash_exception);
-    crash.abort_before = signal(SIGABRT, crash_abort);
+    SetThreadStackGuarantee(&stack_size);
+    crash.on_crash = on_crash;
+    crash.previous_filter = SetUnhandledExceptionFilter(handle_exception);
+    crash.previous_abort = signal(SIGABRT, handle_abort);
     crash.armed = true;
     return true;
 }
@@ -241,28 +241,28 @@ void host_crash_close(int file)
 
 /* ---- the end of a console or a session ---- */
 
-enum { TIME_TO_SAVE = 30000 /* ms; Windows ends the program earlier, after 5 seconds by default */ };
+enum { MAX_SAVE_MS = 30000 /* ms; Windows ends the program earlier, after 5 seconds by default */ };
 
 static volatile LONG hung_up;
-static const char *volatile last_word;
+static const char *volatile exit_text;
 
 /* Windows calls this on a separate thread and ends the program when it returns, so it waits for the program to save. */
-static BOOL WINAPI hang_up(DWORD event)
+static BOOL WINAPI handle_hangup(DWORD event)
 {
     if (event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT)
         return FALSE;
     InterlockedExchange(&hung_up, 1);
-    Sleep(TIME_TO_SAVE);
+    Sleep(MAX_SAVE_MS);
     return TRUE;
 }
 
-void plat_heed_hangup(bool on)
+void plat_catch_hangup(bool on)
 {
-    static bool heeded;
+    static bool installed;
 
-    if (on != heeded)
-        SetConsoleCtrlHandler(hang_up, on);
-    heeded = on;
+    if (on != installed)
+        SetConsoleCtrlHandler(handle_hangup, on);
+    installed = on;
 }
 
 bool plat_hung_up(void)
@@ -271,23 +271,23 @@ bool plat_hung_up(void)
 }
 
 /* Writes the last word. FALSE lets Windows end the program as usual. */
-static BOOL WINAPI broken_off(DWORD event)
+static BOOL WINAPI handle_break(DWORD event)
 {
-    const char *last = last_word;
+    const char *text = exit_text;
 
     (void)event;
-    if (last)
-        _write(_fileno(stderr), last, (unsigned)strlen(last));
+    if (text)
+        _write(_fileno(stderr), text, (unsigned)strlen(text));
     return FALSE;
 }
 
-void plat_last_word(const char *last)
+void plat_set_exit_text(const char *text)
 {
-    if (!last_word && last)
-        SetConsoleCtrlHandler(broken_off, TRUE);
-    if (last_word && !last)
-        SetConsoleCtrlHandler(broken_off, FALSE);
-    last_word = last;
+    if (!exit_text && text)
+        SetConsoleCtrlHandler(handle_break, TRUE);
+    if (exit_text && !text)
+        SetConsoleCtrlHandler(handle_break, FALSE);
+    exit_text = text;
 }
 
 /* ---- another program ---- */
@@ -314,74 +314,74 @@ bool plat_has_command(const char *name)
 
 /* Writes a word, quoted so that the C runtime parses it back: \ is special only before a quote. Returns the end of what
  * was written, or NULL if there is no space. */
-static wchar_t *quote(wchar_t *to, const wchar_t *end, const wchar_t *word)
+static wchar_t *quote_arg(wchar_t *out, const wchar_t *end, const wchar_t *arg)
 {
     size_t slashes = 0;
 
-    if ((size_t)(end - to) < 2 * wcslen(word) + 4)
+    if ((size_t)(end - out) < 2 * wcslen(arg) + 4)
         return NULL;
-    *to++ = L'"';
-    for (; *word; word++) {
-        slashes = *word == L'\\' ? slashes + 1 : 0;
-        if (*word == L'"')
-            *to++ = L'\\';
-        *to++ = *word;
-        if (slashes && word[1] != L'\\' && (word[1] == L'"' || !word[1]))
+    *out++ = L'"';
+    for (; *arg; arg++) {
+        slashes = *arg == L'\\' ? slashes + 1 : 0;
+        if (*arg == L'"')
+            *out++ = L'\\';
+        *out++ = *arg;
+        if (slashes && arg[1] != L'\\' && (arg[1] == L'"' || !arg[1]))
             for (; slashes; slashes--)
-                *to++ = L'\\';
+                *out++ = L'\\';
     }
-    *to++ = L'"';
-    *to++ = L' ';
-    *to = 0;
-    return to;
+    *out++ = L'"';
+    *out++ = L' ';
+    *out = 0;
+    return out;
 }
 
 static HANDLE command_process;
 
-static bool command_line(wchar_t *line, size_t room, const char *const words[])
+static bool build_command_line(wchar_t *line, size_t cap, const char *const args[])
 {
-    wchar_t word[WIN_PATH], *to = line;
+    wchar_t arg[WIN_PATH], *out = line;
 
-    for (; *words && to; words++)
-        to = MultiByteToWideChar(CP_UTF8, 0, *words, -1, word, WIN_PATH) ? quote(to, line + room, word) : NULL;
-    return to != NULL;
+    for (; *args && out; args++)
+        out = MultiByteToWideChar(CP_UTF8, 0, *args, -1, arg, WIN_PATH) ? quote_arg(out, line + cap, arg) : NULL;
+    return out != NULL;
 }
 
-static bool start(const char *const words[], HANDLE from)
+static bool start_process(const char *const args[], HANDLE input)
 {
-    enum { LINE = 1 << 15 };
+    enum { MAX_LINE = 1 << 15 };
     STARTUPINFOW info = { .cb = sizeof info, .dwFlags = STARTF_USESTDHANDLES };
-    PROCESS_INFORMATION made;
-    wchar_t program[WIN_PATH], *line = malloc(LINE * sizeof *line);
+    PROCESS_INFORMATION process;
+    wchar_t program[WIN_PATH], *line = malloc(MAX_LINE * sizeof *line);
 
-    info.hStdInput = from;
+    info.hStdInput = input;
     info.hStdOutput = GetStdHandle(STD_OUTPUT_HANDLE);
     info.hStdError = GetStdHandle(STD_ERROR_HANDLE);
-    const bool good = line && find_command(program, words[0]) && command_line(line, LINE, words) &&
-                      CreateProcessW(program, line, NULL, NULL, TRUE, 0, NULL, NULL, &info, &made);
+    const bool good = line && find_command(program, args[0]) && build_command_line(line, MAX_LINE, args) &&
+                      CreateProcessW(program, line, NULL, NULL, TRUE, 0, NULL, NULL, &info, &process);
     free(line);
     if (!good)
-        return win_fail();
-    CloseHandle(made.hThread);
-    command_process = made.hProcess;
+        return win_set_errno();
+    CloseHandle(process.hThread);
+    command_process = process.hProcess;
     return true;
 }
 
-FILE *plat_command_open(const char *const words[])
+FILE *plat_command_open(const char *const args[])
 {
     SECURITY_ATTRIBUTES inherited = { .nLength = sizeof inherited, .bInheritHandle = TRUE };
-    HANDLE from, to;
+    HANDLE read_end, write_end;
 
-    if (!CreatePipe(&from, &to, &inherited, 0)) {
-        win_fail();
+    if (!CreatePipe(&read_end, &write_end, &inherited, 0)) {
+        win_set_errno();
         return NULL;
     }
-    SetHandleInformation(to, HANDLE_FLAG_INHERIT, 0);
-    const bool good = start(words, from);
-    CloseHandle(from);
+    SetHandleInformation(write_end, HANDLE_FLAG_INHERIT, 0);
+    const bool good = start_process(args, read_end);
+    CloseHandle(read_end);
     if (good)
-        return win_stream(to, _O_WRONLY, "wb");
-    CloseHandle(to);
+        return win_open_stream(write_end, _O_WRONLY, "wb");
+    CloseHandle(write_end);
     return NULL;
 }
 
@@ -392,13 +392,13 @@ bool plat_command_close(FILE *f)
 
     fclose(f);
     WaitForSingleObject(command_process, INFINITE);
-    const bool ended = GetExitCodeProcess(command_process, &code) && code == 0;
+    const bool succeeded = GetExitCodeProcess(command_process, &code) && code == 0;
     CloseHandle(command_process);
-    return good && ended;
+    return good && succeeded;
 }
 
 /* tmpfile of this C library creates the file in the drive's root, where users may not write. */
-FILE *plat_scratch(void)
+FILE *plat_open_scratch(void)
 {
     wchar_t folder[MAX_PATH + 1], path[MAX_PATH + 1];
 
@@ -406,13 +406,13 @@ FILE *plat_scratch(void)
         return NULL;
     HANDLE h = CreateFileW(path, GENERIC_READ | GENERIC_WRITE | DELETE, FILE_SHARE_DELETE, NULL, CREATE_ALWAYS,
                            FILE_ATTRIBUTE_TEMPORARY | FILE_FLAG_DELETE_ON_CLOSE, NULL);
-    return h == INVALID_HANDLE_VALUE ? NULL : win_stream(h, _O_RDWR, "w+b");
+    return h == INVALID_HANDLE_VALUE ? NULL : win_open_stream(h, _O_RDWR, "w+b");
 }
 
 /* ---- shared libraries ---- */
 
 /* Searches the program's and the system's folders, not the current one, which may contain a game. */
-void *plat_library(const char *name, int version)
+void *plat_open_library(const char *name, int version)
 {
     wchar_t file[128];
     const int n = swprintf(file, sizeof file / sizeof *file, L"lib%hs-%d.dll", name, version);
@@ -427,7 +427,7 @@ bool plat_library_hint(const char *name, int version, char *text, size_t size)
     return true;
 }
 
-bool plat_symbol(void *library, const char *name, void *function)
+bool plat_find_symbol(void *library, const char *name, void *function)
 {
     FARPROC found = library ? GetProcAddress(library, name) : NULL;
 
@@ -442,12 +442,12 @@ int plat_cores(void)
 {
     const DWORD n = GetActiveProcessorCount(ALL_PROCESSOR_GROUPS);
 
-    return n < 1 ? 1 : n > PLAT_JOBS ? PLAT_JOBS : (int)n;
+    return n < 1 ? 1 : n > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : (int)n;
 }
 
 /* Windows cannot fork a process, so the pieces run in this one. */
-bool plat_each(int n, int jobs, const struct plat_work *w)
+bool plat_run_jobs(int n, int jobs, const struct plat_work *w)
 {
     (void)jobs;
-    return host_each(n, w);
+    return host_run_jobs(n, w);
 }

@@ -8,65 +8,65 @@
 
 #include <shlobj.h>
 
-enum { KEY = 256 }; /* characters of a key or a name */
+enum { MAX_KEY = 256 }; /* characters of a key or a name */
 
 /* Writes the path of a key in Classes. */
-static void class_key(wchar_t out[KEY], const char *name, const char *below)
+static void class_key(wchar_t out[MAX_KEY], const char *name, const char *suffix)
 {
-    swprintf(out, KEY, L"Software\\Classes\\%hs%hs", name, below);
+    swprintf(out, MAX_KEY, L"Software\\Classes\\%hs%hs", name, suffix);
 }
 
-static bool set(const wchar_t *key, const wchar_t *value, const wchar_t *text)
+static bool set_value(const wchar_t *key, const wchar_t *value, const wchar_t *text)
 {
-    const LSTATUS is =
+    const LSTATUS status =
         RegSetKeyValueW(HKEY_CURRENT_USER, key, value, REG_SZ, text, (DWORD)((wcslen(text) + 1) * sizeof *text));
 
-    SetLastError((DWORD)is);
-    return is == ERROR_SUCCESS;
+    SetLastError((DWORD)status);
+    return status == ERROR_SUCCESS;
 }
 
 /* Returns whether a value is a string that is not empty. A string that is too long for out also counts; out is then
  * empty. */
-static bool get(HKEY root, const wchar_t *key, const wchar_t *value, wchar_t out[KEY])
+static bool get_value(HKEY root, const wchar_t *key, const wchar_t *value, wchar_t out[MAX_KEY])
 {
-    DWORD size = KEY * sizeof *out;
-    const LSTATUS is = RegGetValueW(root, key, value, RRF_RT_REG_SZ, NULL, out, &size);
+    DWORD size = MAX_KEY * sizeof *out;
+    const LSTATUS status = RegGetValueW(root, key, value, RRF_RT_REG_SZ, NULL, out, &size);
 
-    if (is != ERROR_SUCCESS)
+    if (status != ERROR_SUCCESS)
         out[0] = 0;
-    return (is == ERROR_SUCCESS && out[0]) || is == ERROR_MORE_DATA;
+    return (status == ERROR_SUCCESS && out[0]) || status == ERROR_MORE_DATA;
 }
 
 static bool write_type(const struct plat_file_type *type)
 {
-    wchar_t key[KEY], program[WIN_PATH], text[WIN_PATH + 32];
+    wchar_t key[MAX_KEY], program[WIN_PATH], text[WIN_PATH + 32];
     const DWORD n = GetModuleFileNameW(NULL, program, WIN_PATH);
 
     if (n == 0 || n >= WIN_PATH)
         return false;
     class_key(key, type->name, "");
-    swprintf(text, KEY, L"%hs", type->title);
-    bool good = set(key, NULL, text);
+    swprintf(text, MAX_KEY, L"%hs", type->title);
+    bool good = set_value(key, NULL, text);
     class_key(key, type->name, "\\DefaultIcon");
     swprintf(text, WIN_PATH + 32, L"\"%ls\",0", program);
-    good = good && set(key, NULL, text);
+    good = good && set_value(key, NULL, text);
     class_key(key, type->name, "\\shell\\open\\command");
     swprintf(text, WIN_PATH + 32, L"\"%ls\" play \"%%1\"", program);
-    return good && set(key, NULL, text);
+    return good && set_value(key, NULL, text);
 }
 
 /* Returns whether another program opens this file type. The user's choice, which Explorer stores, takes precedence over
  * the default. */
-static bool another_opens(const struct plat_file_type *type, const wchar_t *name)
+static bool has_other_default(const struct plat_file_type *type, const wchar_t *name)
 {
-    wchar_t key[KEY], is[KEY];
+    wchar_t key[MAX_KEY], current[MAX_KEY];
 
-    swprintf(key, KEY, L"Software\\Microsoft\\Windows\\CurrentVersion\\Explorer\\FileExts\\.%hs\\UserChoice",
+    swprintf(key, MAX_KEY, L"Software\\Microsoft\\Windows\\CurrentVersion\\Explorer\\FileExts\\.%hs\\UserChoice",
              type->ending);
-    if (get(HKEY_CURRENT_USER, key, L"ProgId", is))
-        return wcscmp(is, name) != 0;
-    swprintf(key, KEY, L".%hs", type->ending);
-    return get(HKEY_CLASSES_ROOT, key, NULL, is) && wcscmp(is, name) != 0;
+    if (get_value(HKEY_CURRENT_USER, key, L"ProgId", current))
+        return wcscmp(current, name) != 0;
+    swprintf(key, MAX_KEY, L".%hs", type->ending);
+    return get_value(HKEY_CLASSES_ROOT, key, NULL, current) && wcscmp(current, name) != 0;
 }
 
 static void remove_if_empty(const wchar_t *key)
@@ -83,14 +83,14 @@ static void remove_if_empty(const wchar_t *key)
 }
 
 static bool remove_type(const struct plat_file_type *type, const wchar_t *ending, const wchar_t *choices,
-                        const wchar_t *name)
+                        const wchar_t *type_name)
 {
-    wchar_t key[KEY], is[KEY];
+    wchar_t key[MAX_KEY], current[MAX_KEY];
 
     class_key(key, type->name, "");
     const LSTATUS removed = RegDeleteTreeW(HKEY_CURRENT_USER, key);
-    RegDeleteKeyValueW(HKEY_CURRENT_USER, choices, name);
-    if (get(HKEY_CURRENT_USER, ending, NULL, is) && wcscmp(is, name) == 0)
+    RegDeleteKeyValueW(HKEY_CURRENT_USER, choices, type_name);
+    if (get_value(HKEY_CURRENT_USER, ending, NULL, current) && wcscmp(current, type_name) == 0)
         RegDeleteKeyValueW(HKEY_CURRENT_USER, ending, NULL);
     remove_if_empty(choices);
     remove_if_empty(ending);
@@ -98,20 +98,21 @@ static bool remove_type(const struct plat_file_type *type, const wchar_t *ending
     return removed == ERROR_SUCCESS || removed == ERROR_FILE_NOT_FOUND;
 }
 
-enum plat_registered plat_register(const struct plat_file_type *type, bool on)
+enum plat_register_result plat_register_type(const struct plat_file_type *type, bool on)
 {
-    wchar_t ending[KEY], choices[KEY], name[KEY];
+    wchar_t ending[MAX_KEY], choices[MAX_KEY], name[MAX_KEY];
     char dot[16];
 
     snprintf(dot, sizeof dot, ".%s", type->ending);
     class_key(ending, dot, "");
     class_key(choices, dot, "\\OpenWithProgids");
-    swprintf(name, KEY, L"%hs", type->name);
-    const bool second = on && another_opens(type, name);
-    const bool good = on ? write_type(type) && set(choices, name, L"") && (second || set(ending, NULL, name))
-                         : remove_type(type, ending, choices, name);
+    swprintf(name, MAX_KEY, L"%hs", type->name);
+    const bool other_is_default = on && has_other_default(type, name);
+    const bool good =
+        on ? write_type(type) && set_value(choices, name, L"") && (other_is_default || set_value(ending, NULL, name))
+           : remove_type(type, ending, choices, name);
     if (!good)
-        win_fail();
+        win_set_errno();
     SHChangeNotify(SHCNE_ASSOCCHANGED, SHCNF_IDLIST, NULL, NULL);
-    return !good ? PLAT_NOT_REGISTERED : second ? PLAT_SECOND : PLAT_REGISTERED;
+    return !good ? PLAT_NOT_REGISTERED : other_is_default ? PLAT_NOT_DEFAULT : PLAT_REGISTERED;
 }

@@ -106,11 +106,11 @@ static inline void spoil_draw(struct spoil_bench *s, const struct board *b)
     struct fb fb;
     int w, h;
 
-    board_screen(b, &w, &h);
+    board_screen_size(b, &w, &h);
     if (fb_size(w, h) > s->pix_size)
         s->pix = realloc(s->pix, s->pix_size = fb_size(w, h));
-    if (board_scratch(b) + 1 > s->scratch_size)
-        s->scratch = realloc(s->scratch, s->scratch_size = board_scratch(b) + 1);
+    if (board_scratch_size(b) + 1 > s->scratch_size)
+        s->scratch = realloc(s->scratch, s->scratch_size = board_scratch_size(b) + 1);
     fb_init(&fb, s->pix, w, h);
     board_draw(b, NULL, &fb, s->rgb, s->scratch);
 }
@@ -121,7 +121,7 @@ static inline enum spoil_outcome spoil_frames(struct spoil_bench *s, struct boar
 {
     uint16_t pads[PADS] = { 0 };
 
-    for (uint32_t f = 0; f < SPOIL_FRAMES && !board_last(b)->fault; f++) {
+    for (uint32_t f = 0; f < SPOIL_FRAMES && !board_last_output(b)->fault; f++) {
         if (d)
             demo_pads(d, f, pads);
         else
@@ -130,7 +130,7 @@ static inline enum spoil_outcome spoil_frames(struct spoil_bench *s, struct boar
         if (f % 40 == 7)
             spoil_draw(s, b);
     }
-    const struct board_fault *fault = board_last(b)->fault;
+    const struct board_fault *fault = board_last_output(b)->fault;
     if (fault)
         snprintf(s->said, sizeof s->said, "%.*s", (int)strnlen(fault->message, sizeof s->said - 1), fault->message);
     return fault ? SPOIL_FAULTED : SPOIL_RAN;
@@ -155,7 +155,7 @@ static inline enum spoil_outcome spoil_run(struct spoil_bench *s, const struct r
         return SPOIL_TOO_LARGE;
     } else {
         memset(s->ram, 0x5a, size < 1 << 20 ? size : 1 << 20);
-        struct board *b = board_power(s->ram, size, rom, start, err, sizeof err);
+        struct board *b = board_power_on(s->ram, size, rom, start, err, sizeof err);
         out = b ? spoil_frames(s, b, d, &r) : SPOIL_REFUSED;
     }
     if (out == SPOIL_REFUSED)

@@ -92,10 +92,10 @@ int main(int argc, char **argv)
     if (argc != 3)
         fail("usage: lively ROM DEMO");
     if (!rom_image_load(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err) ||
-        !demo_load(&d, argv[2], err, sizeof err) || !demo_fits(&d, &cart, err, sizeof err) ||
+        !demo_load(&d, argv[2], err, sizeof err) || !demo_check_cart(&d, &cart, err, sizeof err) ||
         !trial_open(&t, &image.rom, &d.start, err, sizeof err))
         fail(err);
-    for (uint32_t f = 0; f < d.frames && !board_last(t.b)->fault; f++) {
+    for (uint32_t f = 0; f < d.frames && !board_last_output(t.b)->fault; f++) {
         const struct board_out *out = board_tick(t.b, d.pads[f]);
         for (int i = 0; i < out->markers; i++)
             take(&part, &out->marker[i]);

@@ -21,7 +21,7 @@ struct tally {
 static inline void tally_before(struct tally *t, const struct board *b)
 {
     for (int p = 0; p < PADS; p++) {
-        t->lives[p] = b->player.in[p] ? b->player.lives[p] : -1;
+        t->lives[p] = b->player.in_game[p] ? b->player.lives[p] : -1;
         t->grazed[p] = b->player.grazes[p];
     }
     t->top = b->enemies.s.top;
@@ -38,7 +38,7 @@ static inline void tally_after(struct tally *t, const struct board *b)
         t->kills += was && !is && b->enemies.hp[i] == 0;
     }
     for (int p = 0; p < PADS; p++) {
-        if (t->lives[p] >= 0 && (!b->player.in[p] || b->player.lives[p] < t->lives[p]))
+        if (t->lives[p] >= 0 && (!b->player.in_game[p] || b->player.lives[p] < t->lives[p]))
             t->deaths++;
         if (b->player.grazes[p] > t->grazed[p])
             t->grazes += b->player.grazes[p] - t->grazed[p];

@@ -10,7 +10,7 @@
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb/stb_image_write.h>
 
-static void *file(const char *name, size_t *size)
+static void *read_file(const char *name, size_t *size)
 {
     FILE *f = fopen(name, "rb");
     void *bytes = f && !fseek(f, 0, SEEK_END) ? malloc(*size = (size_t)ftell(f)) : NULL;
@@ -37,15 +37,15 @@ static void write_picture(struct curtain *c)
 
 int main(int argc, char **argv)
 {
-    struct curtain_config how = { 0 };
+    struct curtain_config config = { 0 };
     char err[256];
 
     if (argc != 4)
         return fprintf(stderr, "usage: frames GAME.rom RUN.demo N\n"), 2;
-    how.rom = file(argv[1], &how.rom_size);
-    how.demo = file(argv[2], &how.demo_size);
-    size_t size = curtain_memory(&how, err, sizeof err);
-    struct curtain *c = size ? curtain_open(&how, malloc(size), size, err, sizeof err) : NULL;
+    config.rom = read_file(argv[1], &config.rom_size);
+    config.demo = read_file(argv[2], &config.demo_size);
+    size_t size = curtain_memory(&config, err, sizeof err);
+    struct curtain *c = size ? curtain_open(&config, malloc(size), size, err, sizeof err) : NULL;
     if (!c)
         return fprintf(stderr, "frames: %s\n", err), 1;
     while (!(curtain_frame(c, NULL) & (CURTAIN_ENDED | CURTAIN_FAULT)))

@@ -76,7 +76,7 @@ struct retro_system_info {
     bool need_fullpath, block_extract;
 };
 struct retro_geometry {
-    unsigned width, height, most_width, most_height;
+    unsigned width, height, max_width, max_height;
     float aspect;
 };
 struct retro_timing {

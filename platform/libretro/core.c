@@ -14,7 +14,11 @@
 #include "abi.h"
 #include "inside.h"
 
-enum { TEXT = 256, CHOICES = 24, SAVED = 4 /* bytes before the nvram in save RAM: its size, a little-endian u32 */ };
+enum {
+    TEXT_SIZE = 256,
+    MAX_CHOICES = 24,
+    SAVED_HEADER = 4 /* bytes before the nvram in save RAM: its size, a little-endian u32 */
+};
 
 /* There is only one core, because the libretro interface has no handle. */
 static struct {
@@ -22,22 +26,22 @@ static struct {
     retro_video *video;
     retro_audio *audio;
     retro_poll *poll;
-    retro_input_state *state;
+    retro_input_state *input_state;
     struct retro_log log;
     void *rom, *memory;
     size_t rom_size;
     struct curtain *c;
     bool powered; /* powered up for play, with the front end's save RAM */
-    uint8_t *saved;
-    size_t saved_size;
+    uint8_t *save_ram;
+    size_t save_ram_size;
     uint32_t *pixels;
-    struct retro_variable variable[CHOICES + 1];
-    char key[CHOICES][TEXT], value[CHOICES][4 * TEXT];
+    struct retro_variable variable[MAX_CHOICES + 1];
+    char key[MAX_CHOICES][TEXT_SIZE], value[MAX_CHOICES][4 * TEXT_SIZE];
     char path[1024], version[16], title[128];
-    unsigned loads; /* number of attempts to load a state */
+    unsigned states_loaded; /* number of attempts to load a state */
 } core;
 
-static void say(enum retro_level level, const char *text)
+static void log_line(enum retro_level level, const char *text)
 {
     if (core.log.print)
         core.log.print(level, "Curtain: %s\n", text);
@@ -45,52 +49,52 @@ static void say(enum retro_level level, const char *text)
         fprintf(stderr, "Curtain: %s\n", text);
 }
 
-static void show(const char *text)
+static void show_error(const char *text)
 {
     struct retro_message message = { text, 240 };
 
-    say(RETRO_ERROR, text);
+    log_line(RETRO_ERROR, text);
     core.environment(RETRO_SET_MESSAGE, &message);
 }
 
 /* ---- options: difficulty, DIP switches, saving the run ---- */
 
-static void add_choice(int *n, const char *key, const char *description, const char *first)
+static void add_choice(int *n, const char *key, const char *description, const char *values)
 {
-    snprintf(core.key[*n], TEXT, "curtain_%s", key);
-    snprintf(core.value[*n], sizeof core.value[*n], "%s; %s", description, first);
+    snprintf(core.key[*n], TEXT_SIZE, "curtain_%s", key);
+    snprintf(core.value[*n], sizeof core.value[*n], "%s; %s", description, values);
     core.variable[*n] = (struct retro_variable){ core.key[*n], core.value[*n] };
     ++*n;
 }
 
 /* Appends a value to option n. Returns false if there is no space for it. */
-static bool add_word(int n, const char *word)
+static bool add_value(int n, const char *value)
 {
     size_t used = strlen(core.value[n]);
-    bool fits = used + 1 + strlen(word) < sizeof core.value[n];
+    bool fits = used + 1 + strlen(value) < sizeof core.value[n];
 
     if (fits)
-        snprintf(core.value[n] + used, sizeof core.value[n] - used, "|%s", word);
+        snprintf(core.value[n] + used, sizeof core.value[n] - used, "|%s", value);
     return fits;
 }
 
 static void offer_choices(void)
 {
-    const char *usual = curtain_difficulty(core.c, -1), *word;
+    const char *default_name = curtain_difficulty(core.c, -1), *name;
     struct curtain_switch s;
-    char text[TEXT];
+    char text[TEXT_SIZE];
     int n = 0;
 
     if (curtain_difficulty(core.c, 1)) {
-        add_choice(&n, "difficulty", "Difficulty", usual);
-        for (int i = 0; (word = curtain_difficulty(core.c, i)) != NULL; i++)
-            if (strcmp(word, usual))
-                add_word(n - 1, word);
+        add_choice(&n, "difficulty", "Difficulty", default_name);
+        for (int i = 0; (name = curtain_difficulty(core.c, i)) != NULL; i++)
+            if (strcmp(name, default_name))
+                add_value(n - 1, name);
     }
-    for (int i = 0; n < CHOICES - 1 && curtain_switches(core.c, i, &s); i++) {
+    for (int i = 0; n < MAX_CHOICES - 1 && curtain_switches(core.c, i, &s); i++) {
         add_choice(&n, s.name, s.name, s.value);
         for (int k = 0; curtain_switch_value(core.c, i, k, text, sizeof text); k++)
-            if (strcmp(text, s.value) && !add_word(n - 1, text))
+            if (strcmp(text, s.value) && !add_value(n - 1, text))
                 break;
     }
     add_choice(&n, "keep_run", "Save the run as a demo on exit", "no|yes");
@@ -98,12 +102,12 @@ static void offer_choices(void)
     core.environment(RETRO_SET_VARIABLES, core.variable);
 }
 
-static const char *chosen(const char *key)
+static const char *option_value(const char *key)
 {
-    char full[TEXT];
-    struct retro_variable v = { full, NULL };
+    char full_key[TEXT_SIZE];
+    struct retro_variable v = { full_key, NULL };
 
-    snprintf(full, sizeof full, "curtain_%s", key);
+    snprintf(full_key, sizeof full_key, "curtain_%s", key);
     return core.environment(RETRO_GET_VARIABLE, &v) && v.value ? v.value : NULL;
 }
 
@@ -114,7 +118,7 @@ static void read_switches(char *out, size_t size)
 
     out[0] = 0;
     for (int i = 0; curtain_switches(core.c, i, &s); i++) {
-        const char *value = chosen(s.name);
+        const char *value = option_value(s.name);
         if (value && n < size)
             n += (size_t)snprintf(out + n, size - n, "%s=%s ", s.name, value);
     }
@@ -129,7 +133,7 @@ static uint32_t get32(const uint8_t *p)
 
 /* Returns a seed: the FNV-1a hash of save RAM. Sessions with different save RAM get different seeds, the same on every
  * machine. */
-static uint64_t seed_of(const uint8_t *bytes, size_t n)
+static uint64_t hash_seed(const uint8_t *bytes, size_t n)
 {
     uint64_t h = 0xcbf29ce484222325u;
 
@@ -148,37 +152,37 @@ static void close_game(void)
 
 /* Powers the game up with the front end's current options and save RAM. Returns false, after showing the error, if that
  * fails. */
-static bool power(void)
+static bool power_up(void)
 {
-    struct curtain_config how = { .rom = core.rom, .rom_size = core.rom_size };
-    char err[TEXT], switches[TEXT] = "", difficulty[TEXT] = "";
+    struct curtain_config config = { .rom = core.rom, .rom_size = core.rom_size };
+    char err[TEXT_SIZE], switches[TEXT_SIZE] = "", difficulty[TEXT_SIZE] = "";
 
     if (core.c) {
         read_switches(switches, sizeof switches);
-        snprintf(difficulty, sizeof difficulty, "%s", chosen("difficulty") ? chosen("difficulty") : "");
-        how.difficulty = difficulty[0] ? difficulty : NULL;
-        how.switches = switches;
+        snprintf(difficulty, sizeof difficulty, "%s", option_value("difficulty") ? option_value("difficulty") : "");
+        config.difficulty = difficulty[0] ? difficulty : NULL;
+        config.switches = switches;
     }
     close_game();
-    if (core.saved && get32(core.saved) > 0 && get32(core.saved) <= core.saved_size - SAVED) {
-        how.nvram = core.saved + SAVED;
-        how.nvram_size = get32(core.saved);
+    if (core.save_ram && get32(core.save_ram) > 0 && get32(core.save_ram) <= core.save_ram_size - SAVED_HEADER) {
+        config.nvram = core.save_ram + SAVED_HEADER;
+        config.nvram_size = get32(core.save_ram);
     }
-    how.seed = how.nvram ? seed_of(how.nvram, how.nvram_size) : 1;
-    size_t size = curtain_memory(&how, err, sizeof err);
+    config.seed = config.nvram ? hash_seed(config.nvram, config.nvram_size) : 1;
+    size_t size = curtain_memory(&config, err, sizeof err);
     core.memory = size ? malloc(size) : NULL;
-    core.c = core.memory ? curtain_open(&how, core.memory, size, err, sizeof err) : NULL;
+    core.c = core.memory ? curtain_open(&config, core.memory, size, err, sizeof err) : NULL;
     if (!core.c) {
-        show(size && !core.memory ? "not enough memory" : err);
+        show_error(size && !core.memory ? "not enough memory" : err);
         close_game();
     }
     return core.c != NULL;
 }
 
-static bool ready(void)
+static bool ensure_powered(void)
 {
     if (!core.powered && core.c)
-        core.powered = power();
+        core.powered = power_up();
     return core.powered;
 }
 
@@ -186,11 +190,11 @@ static bool ready(void)
 
 void retro_set_environment(retro_environment *f)
 {
-    const bool alone = true;
+    const bool supports_no_game = true;
 
     core.environment = f;
-    if (inside_is())
-        f(RETRO_SET_SUPPORT_NO_GAME, (void *)&alone);
+    if (inside_has_game())
+        f(RETRO_SET_SUPPORT_NO_GAME, (void *)&supports_no_game);
 }
 
 void retro_set_video_refresh(retro_video *f)
@@ -215,7 +219,7 @@ void retro_set_input_poll(retro_poll *f)
 
 void retro_set_input_state(retro_input_state *f)
 {
-    core.state = f;
+    core.input_state = f;
 }
 
 void retro_set_controller_port_device(unsigned port, unsigned device)
@@ -243,17 +247,17 @@ unsigned retro_api_version(void)
  * "Curtain". */
 static void read_title(void)
 {
-    struct curtain_config how = { 0 };
-    char err[TEXT];
+    struct curtain_config config = { 0 };
+    char err[TEXT_SIZE];
     void *rom;
 
     snprintf(core.title, sizeof core.title, "Curtain");
-    if (!inside_is() || !inside_read(&rom, &how.rom_size, err, sizeof err))
+    if (!inside_has_game() || !inside_read(&rom, &config.rom_size, err, sizeof err))
         return;
-    how.rom = rom;
-    const size_t size = curtain_memory(&how, err, sizeof err);
+    config.rom = rom;
+    const size_t size = curtain_memory(&config, err, sizeof err);
     void *memory = size ? malloc(size) : NULL;
-    struct curtain *c = memory ? curtain_open(&how, memory, size, err, sizeof err) : NULL;
+    struct curtain *c = memory ? curtain_open(&config, memory, size, err, sizeof err) : NULL;
     if (c)
         snprintf(core.title, sizeof core.title, "%s", curtain_title(c));
     curtain_close(c);
@@ -266,7 +270,7 @@ void retro_get_system_info(struct retro_system_info *info)
     if (!core.title[0])
         read_title();
     snprintf(core.version, sizeof core.version, "core %d", curtain_core());
-    *info = (struct retro_system_info){ core.title, core.version, inside_is() ? "" : "rom", false, false };
+    *info = (struct retro_system_info){ core.title, core.version, inside_has_game() ? "" : "rom", false, false };
 }
 
 void retro_get_system_av_info(struct retro_av_info *info)
@@ -294,11 +298,11 @@ void retro_cheat_set(unsigned index, bool on, const char *code)
 
 /* ---- loading and unloading a game ---- */
 
-static void tell_buttons(void)
+static void report_button_labels(void)
 {
     static const struct {
         unsigned id;
-        const char *what;
+        const char *label;
     } buttons[] = { { RETRO_UP, "Up" },   { RETRO_DOWN, "Down" },   { RETRO_LEFT, "Left" },    { RETRO_RIGHT, "Right" },
                     { RETRO_B, "Fire" },  { RETRO_A, "Bomb" },      { RETRO_Y, "Focus" },      { RETRO_X, "Special" },
                     { RETRO_R, "Focus" }, { RETRO_START, "Start" }, { RETRO_SELECT, "Select" } };
@@ -306,33 +310,33 @@ static void tell_buttons(void)
     struct retro_input inputs[CURTAIN_PADS * N + 1];
 
     for (unsigned i = 0; i < CURTAIN_PADS * N; i++)
-        inputs[i] = (struct retro_input){ i / N, RETRO_DEVICE_JOYPAD, 0, buttons[i % N].id, buttons[i % N].what };
+        inputs[i] = (struct retro_input){ i / N, RETRO_DEVICE_JOYPAD, 0, buttons[i % N].id, buttons[i % N].label };
     inputs[CURTAIN_PADS * N] = (struct retro_input){ 0 };
     core.environment(RETRO_SET_INPUTS, inputs);
 }
 
 /* Replaces the ROM in core.rom by its plain form, because the ROM is opened at each reset. */
-static bool make_plain(char *err, size_t err_size)
+static bool unpack_rom(char *err, size_t err_size)
 {
     const size_t size = curtain_plain(core.rom, core.rom_size, NULL, 0, err, err_size);
-    void *plain = size > 0 ? malloc(size) : NULL;
+    void *unpacked = size > 0 ? malloc(size) : NULL;
 
-    if (size > 0 && !plain)
+    if (size > 0 && !unpacked)
         snprintf(err, err_size, "not enough memory");
-    const bool good = plain && curtain_plain(core.rom, core.rom_size, plain, size, err, err_size) > 0;
-    free(good ? core.rom : plain);
-    core.rom = good ? plain : core.rom;
+    const bool good = unpacked && curtain_plain(core.rom, core.rom_size, unpacked, size, err, err_size) > 0;
+    free(good ? core.rom : unpacked);
+    core.rom = good ? unpacked : core.rom;
     core.rom_size = good ? size : core.rom_size;
     return good;
 }
 
 /* Sets core.rom to the plain ROM of the embedded game or of the content. Shows the error and returns false on
  * failure. */
-static bool take_rom(const struct retro_game *game)
+static bool load_rom(const struct retro_game *game)
 {
-    char err[TEXT] = "no game, or not enough memory for it";
+    char err[TEXT_SIZE] = "no game, or not enough memory for it";
 
-    if (inside_is()) {
+    if (inside_has_game()) {
         inside_read(&core.rom, &core.rom_size, err, sizeof err);
     } else {
         core.rom_size = game ? game->size : 0;
@@ -340,21 +344,21 @@ static bool take_rom(const struct retro_game *game)
         if (core.rom)
             memcpy(core.rom, game->data, core.rom_size);
     }
-    if (core.rom && make_plain(err, sizeof err))
+    if (core.rom && unpack_rom(err, sizeof err))
         return true;
-    show(err);
+    show_error(err);
     free(core.rom);
     core.rom = NULL;
     return false;
 }
 
-static void give_back(void)
+static void release_game(void)
 {
     close_game();
     free(core.rom);
-    free(core.saved);
+    free(core.save_ram);
     free(core.pixels);
-    core.rom = core.saved = NULL;
+    core.rom = core.save_ram = NULL;
     core.pixels = NULL;
     core.powered = false;
 }
@@ -363,22 +367,22 @@ bool retro_load_game(const struct retro_game *game)
 {
     const int format = RETRO_PIXEL_FORMAT_XRGB8888;
 
-    if (!take_rom(game))
+    if (!load_rom(game))
         return false;
-    if (!core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power()) {
-        give_back();
+    if (!core.environment(RETRO_SET_PIXEL_FORMAT, (void *)&format) || !power_up()) {
+        release_game();
         return false;
     }
-    core.saved_size = SAVED + curtain_nvram_room(core.c);
-    core.saved = calloc(1, core.saved_size);
+    core.save_ram_size = SAVED_HEADER + curtain_nvram_room(core.c);
+    core.save_ram = calloc(1, core.save_ram_size);
     core.pixels = calloc((size_t)curtain_width(core.c) * (size_t)curtain_height(core.c), sizeof *core.pixels);
-    core.loads = 0;
-    if (!core.saved || !core.pixels) {
-        show("not enough memory");
-        give_back();
+    core.states_loaded = 0;
+    if (!core.save_ram || !core.pixels) {
+        show_error("not enough memory");
+        release_game();
         return false;
     }
-    tell_buttons();
+    report_button_labels();
     offer_choices();
     return true;
 }
@@ -392,13 +396,13 @@ bool retro_load_game_special(unsigned type, const struct retro_game *games, size
 }
 
 /* Writes the run as a demo to the save directory if the option is on. */
-static void keep_run(void)
+static void save_demo(void)
 {
-    const char *keep = chosen("keep_run"), *folder = NULL;
-    char err[TEXT] = "cannot write the demo";
+    const char *choice = option_value("keep_run"), *folder = NULL;
+    char err[TEXT_SIZE] = "cannot write the demo";
     size_t size;
 
-    if (!keep || strcmp(keep, "yes") != 0)
+    if (!choice || strcmp(choice, "yes") != 0)
         return;
     void *demo = curtain_demo(core.c, &size, err, sizeof err);
     core.environment(RETRO_GET_SAVE_DIRECTORY, &folder);
@@ -406,26 +410,26 @@ static void keep_run(void)
     FILE *f = demo ? fopen(core.path, "wb") : NULL;
     const bool good = f && fwrite(demo, 1, size, f) == size;
     if (!f || fclose(f) != 0 || !good)
-        say(RETRO_ERROR, err);
+        log_line(RETRO_ERROR, err);
     curtain_demo_free(demo);
 }
 
 void retro_unload_game(void)
 {
-    char text[TEXT];
+    char text[TEXT_SIZE];
 
     if (core.powered) {
-        keep_run();
+        save_demo();
         snprintf(text, sizeof text, "%u frames, hash %016llx, %u states loaded", (unsigned)curtain_frames(core.c),
-                 (unsigned long long)curtain_hash(core.c), core.loads);
-        say(RETRO_INFO, text);
+                 (unsigned long long)curtain_hash(core.c), core.states_loaded);
+        log_line(RETRO_INFO, text);
     }
-    give_back();
+    release_game();
 }
 
 void retro_reset(void)
 {
-    core.powered = power();
+    core.powered = power_up();
 }
 
 /* ---- a frame ---- */
@@ -441,29 +445,29 @@ static uint16_t read_pad(unsigned port)
     uint16_t pad = 0;
 
     for (unsigned i = 0; i < RETRO_BUTTONS; i++)
-        if (map[i] && core.state(port, RETRO_DEVICE_JOYPAD, 0, i))
+        if (map[i] && core.input_state(port, RETRO_DEVICE_JOYPAD, 0, i))
             pad |= map[i];
     return pad;
 }
 
-static void save_ram(void)
+static void copy_save_ram(void)
 {
     size_t n;
     const void *image = curtain_nvram(core.c, &n);
 
-    for (int i = 0; i < SAVED; i++)
-        core.saved[i] = (uint8_t)(n >> 8 * i);
-    memcpy(core.saved + SAVED, image, n);
+    for (int i = 0; i < SAVED_HEADER; i++)
+        core.save_ram[i] = (uint8_t)(n >> 8 * i);
+    memcpy(core.save_ram + SAVED_HEADER, image, n);
 }
 
 static void show_picture(void)
 {
     const int w = curtain_width(core.c), h = curtain_height(core.c);
-    const uint8_t *from = curtain_picture(core.c);
-    const uint32_t *rgb = curtain_palette(core.c);
+    const uint8_t *pixels = curtain_picture(core.c);
+    const uint32_t *palette = curtain_palette(core.c);
 
     for (int i = 0; i < w * h; i++)
-        core.pixels[i] = rgb[from[i]];
+        core.pixels[i] = palette[pixels[i]];
     core.video(core.pixels, (unsigned)w, (unsigned)h, (size_t)w * sizeof *core.pixels);
 }
 
@@ -474,22 +478,22 @@ void retro_run(void)
     bool changed = false;
 
     core.poll();
-    if (!ready()) {
+    if (!ensure_powered()) {
         core.environment(RETRO_SHUTDOWN, NULL);
         return;
     }
     if (core.environment(RETRO_GET_VARIABLE_UPDATE, &changed) && changed && curtain_frames(core.c) > 0)
-        say(RETRO_INFO, "options take effect after a reset");
+        log_line(RETRO_INFO, "options take effect after a reset");
     for (unsigned i = 0; i < CURTAIN_PADS; i++)
         pads[i] = read_pad(i);
-    const bool was = curtain_fault(core.c)[0] != 0;
+    const bool had_fault = curtain_fault(core.c)[0] != 0;
     const unsigned events = curtain_frame(core.c, pads);
     if (events & CURTAIN_LOG)
-        say(RETRO_INFO, curtain_log(core.c));
+        log_line(RETRO_INFO, curtain_log(core.c));
     if (events & CURTAIN_SAVED)
-        save_ram();
-    if (events & CURTAIN_FAULT && !was)
-        show(curtain_fault(core.c));
+        copy_save_ram();
+    if (events & CURTAIN_FAULT && !had_fault)
+        show_error(curtain_fault(core.c));
     if (events & CURTAIN_QUIT)
         core.environment(RETRO_SHUTDOWN, NULL);
     show_picture();
@@ -505,13 +509,13 @@ size_t retro_serialize_size(void)
 
 bool retro_serialize(void *data, size_t size)
 {
-    char err[TEXT];
+    char err[TEXT_SIZE];
 
-    if (!ready())
+    if (!ensure_powered())
         return false;
     const size_t n = curtain_save(core.c, data, size, err, sizeof err);
     if (n == 0) {
-        say(RETRO_WARN, err);
+        log_line(RETRO_WARN, err);
         return false;
     }
     memset((uint8_t *)data + n, 0, size - n); /* equal states have equal bytes */
@@ -520,25 +524,25 @@ bool retro_serialize(void *data, size_t size)
 
 bool retro_unserialize(const void *data, size_t size)
 {
-    char err[TEXT];
+    char err[TEXT_SIZE];
 
-    if (!ready())
+    if (!ensure_powered())
         return false;
-    core.loads++;
+    core.states_loaded++;
     if (curtain_load(core.c, data, size, err, sizeof err)) {
-        save_ram();
+        copy_save_ram();
         return true;
     }
-    show(err);
+    show_error(err);
     return false;
 }
 
 void *retro_get_memory_data(unsigned id)
 {
-    return id == RETRO_MEMORY_SAVE_RAM ? core.saved : NULL;
+    return id == RETRO_MEMORY_SAVE_RAM ? core.save_ram : NULL;
 }
 
 size_t retro_get_memory_size(unsigned id)
 {
-    return id == RETRO_MEMORY_SAVE_RAM && core.saved ? core.saved_size : 0;
+    return id == RETRO_MEMORY_SAVE_RAM && core.save_ram ? core.save_ram_size : 0;
 }

@@ -10,26 +10,26 @@
 #include <stdlib.h>
 #include "../../src/cab/share/mark.h"
 
-bool inside_is(void)
+bool inside_has_game(void)
 {
     return mark_own().size > 0;
 }
 
-static bool refuse(char *err, size_t err_size, const char *file, const char *why)
+static bool refuse(char *err, size_t err_size, const char *file, const char *reason)
 {
-    snprintf(err, err_size, "%s: %s", file, why);
+    snprintf(err, err_size, "%s: %s", file, reason);
     return false;
 }
 
 bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
 {
-    static const char here = 0; /* any address in this core, for dladdr */
+    static const char anchor = 0; /* any address in this core, for dladdr */
     const struct mark m = mark_own();
     Dl_info info = { 0 };
 
     *rom = NULL;
     *size = (size_t)m.size;
-    if (!dladdr(&here, &info) || !info.dli_fname)
+    if (!dladdr(&anchor, &info) || !info.dli_fname)
         return refuse(err, err_size, "embedded game", "cannot find the core's file on this system");
     FILE *f = fopen(info.dli_fname, "rb");
     if (!f)
@@ -39,9 +39,9 @@ bool inside_read(void **rom, size_t *size, char *err, size_t err_size)
     fclose(f);
     if (good)
         return true;
-    const bool room = *rom != NULL;
+    const bool allocated = *rom != NULL;
     free(*rom);
     *rom = NULL;
     return refuse(err, err_size, info.dli_fname,
-                  room ? "the core's file is truncated: the game is incomplete" : "not enough memory");
+                  allocated ? "the core's file is truncated: the game is incomplete" : "not enough memory");
 }

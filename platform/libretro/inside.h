@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 /* Returns whether this core has an embedded game. */
-bool inside_is(void);
+bool inside_has_game(void);
 
 /* Reads the packed game into *rom, from malloc. On failure, returns false and sets err, and *rom is NULL: the core's
  * file cannot be read or is truncated, or memory is short. */

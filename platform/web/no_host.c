@@ -29,30 +29,30 @@ char *getenv(const char *name)
 }
 
 /* These are never called. */
-#define NONE(name)                                                                                                     \
+#define TRAP_UNARY(name)                                                                                               \
     double name(double x)                                                                                              \
     {                                                                                                                  \
         (void)x;                                                                                                       \
         __builtin_trap();                                                                                              \
     }
-#define NONE_OF_TWO(name)                                                                                              \
+#define TRAP_BINARY(name)                                                                                              \
     double name(double x, double y)                                                                                    \
     {                                                                                                                  \
         (void)x;                                                                                                       \
         (void)y;                                                                                                       \
         __builtin_trap();                                                                                              \
     }
-NONE(sin)
-NONE(cos)
-NONE(tan)
-NONE(asin)
-NONE(acos)
-NONE(sinh)
-NONE(cosh)
-NONE(tanh)
-NONE(exp)
-NONE(log)
-NONE(log2)
-NONE(log10)
-NONE_OF_TWO(atan2)
-NONE_OF_TWO(pow)
+TRAP_UNARY(sin)
+TRAP_UNARY(cos)
+TRAP_UNARY(tan)
+TRAP_UNARY(asin)
+TRAP_UNARY(acos)
+TRAP_UNARY(sinh)
+TRAP_UNARY(cosh)
+TRAP_UNARY(tanh)
+TRAP_UNARY(exp)
+TRAP_UNARY(log)
+TRAP_UNARY(log2)
+TRAP_UNARY(log10)
+TRAP_BINARY(atan2)
+TRAP_BINARY(pow)

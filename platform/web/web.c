@@ -9,16 +9,16 @@
 
 #define EXPORT(name) __attribute__((export_name(#name))) name
 
-enum { WORDS = 4, WORD = 256, SOUND = 800, SAID = 512 };
+enum { OPTIONS = 4, OPTION_SIZE = 256, SOUND_FRAMES = 800, ERROR_SIZE = 512 };
 enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
 
 static struct {
-    struct curtain *c, *stands; /* stands: the game's board while c plays a demo it asked for; otherwise NULL */
-    void *memory, *stands_memory;
-    char word[WORDS][WORD]; /* strings for the next web_open; "": none */
-    char said[SAID];
+    struct curtain *c, *game; /* game: the game's board while c plays a demo it asked for; otherwise NULL */
+    void *memory, *game_memory;
+    char option[OPTIONS][OPTION_SIZE]; /* strings for the next web_open; "": none */
+    char error[ERROR_SIZE];
     uint32_t rgba[1024 * 1024]; /* room for the largest picture */
-    int16_t sound[2 * SOUND];
+    int16_t sound[2 * SOUND_FRAMES];
     struct curtain_ship ship;
     size_t size; /* size of the last result in bytes; of web_sound, in frames */
     const void *rom;
@@ -38,26 +38,26 @@ void EXPORT(web_give)(void *at)
 }
 
 /* Returns the buffer, WORD bytes including a NUL, of a string for the next web_open; NULL: no such string. */
-char *EXPORT(web_word)(int which)
+char *EXPORT(web_word)(int i)
 {
-    return which >= 0 && which < WORDS ? web.word[which] : NULL;
+    return i >= 0 && i < OPTIONS ? web.option[i] : NULL;
 }
 
-static const char *word(int which)
+static const char *get_option(int i)
 {
-    return web.word[which][0] ? web.word[which] : NULL;
+    return web.option[i][0] ? web.option[i] : NULL;
 }
 
 /* Unpacks a packed game, because it is opened more than once. `packed` is from web_take and is freed. Returns the plain
  * game, web_size bytes, or NULL with the message in web_said. */
 void *EXPORT(web_rom)(void *packed, size_t size)
 {
-    web.size = curtain_plain(packed, size, NULL, 0, web.said, SAID);
+    web.size = curtain_plain(packed, size, NULL, 0, web.error, ERROR_SIZE);
     void *plain = web.size ? malloc(web.size) : NULL;
 
     if (web.size && !plain)
-        snprintf(web.said, SAID, "not enough memory for this game");
-    if (plain && !curtain_plain(packed, size, plain, web.size, web.said, SAID)) {
+        snprintf(web.error, ERROR_SIZE, "not enough memory for this game");
+    if (plain && !curtain_plain(packed, size, plain, web.size, web.error, ERROR_SIZE)) {
         free(plain);
         plain = NULL;
     }
@@ -75,17 +75,17 @@ static void close_board(void)
     web.memory = NULL;
 }
 
-static int open_board(const struct curtain_config *how)
+static int open_board(const struct curtain_config *config)
 {
-    size_t size = curtain_memory(how, web.said, SAID);
+    size_t size = curtain_memory(config, web.error, ERROR_SIZE);
 
     if (size == 0)
         return 0;
     web.memory = malloc(size);
     if (!web.memory)
-        snprintf(web.said, SAID, "not enough memory for this game");
+        snprintf(web.error, ERROR_SIZE, "not enough memory for this game");
     else
-        web.c = curtain_open(how, web.memory, size, web.said, SAID);
+        web.c = curtain_open(config, web.memory, size, web.error, ERROR_SIZE);
     if (!web.c)
         close_board();
     return web.c != NULL;
@@ -94,31 +94,31 @@ static int open_board(const struct curtain_config *how)
 /* Ends the demo that the game asked for, if one is playing; the game continues. */
 void EXPORT(web_attract_end)(void)
 {
-    if (!web.stands)
+    if (!web.game)
         return;
     close_board();
-    web.c = web.stands;
-    web.memory = web.stands_memory;
-    web.stands = NULL;
+    web.c = web.game;
+    web.memory = web.game_memory;
+    web.game = NULL;
 }
 
 /* Plays the demo that the last frame asked for, on a separate board. Returns 0 on failure, with the message in
  * web_said. */
 int EXPORT(web_attract)(void)
 {
-    struct curtain_config how = { .rom = web.rom, .rom_size = web.rom_size, .snapshots = 1 };
+    struct curtain_config config = { .rom = web.rom, .rom_size = web.rom_size, .snapshots = 1 };
 
     web_attract_end();
-    how.demo = curtain_attract_demo(web.c, &how.demo_size);
-    if (!how.demo) {
-        snprintf(web.said, SAID, "no demo named \"%s\"", curtain_attract(web.c));
+    config.demo = curtain_attract_demo(web.c, &config.demo_size);
+    if (!config.demo) {
+        snprintf(web.error, ERROR_SIZE, "no demo named \"%s\"", curtain_attract(web.c));
         return 0;
     }
-    web.stands = web.c;
-    web.stands_memory = web.memory;
+    web.game = web.c;
+    web.game_memory = web.memory;
     web.c = NULL;
     web.memory = NULL;
-    if (open_board(&how))
+    if (open_board(&config))
         return 1;
     web_attract_end();
     return 0;
@@ -134,33 +134,33 @@ void EXPORT(web_close)(void)
 int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void *nvram, size_t nvram_size,
                      const void *demo, size_t demo_size)
 {
-    struct curtain_config how = { .rom = rom,
-                                  .rom_size = rom_size,
-                                  .seed = seed,
-                                  .difficulty = word(DIFFICULTY),
-                                  .lang = word(LANGUAGE),
-                                  .switches = word(SWITCHES),
-                                  .section = word(SECTION),
-                                  .nvram = nvram_size ? nvram : NULL,
-                                  .nvram_size = nvram_size,
-                                  .demo = demo_size ? demo : NULL,
-                                  .demo_size = demo_size,
-                                  .snapshots = 4 };
+    struct curtain_config config = { .rom = rom,
+                                     .rom_size = rom_size,
+                                     .seed = seed,
+                                     .difficulty = get_option(DIFFICULTY),
+                                     .lang = get_option(LANGUAGE),
+                                     .switches = get_option(SWITCHES),
+                                     .section = get_option(SECTION),
+                                     .nvram = nvram_size ? nvram : NULL,
+                                     .nvram_size = nvram_size,
+                                     .demo = demo_size ? demo : NULL,
+                                     .demo_size = demo_size,
+                                     .snapshots = 4 };
 
     web_close();
     web.rom = rom;
     web.rom_size = rom_size;
-    return open_board(&how);
+    return open_board(&config);
 }
 
 const char *EXPORT(web_said)(void)
 {
-    return web.said;
+    return web.error;
 }
 
-unsigned EXPORT(web_frame)(unsigned one, unsigned two)
+unsigned EXPORT(web_frame)(unsigned pad1, unsigned pad2)
 {
-    const uint16_t pads[CURTAIN_PADS] = { (uint16_t)one, (uint16_t)two };
+    const uint16_t pads[CURTAIN_PADS] = { (uint16_t)pad1, (uint16_t)pad2 };
 
     return curtain_frame(web.c, pads);
 }
@@ -186,22 +186,22 @@ int EXPORT(web_height)(void)
 /* Returns the picture as RGBA bytes with alpha 255, the layout of canvas ImageData. */
 const uint32_t *EXPORT(web_picture)(void)
 {
-    const uint8_t *from = curtain_picture(web.c);
+    const uint8_t *pixels = curtain_picture(web.c);
     const uint32_t *rgb = curtain_palette(web.c);
     const int n = curtain_width(web.c) * curtain_height(web.c);
-    uint32_t colour[256];
+    uint32_t palette[256];
 
     for (int i = 0; i < 256; i++)
-        colour[i] = 0xff000000 | (rgb[i] & 0xff) << 16 | (rgb[i] & 0xff00) | (rgb[i] >> 16 & 0xff);
+        palette[i] = 0xff000000 | (rgb[i] & 0xff) << 16 | (rgb[i] & 0xff00) | (rgb[i] >> 16 & 0xff);
     for (int i = 0; i < n; i++)
-        web.rgba[i] = colour[from[i]];
+        web.rgba[i] = palette[pixels[i]];
     return web.rgba;
 }
 
 /* Returns up to 800 stereo frames, left first; web_size is their number. */
 const int16_t *EXPORT(web_sound)(void)
 {
-    web.size = curtain_sound(web.c, web.sound, SOUND);
+    web.size = curtain_sound(web.c, web.sound, SOUND_FRAMES);
     return web.sound;
 }
 
@@ -273,25 +273,25 @@ const void *EXPORT(web_nvram)(void)
 /* Returns a state, to be freed with web_give, or NULL with the message in web_said. */
 void *EXPORT(web_save)(void)
 {
-    size_t room = curtain_state_size(web.c);
-    void *state = malloc(room);
+    size_t cap = curtain_state_size(web.c);
+    void *state = malloc(cap);
 
-    web.size = state ? curtain_save(web.c, state, room, web.said, SAID) : 0;
+    web.size = state ? curtain_save(web.c, state, cap, web.error, ERROR_SIZE) : 0;
     if (web.size > 0)
         return state;
     if (!state)
-        snprintf(web.said, SAID, "not enough memory for a state");
+        snprintf(web.error, ERROR_SIZE, "not enough memory for a state");
     free(state);
     return NULL;
 }
 
 int EXPORT(web_load)(const void *state, size_t size)
 {
-    return curtain_load(web.c, state, size, web.said, SAID);
+    return curtain_load(web.c, state, size, web.error, ERROR_SIZE);
 }
 
 /* Returns the run as a demo, to be freed with web_give, or NULL with the message in web_said. */
 void *EXPORT(web_demo)(void)
 {
-    return curtain_demo(web.c, &web.size, web.said, SAID);
+    return curtain_demo(web.c, &web.size, web.error, ERROR_SIZE);
 }

@@ -40,7 +40,7 @@ static inline void bytes_put64(uint8_t *p, uint64_t v)
 }
 
 /* Returns the value of a base64 digit (RFC 4648), 0 to 63, or -1 if c is not a digit. */
-static inline int bytes_digit64(uint8_t c)
+static inline int bytes_base64_digit(uint8_t c)
 {
     if (c >= 'A' && c <= 'Z')
         return c - 'A';

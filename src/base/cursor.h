@@ -13,25 +13,25 @@ struct cursor {
     int line; /* counted from 1 */
 };
 
-static inline bool cursor_letter(char c)
+static inline bool cursor_is_letter(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-static inline bool cursor_digit(char c)
+static inline bool cursor_is_digit(char c)
 {
     return c >= '0' && c <= '9';
 }
 
-static inline bool cursor_blank(char c)
+static inline bool cursor_is_blank(char c)
 {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 /* Returns the value of a hexadecimal digit, or -1. */
-static inline int cursor_hex(char c)
+static inline int cursor_hex_value(char c)
 {
-    if (cursor_digit(c))
+    if (cursor_is_digit(c))
         return c - '0';
     if (c >= 'a' && c <= 'f')
         return c - 'a' + 10;
@@ -47,12 +47,12 @@ static inline char cursor_peek(const struct cursor *c, size_t k)
 /* Advances by one character; requires p < end. \r\n and \n\r each count as one line end. */
 static inline void cursor_step(struct cursor *c)
 {
-    char was = *c->p++;
+    char consumed = *c->p++;
 
-    if (was != '\n' && was != '\r')
+    if (consumed != '\n' && consumed != '\r')
         return;
     c->line++;
-    if ((cursor_peek(c, 0) == '\n' || cursor_peek(c, 0) == '\r') && cursor_peek(c, 0) != was)
+    if ((cursor_peek(c, 0) == '\n' || cursor_peek(c, 0) == '\r') && cursor_peek(c, 0) != consumed)
         c->p++;
 }
 
@@ -68,7 +68,7 @@ static inline int cursor_long_level(const struct cursor *c)
 }
 
 /* Returns whether a long bracket of level `level` closes at the cursor. */
-static inline bool cursor_closes(const struct cursor *c, int level)
+static inline bool cursor_at_long_close(const struct cursor *c, int level)
 {
     for (int i = 1; i <= level; i++)
         if (cursor_peek(c, (size_t)i) != '=')

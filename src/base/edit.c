@@ -7,11 +7,11 @@
 
 int edit_distance(const char *a, const char *b)
 {
-    enum { LONGEST = 32 };
+    enum { MAX_LENGTH = 32 };
     size_t n = strlen(a), m = strlen(b);
-    int d[LONGEST + 1][LONGEST + 1];
+    int d[MAX_LENGTH + 1][MAX_LENGTH + 1];
 
-    if (n > LONGEST || m > LONGEST)
+    if (n > MAX_LENGTH || m > MAX_LENGTH)
         return EDIT_FAR;
     for (size_t i = 0; i <= n; i++)
         for (size_t j = 0; j <= m; j++) {

@@ -47,25 +47,25 @@ typedef uint32_t ang; /* a binary angle: 2^32 is a full turn, see trig.h */
 
 /*
  * Rare cases are handled in a branch: a predicted branch costs nothing, while a select between two values (which
- * compilers prefer) makes the result wait for both values. FX_RARE(v) inside such a branch, where v is the variable
- * that the branch changes, keeps the compiler from turning the branch into a select. FX_USUAL(x) is x, predicted to be
- * true.
+ * compilers prefer) makes the result wait for both values. FX_KEEP_BRANCH(v) inside such a branch, where v is the
+ * variable that the branch changes, keeps the compiler from turning the branch into a select. FX_LIKELY(x) is x,
+ * predicted to be true.
  */
 #if defined(__GNUC__)
-#define FX_RARE(v)  __asm__("" : "+r"(v))
-#define FX_USUAL(x) __builtin_expect(!!(x), 1)
-#define FX_COLD     __attribute__((noinline, cold, unused))
+#define FX_KEEP_BRANCH(v) __asm__("" : "+r"(v))
+#define FX_LIKELY(x)      __builtin_expect(!!(x), 1)
+#define FX_COLD           __attribute__((noinline, cold, unused))
 #else
-#define FX_RARE(v)  ((void)0)
-#define FX_USUAL(x) (x)
+#define FX_KEEP_BRANCH(v) ((void)0)
+#define FX_LIKELY(x)      (x)
 #define FX_COLD
 #endif
 
 /* Returns v clamped to the range of fx. */
 static inline fx fx_sat(int64_t v)
 {
-    if (!FX_USUAL((fx)v == v)) {
-        FX_RARE(v);
+    if (!FX_LIKELY((fx)v == v)) {
+        FX_KEEP_BRANCH(v);
         return (fx)(v >> 63 ^ FX_MAX);
     }
     return (fx)v;
@@ -109,11 +109,11 @@ static inline uint64_t fx_root_bits(uint64_t n)
     uint64_t r = 0;
 
     for (uint64_t bit = (uint64_t)1 << 62; bit; bit >>= 2) {
-        uint64_t with = r + bit;
+        uint64_t candidate = r + bit;
 
         r >>= 1;
-        if (n >= with) {
-            n -= with;
+        if (n >= candidate) {
+            n -= candidate;
             r += bit;
         }
     }
@@ -140,8 +140,8 @@ static inline fx fx_int(int n)
 {
     fx v = (fx)((uint32_t)n << 16);
 
-    if (!FX_USUAL(v >> 16 == n)) {
-        FX_RARE(n);
+    if (!FX_LIKELY(v >> 16 == n)) {
+        FX_KEEP_BRANCH(n);
         return n >> 31 ^ FX_MAX;
     }
     return v;
@@ -157,8 +157,8 @@ static inline fx fx_add(fx a, fx b)
 {
     fx sum = (fx)((uint32_t)a + (uint32_t)b);
 
-    if (!FX_USUAL(((a ^ sum) & (b ^ sum)) >= 0)) {
-        FX_RARE(a);
+    if (!FX_LIKELY(((a ^ sum) & (b ^ sum)) >= 0)) {
+        FX_KEEP_BRANCH(a);
         return a >> 31 ^ FX_MAX;
     }
     return sum;
@@ -168,8 +168,8 @@ static inline fx fx_sub(fx a, fx b)
 {
     fx diff = (fx)((uint32_t)a - (uint32_t)b);
 
-    if (!FX_USUAL(((a ^ diff) & (a ^ b)) >= 0)) {
-        FX_RARE(a);
+    if (!FX_LIKELY(((a ^ diff) & (a ^ b)) >= 0)) {
+        FX_KEEP_BRANCH(a);
         return a >> 31 ^ FX_MAX;
     }
     return diff;
@@ -177,20 +177,20 @@ static inline fx fx_sub(fx a, fx b)
 
 /* Returns p / 2^16 rounded, ties to even, where up is p + 2^15; not clamped. The shift rounds halves up, so a tie whose
  * result is odd is one too high. */
-static inline int64_t fx_half_even(int64_t up)
+static inline int64_t fx_round_half_even(int64_t up)
 {
     int64_t q = up >> 16;
 
-    if (!FX_USUAL((uint16_t)up != 0)) {
+    if (!FX_LIKELY((uint16_t)up != 0)) {
         q -= q & 1;
-        FX_RARE(q);
+        FX_KEEP_BRANCH(q);
     }
     return q;
 }
 
 static inline fx fx_mul(fx a, fx b)
 {
-    return fx_sat(fx_half_even((int64_t)a * b + 0x8000));
+    return fx_sat(fx_round_half_even((int64_t)a * b + 0x8000));
 }
 
 /*
@@ -240,7 +240,7 @@ static inline fx fx_rsqrt(fx x)
 }
 
 /* Returns x*x + y*y in square units, exact: at most 2^63. */
-static inline uint64_t fx_square(fx x, fx y)
+static inline uint64_t fx_length_squared(fx x, fx y)
 {
     return (uint64_t)((int64_t)x * x) + (uint64_t)((int64_t)y * y);
 }
@@ -248,16 +248,16 @@ static inline uint64_t fx_square(fx x, fx y)
 /* Returns the length of (x, y); clamped, as it can reach 46341, above the range of fx. */
 static inline fx fx_hypot(fx x, fx y)
 {
-    return fx_sat((int64_t)fx_root(fx_square(x, y)));
+    return fx_sat((int64_t)fx_root(fx_length_squared(x, y)));
 }
 
 /* Computes fx_lerp for t outside 0..1. */
 FX_COLD static fx fx_lerp_beyond(fx a, fx b, fx t)
 {
     int64_t p = ((int64_t)b - a) * t; /* |p| < 2^63 */
-    int64_t q = (p >> 16) + a, rest = p & 0xffff;
+    int64_t q = (p >> 16) + a, fraction = p & 0xffff;
 
-    return fx_sat(q + ((rest > 0x8000) | ((rest == 0x8000) & (q & 1))));
+    return fx_sat(q + ((fraction > 0x8000) | ((fraction == 0x8000) & (q & 1))));
 }
 
 /* Returns a + (b - a) * t for any t: a at t = 0, b at t = FX_ONE, extrapolated outside 0..1. Monotone in each
@@ -266,9 +266,9 @@ static inline fx fx_lerp(fx a, fx b, fx t)
 {
     uint32_t u = (uint32_t)t;
 
-    if (!FX_USUAL(u <= FX_ONE))
+    if (!FX_LIKELY(u <= FX_ONE))
         return fx_lerp_beyond(a, b, t);
-    return (fx)fx_half_even((int64_t)a * (FX_ONE - u) + ((int64_t)b * u + 0x8000));
+    return (fx)fx_round_half_even((int64_t)a * (FX_ONE - u) + ((int64_t)b * u + 0x8000));
 }
 
 /* Stores the fx nearest to v in *out. Returns false, leaving *out untouched, for NaN and for v that rounds outside
@@ -277,7 +277,7 @@ static inline bool fx_from_double(double v, fx *out)
 {
     double units = v * FX_ONE; /* exact, or infinite */
 
-    if (!FX_USUAL(units >= -2147483648.5 && units < 2147483647.5))
+    if (!FX_LIKELY(units >= -2147483648.5 && units < 2147483647.5))
         return false;
     *out = (fx)fx_nearest(units);
     return true;

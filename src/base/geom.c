@@ -8,14 +8,14 @@
 #include "geom.h"
 #include "int.h"
 
-static uint64_t difference(int64_t a, int64_t b)
+static uint64_t abs_difference(int64_t a, int64_t b)
 {
     return a > b ? (uint64_t)a - (uint64_t)b : (uint64_t)b - (uint64_t)a;
 }
 
 /* Returns whether (x, y) is within r of the box with half extents hw and hh around the origin. Requires 0 <= r < 2^31,
  * so that the sum of two squares is below 2^63. */
-static bool near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
+static bool is_near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
 {
     int64_t ex = int64_abs(x) - hw, ey = int64_abs(y) - hh;
 
@@ -27,19 +27,19 @@ static bool near_box(int64_t x, int64_t y, int64_t r, int64_t hw, int64_t hh)
 }
 
 /* Returns whether (x, y) is in the circle of radius r around the origin. */
-static bool inside(int64_t x, int64_t y, int64_t r)
+static bool is_in_circle(int64_t x, int64_t y, int64_t r)
 {
-    return near_box(x, y, r, 0, 0);
+    return is_near_box(x, y, r, 0, 0);
 }
 
 /* Returns whether the segment from d to d + w, on one axis, comes within r of 0. The segment's middle is d + w/2. */
-static bool passes(int64_t d, int64_t w, int64_t r)
+static bool comes_within(int64_t d, int64_t w, int64_t r)
 {
     return int64_abs(2 * d + w) <= int64_abs(w) + 2 * r;
 }
 
 /* Returns whether a^2 <= b * c. */
-static bool square_at_most(uint64_t a, uint64_t b, uint64_t c)
+static bool is_square_at_most(uint64_t a, uint64_t b, uint64_t c)
 {
     uint64_t left = fx_mul_high(a, a), right = fx_mul_high(b, c);
 
@@ -48,7 +48,7 @@ static bool square_at_most(uint64_t a, uint64_t b, uint64_t c)
 
 bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh)
 {
-    return (r | hw | hh) >= 0 && near_box((int64_t)cx - bx, (int64_t)cy - by, r, hw, hh);
+    return (r | hw | hh) >= 0 && is_near_box((int64_t)cx - bx, (int64_t)cy - by, r, hw, hh);
 }
 
 /*
@@ -60,17 +60,17 @@ bool geom_circle_box(fx cx, fx cy, fx r, fx bx, fx by, fx hw, fx hh)
  */
 bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r)
 {
-    if (!passes(dx, wx, r) || !passes(dy, wy, r) || r < 0)
+    if (!comes_within(dx, wx, r) || !comes_within(dy, wy, r) || r < 0)
         return false;
 
     int64_t px = -dx * wx, py = -dy * wy;
     uint64_t along = (uint64_t)px + (uint64_t)py, ww = (uint64_t)(wx * wx) + (uint64_t)(wy * wy);
 
     if (px <= -py)
-        return inside(dx, dy, r);
+        return is_in_circle(dx, dy, r);
     if (along >= ww)
-        return inside(dx + wx, dy + wy, r);
-    return square_at_most(difference(dx * wy, dy * wx), (uint64_t)(r * r), ww);
+        return is_in_circle(dx + wx, dy + wy, r);
+    return is_square_at_most(abs_difference(dx * wy, dy * wx), (uint64_t)(r * r), ww);
 }
 
 /*
@@ -80,9 +80,9 @@ bool geom_swept_circles(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t 
  */
 bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw, int64_t hh)
 {
-    if (!passes(dx, wx, hw) || !passes(dy, wy, hh) || (hw | hh) < 0)
+    if (!comes_within(dx, wx, hw) || !comes_within(dy, wy, hh) || (hw | hh) < 0)
         return false;
-    return difference(dx * wy, dy * wx) <= (uint64_t)(hw * int64_abs(wy) + hh * int64_abs(wx));
+    return abs_difference(dx * wy, dy * wx) <= (uint64_t)(hw * int64_abs(wy) + hh * int64_abs(wx));
 }
 
 /*
@@ -92,9 +92,9 @@ bool geom_swept_boxes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hw
  */
 bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t r, int64_t hw, int64_t hh)
 {
-    if (!passes(dx, wx, hw + r) || !passes(dy, wy, hh + r) || (r | hw | hh) < 0)
+    if (!comes_within(dx, wx, hw + r) || !comes_within(dy, wy, hh + r) || (r | hw | hh) < 0)
         return false;
-    if (near_box(dx, dy, r, hw, hh) || near_box(dx + wx, dy + wy, r, hw, hh) ||
+    if (is_near_box(dx, dy, r, hw, hh) || is_near_box(dx + wx, dy + wy, r, hw, hh) ||
         geom_swept_boxes(dx, dy, wx, wy, hw, hh))
         return true;
 
@@ -111,13 +111,13 @@ bool geom_swept_circle_box(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64
  *
  * After the box test, |d| < 2^31.4 and |2d + w| < 2^31.6 on each axis, so the products are below 2^62.4.
  */
-static bool bar_passes(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy)
+static bool bar_covers_origin(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy)
 {
     int64_t mx = 2 * dx + wx, my = 2 * dy + wy;
-    uint64_t area = difference(hx * wy, hy * wx);
+    uint64_t area = abs_difference(hx * wy, hy * wx);
 
-    return passes(dx, wx, int64_abs(hx)) && passes(dy, wy, int64_abs(hy)) && difference(dx * wy, dy * wx) <= area &&
-           difference(mx * hy, my * hx) <= area;
+    return comes_within(dx, wx, int64_abs(hx)) && comes_within(dy, wy, int64_abs(hy)) &&
+           abs_difference(dx * wy, dy * wx) <= area && abs_difference(mx * hy, my * hx) <= area;
 }
 
 /* Returns whether a circle of radius r that moves along one side of the parallelogram touches the box with half extents
@@ -134,11 +134,13 @@ static bool side_touches(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t
 bool geom_swept_capsule(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t hx, int64_t hy, int64_t r, int64_t hw,
                         int64_t hh)
 {
-    if ((r | hw | hh) < 0 || !passes(dx, wx, int64_abs(hx) + hw + r) || !passes(dy, wy, int64_abs(hy) + hh + r))
+    if ((r | hw | hh) < 0 || !comes_within(dx, wx, int64_abs(hx) + hw + r) ||
+        !comes_within(dy, wy, int64_abs(hy) + hh + r))
         return false;
     return side_touches(dx - hx, dy - hy, wx, wy, r, hw, hh) || side_touches(dx + hx, dy + hy, wx, wy, r, hw, hh) ||
            side_touches(dx - hx, dy - hy, 2 * hx, 2 * hy, r, hw, hh) ||
-           side_touches(dx + wx - hx, dy + wy - hy, 2 * hx, 2 * hy, r, hw, hh) || bar_passes(dx, dy, wx, wy, hx, hy);
+           side_touches(dx + wx - hx, dy + wy - hy, 2 * hx, 2 * hy, r, hw, hh) ||
+           bar_covers_origin(dx, dy, wx, wy, hx, hy);
 }
 
 /*
@@ -157,7 +159,7 @@ bool geom_swept_capsules(int64_t dx, int64_t dy, int64_t wx, int64_t wy, int64_t
            geom_swept_capsule(dx + wx - gx, dy + wy - gy, 2 * gx, 2 * gy, hx, hy, r, 0, 0);
 }
 
-static bool both_beyond(int64_t a, int64_t b, int64_t c, int64_t d, int64_t r)
+static bool are_all_beyond(int64_t a, int64_t b, int64_t c, int64_t d, int64_t r)
 {
     return (a > r && b > r && c > r && d > r) || (a < -r && b < -r && c < -r && d < -r);
 }
@@ -166,7 +168,7 @@ static bool both_beyond(int64_t a, int64_t b, int64_t c, int64_t d, int64_t r)
  * downwards, the ray that extends from the origin to the right; -1 if it crosses the ray upwards; otherwise 0. A
  * comparison of two products determines on which side of the segment the origin is; the callers' products are below
  * 2^63. */
-static int crosses(int64_t px, int64_t py, int64_t qx, int64_t qy)
+static int winding_step(int64_t px, int64_t py, int64_t qx, int64_t qy)
 {
     if ((py <= 0) == (qy <= 0))
         return 0;
@@ -183,11 +185,11 @@ bool geom_swept_bar(const struct geom_bar *b, int64_t r)
 {
     const int64_t cx = b->ax + b->ux, cy = b->ay + b->uy, dx = b->bx + b->vx, dy = b->by + b->vy;
 
-    if (r < 0 || both_beyond(b->ax, b->bx, cx, dx, r) || both_beyond(b->ay, b->by, cy, dy, r))
+    if (r < 0 || are_all_beyond(b->ax, b->bx, cx, dx, r) || are_all_beyond(b->ay, b->by, cy, dy, r))
         return false;
     return geom_swept_circles(b->ax, b->ay, b->bx - b->ax, b->by - b->ay, r) ||
            geom_swept_circles(cx, cy, dx - cx, dy - cy, r) || geom_swept_circles(b->ax, b->ay, b->ux, b->uy, r) ||
            geom_swept_circles(b->bx, b->by, b->vx, b->vy, r) ||
-           crosses(b->ax, b->ay, b->bx, b->by) + crosses(b->bx, b->by, dx, dy) + crosses(dx, dy, cx, cy) +
-               crosses(cx, cy, b->ax, b->ay);
+           winding_step(b->ax, b->ay, b->bx, b->by) + winding_step(b->bx, b->by, dx, dy) +
+               winding_step(dx, dy, cx, cy) + winding_step(cx, cy, b->ax, b->ay);
 }

@@ -1,6 +1,6 @@
 /*
  * hash.c - see hash.h. The CRC processes four bytes at a time, with a table of 16 entries for each of the eight
- * nibbles. The tables are const and small, and need no start-up code. nibbles[k][v] is the CRC of v << 4 * k followed
+ * nibbles. The tables are const and small, and need no start-up code. crc_table[k][v] is the CRC of v << 4 * k followed
  * by 8 nibbles of zeros; the last row is also used for single nibbles.
  */
 #include "hash.h"
@@ -19,7 +19,7 @@ uint64_t hash_bytes(uint64_t h, const void *bytes, size_t n)
     return hash_fold(hash_fold(h, tail), n);
 }
 
-static const uint32_t nibbles[8][16] = {
+static const uint32_t crc_table[8][16] = {
     { 0x00000000, 0xb8bc6765, 0xaa09c88b, 0x12b5afee, 0x8f629757, 0x37def032, 0x256b5fdc, 0x9dd738b9, 0xc5b428ef,
       0x7d084f8a, 0x6fbde064, 0xd7018701, 0x4ad6bfb8, 0xf26ad8dd, 0xe0df7733, 0x58631056 },
     { 0x00000000, 0x5019579f, 0xa032af3e, 0xf02bf8a1, 0x9b14583d, 0xcb0d0fa2, 0x3b26f703, 0x6b3fa09c, 0xed59b63b,
@@ -45,13 +45,14 @@ uint32_t hash_crc32_add(uint32_t crc, const void *bytes, size_t n)
     crc = ~crc;
     for (; n >= 4; n -= 4, p += 4) {
         uint32_t x = crc ^ bytes_get32(p);
-        crc = nibbles[0][x & 15] ^ nibbles[1][x >> 4 & 15] ^ nibbles[2][x >> 8 & 15] ^ nibbles[3][x >> 12 & 15] ^
-              nibbles[4][x >> 16 & 15] ^ nibbles[5][x >> 20 & 15] ^ nibbles[6][x >> 24 & 15] ^ nibbles[7][x >> 28];
+        crc = crc_table[0][x & 15] ^ crc_table[1][x >> 4 & 15] ^ crc_table[2][x >> 8 & 15] ^
+              crc_table[3][x >> 12 & 15] ^ crc_table[4][x >> 16 & 15] ^ crc_table[5][x >> 20 & 15] ^
+              crc_table[6][x >> 24 & 15] ^ crc_table[7][x >> 28];
     }
     for (; n > 0; n--) {
         crc ^= *p++;
-        crc = crc >> 4 ^ nibbles[7][crc & 15];
-        crc = crc >> 4 ^ nibbles[7][crc & 15];
+        crc = crc >> 4 ^ crc_table[7][crc & 15];
+        crc = crc >> 4 ^ crc_table[7][crc & 15];
     }
     return ~crc;
 }

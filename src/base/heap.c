@@ -18,13 +18,13 @@
 
 enum {
     UNIT = HEAP_ALIGN,
-    SMALL = 512, /* the largest size that is allocated from a slab */
+    MAX_SMALL = 512, /* the largest size that is allocated from a slab */
     CLASSES = 16,
     PAGE = 4096,
     PAGE_UNITS = PAGE / UNIT,
-    SLAB_ROOM = PAGE - 8, /* the last 8 bytes are the next block's header */
-    ROWS = 26,            /* row 0: sizes 0..15 units; row r: 2^(r+3) <= size < 2^(r+4), in 16 steps */
-    COLUMNS_A_ROW = 16
+    SLAB_BYTES = PAGE - 8, /* the last 8 bytes are the next block's header */
+    ROWS = 26,             /* row 0: sizes 0..15 units; row r: 2^(r+3) <= size < 2^(r+4), in 16 steps */
+    COLUMNS_PER_ROW = 16
 };
 
 struct heap {
@@ -39,18 +39,18 @@ struct heap {
     uint16_t columns[ROWS];
     uint16_t pad;
     uint32_t partial[CLASSES]; /* slabs with free blocks, a list per class; 0: none */
-    uint32_t bin[ROWS][COLUMNS_A_ROW];
-    uint32_t most;    /* highest value of used; always below 2^32 */
+    uint32_t bins[ROWS][COLUMNS_PER_ROW];
+    uint32_t peak;    /* highest value of used; always below 2^32 */
     uint64_t slabs[]; /* bit p: page p is a slab */
 };
 
-struct head {
+struct block_header {
     uint32_t prev; /* units of the block below; 0: this is the first */
     uint32_t size; /* units << 1 | free */
 };
 
 /* At the start of a free block's payload. */
-struct link {
+struct free_link {
     uint32_t next, prev;
 };
 
@@ -68,27 +68,28 @@ static const uint16_t class_bytes[CLASSES] = {
 };
 
 /* Class by size in units, rounded up. */
-static const uint8_t class_of[SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,  9,  9,  10, 10, 11, 11,
-                                                    12, 12, 12, 12, 13, 13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
+static const uint8_t class_of[MAX_SMALL / UNIT + 1] = { 0,  0,  1,  2,  3,  4,  5,  6,  7,  8,  8,
+                                                        9,  9,  10, 10, 11, 11, 12, 12, 12, 12, 13,
+                                                        13, 13, 13, 14, 14, 14, 14, 15, 15, 15, 15 };
 
-static void *at(const struct heap *h, uint32_t unit)
+static void *unit_address(const struct heap *h, uint32_t unit)
 {
     return (char *)(uintptr_t)h + (size_t)unit * UNIT;
 }
 
-static struct head *head(const struct heap *h, uint32_t b)
+static struct block_header *block_header(const struct heap *h, uint32_t b)
 {
-    return (struct head *)at(h, b) - 1;
+    return (struct block_header *)unit_address(h, b) - 1;
 }
 
 static uint32_t units_of(const struct heap *h, uint32_t b)
 {
-    return head(h, b)->size >> 1;
+    return block_header(h, b)->size >> 1;
 }
 
 static bool is_free(const struct heap *h, uint32_t b)
 {
-    return head(h, b)->size & 1;
+    return block_header(h, b)->size & 1;
 }
 
 static size_t offset_of(const struct heap *h, const void *p)
@@ -96,7 +97,7 @@ static size_t offset_of(const struct heap *h, const void *p)
     return (size_t)((const char *)p - (const char *)h);
 }
 
-static bool in_slab(const struct heap *h, const void *p)
+static bool is_in_slab(const struct heap *h, const void *p)
 {
     size_t page = offset_of(h, p) / PAGE;
 
@@ -105,30 +106,30 @@ static bool in_slab(const struct heap *h, const void *p)
 
 /* ---- blocks ---- */
 
-struct place {
+struct bin_index {
     uint32_t row, column;
 };
 
-static struct place bin_of(uint32_t units)
+static struct bin_index bin_of(uint32_t units)
 {
-    if (units < COLUMNS_A_ROW)
-        return (struct place){ 0, units };
+    if (units < COLUMNS_PER_ROW)
+        return (struct bin_index){ 0, units };
     uint32_t log = bits_highest(units);
-    return (struct place){ log - 3, units >> (log - 4) & (COLUMNS_A_ROW - 1) };
+    return (struct bin_index){ log - 3, units >> (log - 4) & (COLUMNS_PER_ROW - 1) };
 }
 
 static void unlink_free(struct heap *h, uint32_t b)
 {
-    const struct link *l = at(h, b);
+    const struct free_link *l = unit_address(h, b);
 
     if (l->next)
-        ((struct link *)at(h, l->next))->prev = l->prev;
+        ((struct free_link *)unit_address(h, l->next))->prev = l->prev;
     if (l->prev) {
-        ((struct link *)at(h, l->prev))->next = l->next;
+        ((struct free_link *)unit_address(h, l->prev))->next = l->next;
         return;
     }
-    struct place at_bin = bin_of(units_of(h, b));
-    h->bin[at_bin.row][at_bin.column] = l->next;
+    struct bin_index at_bin = bin_of(units_of(h, b));
+    h->bins[at_bin.row][at_bin.column] = l->next;
     if (l->next)
         return;
     h->columns[at_bin.row] &= (uint16_t) ~(1u << at_bin.column);
@@ -138,13 +139,13 @@ static void unlink_free(struct heap *h, uint32_t b)
 
 static void link_free(struct heap *h, uint32_t b)
 {
-    struct place p = bin_of(units_of(h, b));
-    uint32_t *bin = &h->bin[p.row][p.column];
-    struct link *l = at(h, b);
+    struct bin_index p = bin_of(units_of(h, b));
+    uint32_t *bin = &h->bins[p.row][p.column];
+    struct free_link *l = unit_address(h, b);
 
-    *l = (struct link){ *bin, 0 };
+    *l = (struct free_link){ *bin, 0 };
     if (*bin)
-        ((struct link *)at(h, *bin))->prev = b;
+        ((struct free_link *)unit_address(h, *bin))->prev = b;
     *bin = b;
     h->columns[p.row] |= (uint16_t)(1u << p.column);
     h->rows |= 1u << p.row;
@@ -153,17 +154,17 @@ static void link_free(struct heap *h, uint32_t b)
 /* Sets b's size, and updates the copy of it in the block above or, if b is topmost, in h->last. */
 static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
 {
-    head(h, b)->size = units << 1 | free;
+    block_header(h, b)->size = units << 1 | free;
     if (b + units == h->top)
         h->last = units;
     else
-        head(h, b + units)->prev = units;
+        block_header(h, b + units)->prev = units;
 }
 
 /* Frees a block that is in no bin, and merges it with its free neighbours. */
 static void free_block(struct heap *h, uint32_t b)
 {
-    uint32_t units = units_of(h, b), below = head(h, b)->prev;
+    uint32_t units = units_of(h, b), below = block_header(h, b)->prev;
 
     if (b + units != h->top && is_free(h, b + units)) {
         unlink_free(h, b + units);
@@ -181,28 +182,28 @@ static void free_block(struct heap *h, uint32_t b)
 /* Shrinks b, which is in no bin, to `units`; frees the rest. */
 static void trim(struct heap *h, uint32_t b, uint32_t units)
 {
-    uint32_t all = units_of(h, b);
+    uint32_t old_units = units_of(h, b);
 
-    if (all == units) {
-        head(h, b)->size = units << 1;
+    if (old_units == units) {
+        block_header(h, b)->size = units << 1;
         return;
     }
-    head(h, b)->size = units << 1;
-    head(h, b + units)->prev = units;
-    set_size(h, b + units, all - units, false);
+    block_header(h, b)->size = units << 1;
+    block_header(h, b + units)->prev = units;
+    set_size(h, b + units, old_units - units, false);
     free_block(h, b + units);
 }
 
 /* Returns a free block of at least `units`, or 0. Every block in a bin above the bin for `units` fits; if all of these
  * are empty, only the first block of the bin for `units` is tried. */
-static uint32_t find(const struct heap *h, uint32_t units)
+static uint32_t find_free(const struct heap *h, uint32_t units)
 {
-    struct place own = bin_of(units), p = own;
+    struct bin_index exact = bin_of(units), p = exact;
     uint32_t bits;
 
-    if (units >= COLUMNS_A_ROW && units & ((1u << (bits_highest(units) - 4)) - 1))
+    if (units >= COLUMNS_PER_ROW && units & ((1u << (bits_highest(units) - 4)) - 1))
         p.column++;
-    bits = p.column < COLUMNS_A_ROW ? (uint32_t)h->columns[p.row] >> p.column << p.column : 0;
+    bits = p.column < COLUMNS_PER_ROW ? (uint32_t)h->columns[p.row] >> p.column << p.column : 0;
     if (!bits) {
         bits = h->rows & ~((2u << p.row) - 1);
         if (bits) {
@@ -211,24 +212,24 @@ static uint32_t find(const struct heap *h, uint32_t units)
         }
     }
     if (bits)
-        return h->bin[p.row][bits_lowest(bits)];
-    uint32_t b = h->bin[own.row][own.column];
+        return h->bins[p.row][bits_lowest(bits)];
+    uint32_t b = h->bins[exact.row][exact.column];
     return b && units_of(h, b) >= units ? b : 0;
 }
 
 /* Moves top up by `units` and returns the new block, which is in no bin. The caller has checked the limit. */
-static uint32_t cut(struct heap *h, uint32_t units)
+static uint32_t extend_top(struct heap *h, uint32_t units)
 {
     uint32_t b = h->top;
 
-    head(h, b)->prev = h->last;
+    block_header(h, b)->prev = h->last;
     h->top += units;
     set_size(h, b, units, false);
     return b;
 }
 
 /* Resizes the topmost block, which is in no bin, to `units`. Returns false if there is not enough memory. */
-static bool stretch(struct heap *h, uint32_t b, uint32_t units)
+static bool resize_topmost(struct heap *h, uint32_t b, uint32_t units)
 {
     if (units > h->limit - b)
         return false;
@@ -237,9 +238,9 @@ static bool stretch(struct heap *h, uint32_t b, uint32_t units)
     return true;
 }
 
-static uint32_t take_block(struct heap *h, uint32_t units)
+static uint32_t alloc_block(struct heap *h, uint32_t units)
 {
-    uint32_t b = units < h->limit ? find(h, units) : 0;
+    uint32_t b = units < h->limit ? find_free(h, units) : 0;
 
     if (b) {
         unlink_free(h, b);
@@ -251,10 +252,10 @@ static uint32_t take_block(struct heap *h, uint32_t units)
         if (units > h->limit - b)
             return 0;
         unlink_free(h, b);
-        stretch(h, b, units);
+        resize_topmost(h, b, units);
         return b;
     }
-    return units <= h->limit - h->top ? cut(h, units) : 0;
+    return units <= h->limit - h->top ? extend_top(h, units) : 0;
 }
 
 static bool holds_page(const struct heap *h, uint32_t b)
@@ -265,27 +266,27 @@ static bool holds_page(const struct heap *h, uint32_t b)
 }
 
 /* Returns a block of exactly one page, aligned to a page, or 0. */
-static uint32_t take_page(struct heap *h)
+static uint32_t alloc_page(struct heap *h)
 {
-    uint32_t b = find(h, PAGE_UNITS);
+    uint32_t b = find_free(h, PAGE_UNITS);
 
     if (!holds_page(h, b))
-        b = find(h, 2 * PAGE_UNITS - 1);
+        b = find_free(h, 2 * PAGE_UNITS - 1);
     if (holds_page(h, b)) {
         unlink_free(h, b);
     } else {
-        uint32_t skip = (0u - h->top) & (PAGE_UNITS - 1);
-        if (skip + PAGE_UNITS > h->limit - h->top)
+        uint32_t padding = (0u - h->top) & (PAGE_UNITS - 1);
+        if (padding + PAGE_UNITS > h->limit - h->top)
             return 0;
-        b = cut(h, skip + PAGE_UNITS);
+        b = extend_top(h, padding + PAGE_UNITS);
     }
-    uint32_t skip = (0u - b) & (PAGE_UNITS - 1), all = units_of(h, b);
-    if (skip) {
-        head(h, b)->size = skip << 1;
-        head(h, b + skip)->prev = skip;
-        set_size(h, b + skip, all - skip, false);
+    uint32_t padding = (0u - b) & (PAGE_UNITS - 1), total = units_of(h, b);
+    if (padding) {
+        block_header(h, b)->size = padding << 1;
+        block_header(h, b + padding)->prev = padding;
+        set_size(h, b + padding, total - padding, false);
         free_block(h, b);
-        b += skip;
+        b += padding;
     }
     trim(h, b, PAGE_UNITS);
     return b;
@@ -293,55 +294,55 @@ static uint32_t take_page(struct heap *h)
 
 /* ---- slabs ---- */
 
-static void show(struct heap *h, uint32_t page, struct slab *s)
+static void link_slab(struct heap *h, uint32_t page, struct slab *s)
 {
     uint32_t *list = &h->partial[s->class];
 
     s->prev = 0;
     s->next = *list;
     if (*list)
-        ((struct slab *)at(h, *list))->prev = page;
+        ((struct slab *)unit_address(h, *list))->prev = page;
     *list = page;
 }
 
-static void hide(struct heap *h, const struct slab *s)
+static void unlink_slab(struct heap *h, const struct slab *s)
 {
     if (s->next)
-        ((struct slab *)at(h, s->next))->prev = s->prev;
+        ((struct slab *)unit_address(h, s->next))->prev = s->prev;
     if (s->prev)
-        ((struct slab *)at(h, s->prev))->next = s->next;
+        ((struct slab *)unit_address(h, s->prev))->next = s->next;
     else
         h->partial[s->class] = s->next;
 }
 
-static void mark_page(struct heap *h, uint32_t page)
+static void toggle_slab_bit(struct heap *h, uint32_t page)
 {
     h->slabs[page / PAGE_UNITS >> 6] ^= (uint64_t)1 << (page / PAGE_UNITS & 63);
 }
 
 static struct slab *new_slab(struct heap *h, unsigned class)
 {
-    uint32_t page = take_page(h);
+    uint32_t page = alloc_page(h);
 
     if (!page)
         return NULL;
-    struct slab *s = at(h, page);
+    struct slab *s = unit_address(h, page);
     *s = (struct slab){ .unused_from = sizeof *s, .class = (uint16_t) class };
-    mark_page(h, page);
-    show(h, page, s);
+    toggle_slab_bit(h, page);
+    link_slab(h, page, s);
     return s;
 }
 
-static bool slab_full(const struct slab *s)
+static bool is_slab_full(const struct slab *s)
 {
-    return !s->free && s->unused_from + class_bytes[s->class] > SLAB_ROOM;
+    return !s->free && s->unused_from + class_bytes[s->class] > SLAB_BYTES;
 }
 
-static void *take_small(struct heap *h, size_t size)
+static void *alloc_small(struct heap *h, size_t size)
 {
     unsigned class = class_of[(size + UNIT - 1) / UNIT];
     uint32_t page = h->partial[class];
-    struct slab *s = page ? at(h, page) : new_slab(h, class);
+    struct slab *s = page ? unit_address(h, page) : new_slab(h, class);
 
     if (!s)
         return NULL;
@@ -354,21 +355,21 @@ static void *take_small(struct heap *h, size_t size)
         s->unused_from = (uint16_t)(s->unused_from + class_bytes[class]);
     }
     s->used++;
-    if (slab_full(s))
-        hide(h, s);
+    if (is_slab_full(s))
+        unlink_slab(h, s);
     return p;
 }
 
-static void drop_slab(struct heap *h, uint32_t page)
+static void free_slab(struct heap *h, uint32_t page)
 {
-    hide(h, at(h, page));
-    mark_page(h, page);
+    unlink_slab(h, unit_address(h, page));
+    toggle_slab_bit(h, page);
     free_block(h, page);
 }
 
 static bool is_empty_slab(const struct heap *h, uint32_t page)
 {
-    return page && !((const struct slab *)at(h, page))->used;
+    return page && !((const struct slab *)unit_address(h, page))->used;
 }
 
 /* Frees a block in a slab. If a slab becomes empty and is the only one of its class with free blocks, it is kept, so
@@ -377,66 +378,66 @@ static bool is_empty_slab(const struct heap *h, uint32_t page)
 static void free_small(struct heap *h, char *p)
 {
     uint32_t page = (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS);
-    struct slab *s = at(h, page);
-    bool was_full = slab_full(s);
+    struct slab *s = unit_address(h, page);
+    bool was_full = is_slab_full(s);
 
     memcpy(p, &s->free, sizeof s->free);
     s->free = (uint16_t)(p - (char *)s);
     s->used--;
     if (was_full) {
         if (is_empty_slab(h, h->partial[s->class]))
-            drop_slab(h, h->partial[s->class]);
-        show(h, page, s);
+            free_slab(h, h->partial[s->class]);
+        link_slab(h, page, s);
     }
     if (!s->used && (s->next || s->prev))
-        drop_slab(h, page);
+        free_slab(h, page);
 }
 
 /* Frees the empty slabs that were kept (free_small); called when memory runs out. Returns whether there were any. */
-static bool drop_empty_slabs(struct heap *h)
+static bool free_empty_slabs(struct heap *h)
 {
-    bool any = false;
+    bool dropped = false;
 
     for (int c = 0; c < CLASSES; c++) {
         if (!is_empty_slab(h, h->partial[c]))
             continue;
-        drop_slab(h, h->partial[c]);
-        any = true;
+        free_slab(h, h->partial[c]);
+        dropped = true;
     }
-    return any;
+    return dropped;
 }
 
 /* ---- Lua's allocator ---- */
 
 static uint32_t units_for(size_t size)
 {
-    return (uint32_t)((size + sizeof(struct head) + UNIT - 1) / UNIT);
+    return (uint32_t)((size + sizeof(struct block_header) + UNIT - 1) / UNIT);
 }
 
-static void *try_take(struct heap *h, size_t size)
+static void *try_alloc(struct heap *h, size_t size)
 {
-    if (size <= SMALL)
-        return take_small(h, size);
-    uint32_t b = size < h->size ? take_block(h, units_for(size)) : 0;
-    return b ? at(h, b) : NULL;
+    if (size <= MAX_SMALL)
+        return alloc_small(h, size);
+    uint32_t b = size < h->size ? alloc_block(h, units_for(size)) : 0;
+    return b ? unit_address(h, b) : NULL;
 }
 
-static void note_use(struct heap *h)
+static void update_peak(struct heap *h)
 {
-    if (h->used > h->most)
-        h->most = (uint32_t)h->used;
+    if (h->used > h->peak)
+        h->peak = (uint32_t)h->used;
 }
 
-static void *take(struct heap *h, size_t size)
+static void *alloc(struct heap *h, size_t size)
 {
-    void *p = try_take(h, size);
+    void *p = try_alloc(h, size);
 
-    if (!p && drop_empty_slabs(h))
-        p = try_take(h, size);
+    if (!p && free_empty_slabs(h))
+        p = try_alloc(h, size);
     if (p) {
         h->used += size;
         h->work += size;
-        note_use(h);
+        update_peak(h);
     }
     return p;
 }
@@ -444,7 +445,7 @@ static void *take(struct heap *h, size_t size)
 static void release(struct heap *h, void *p, size_t old)
 {
     h->used -= old;
-    if (old <= SMALL && in_slab(h, p))
+    if (old <= MAX_SMALL && is_in_slab(h, p))
         free_small(h, p);
     else
         free_block(h, (uint32_t)(offset_of(h, p) / UNIT));
@@ -453,21 +454,21 @@ static void release(struct heap *h, void *p, size_t old)
 /* Resizes block b to `units` in place. Returns whether that was possible. */
 static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
 {
-    uint32_t have = units_of(h, b), above = b + have;
+    uint32_t old_units = units_of(h, b), above = b + old_units;
 
-    if (units > have && above == h->top)
-        return stretch(h, b, units);
-    if (units > have) {
+    if (units > old_units && above == h->top)
+        return resize_topmost(h, b, units);
+    if (units > old_units) {
         if (!is_free(h, above))
             return false;
-        uint32_t more = units_of(h, above);
-        bool topmost = above + more == h->top;
-        if (have + more < units && (!topmost || units > h->limit - b))
+        uint32_t above_units = units_of(h, above);
+        bool is_topmost = above + above_units == h->top;
+        if (old_units + above_units < units && (!is_topmost || units > h->limit - b))
             return false;
         unlink_free(h, above);
-        set_size(h, b, have + more, false);
-        if (have + more < units)
-            return stretch(h, b, units);
+        set_size(h, b, old_units + above_units, false);
+        if (old_units + above_units < units)
+            return resize_topmost(h, b, units);
     }
     trim(h, b, units);
     return true;
@@ -476,45 +477,45 @@ static bool resize_block(struct heap *h, uint32_t b, uint32_t units)
 /* Returns the capacity in bytes of the block p, or 0 if p is not in a slab. */
 static size_t slab_block_size(const struct heap *h, const void *p, size_t old)
 {
-    if (old > SMALL || !in_slab(h, p))
+    if (old > MAX_SMALL || !is_in_slab(h, p))
         return 0;
-    const struct slab *s = at(h, (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS));
+    const struct slab *s = unit_address(h, (uint32_t)(offset_of(h, p) / PAGE * PAGE_UNITS));
     return class_bytes[s->class];
 }
 
 /* Resizes p in place and returns whether that was possible. A block in a slab that would be at most half full is not
- * resized in place, because it should move to a smaller class (if there is one). room: from slab_block_size. */
-static bool resize_here(struct heap *h, void *p, size_t room, size_t size)
+ * resized in place, because it should move to a smaller class (if there is one). capacity: from slab_block_size. */
+static bool resize_in_place(struct heap *h, void *p, size_t capacity, size_t size)
 {
-    if (room)
-        return size <= room && (size > room / 2 || room == UNIT);
+    if (capacity)
+        return size <= capacity && (size > capacity / 2 || capacity == UNIT);
     return size < h->size && resize_block(h, (uint32_t)(offset_of(h, p) / UNIT), units_for(size));
 }
 
 static void *resize(struct heap *h, void *p, size_t old, size_t size)
 {
-    size_t room = slab_block_size(h, p, old);
+    size_t capacity = slab_block_size(h, p, old);
 
-    if (!resize_here(h, p, room, size)) {
-        void *moved = take(h, size);
+    if (!resize_in_place(h, p, capacity, size)) {
+        void *moved = alloc(h, size);
         if (moved) {
             memcpy(moved, p, old < size ? old : size);
             release(h, p, old);
             return moved;
         }
-        if (size > room)
+        if (size > capacity)
             return NULL;
     }
     h->used += size - old;
     h->work += size >= old ? size : 0;
-    note_use(h);
+    update_peak(h);
     return p;
 }
 
 void *heap_realloc(struct heap *h, void *p, size_t old, size_t size)
 {
     if (!p)
-        return size ? take(h, size) : NULL;
+        return size ? alloc(h, size) : NULL;
     if (size)
         return resize(h, p, old, size);
     release(h, p, old);
@@ -530,7 +531,7 @@ struct heap *heap_init(void *block, size_t size)
     memset(h, 0, header);
     h->size = size;
     h->first = h->top = units_for(header);
-    h->limit = (uint32_t)((size + sizeof(struct head)) / UNIT);
+    h->limit = (uint32_t)((size + sizeof(struct block_header)) / UNIT);
     return h;
 }
 
@@ -539,9 +540,9 @@ size_t heap_used(const struct heap *h)
     return h->used;
 }
 
-size_t heap_most(const struct heap *h)
+size_t heap_peak(const struct heap *h)
 {
-    return h->most;
+    return h->peak;
 }
 
 uint64_t heap_work(const struct heap *h)
@@ -551,52 +552,52 @@ uint64_t heap_work(const struct heap *h)
 
 size_t heap_extent(const struct heap *h)
 {
-    return (size_t)h->top * UNIT - sizeof(struct head);
+    return (size_t)h->top * UNIT - sizeof(struct block_header);
 }
 
 /* ---- snapshots ---- */
 
 /* The header of a section in a snapshot, followed by the section's bytes. bytes 0: the end of the snapshot. */
-struct run {
+struct section {
     size_t from, bytes;
 };
 
-enum { HOLE = 512 /* smallest free block, in bytes, that is left out of a snapshot */ };
+enum { MIN_HOLE = 512 /* smallest free block, in bytes, that is left out of a snapshot */ };
 
-/* Returns the next offset at or after `at` that equals `from` modulo 64: copying between addresses that differ by a few
- * bytes within the page is up to 16 times slower on some processors. */
-static size_t in_step(size_t at, size_t from)
+/* Returns the next offset at or after `unit_address` that equals `from` modulo 64: copying between addresses that
+ * differ by a few bytes within the page is up to 16 times slower on some processors. */
+static size_t match_alignment(size_t at, size_t from)
 {
     return at + ((from - at) & 63);
 }
 
-static size_t save_run(const struct heap *h, char *buf, size_t at, size_t from, size_t to)
+static size_t save_section(const struct heap *h, char *buf, size_t at, size_t from, size_t to)
 {
-    struct run run = { from, to - from };
-    size_t data = in_step(at + sizeof run, from);
+    struct section section = { from, to - from };
+    size_t data = match_alignment(at + sizeof section, from);
 
     if (buf) {
-        memcpy(buf + at, &run, sizeof run);
-        memcpy(buf + data, (const char *)h + from, run.bytes);
+        memcpy(buf + at, &section, sizeof section);
+        memcpy(buf + data, (const char *)h + from, section.bytes);
     }
-    return data + run.bytes;
+    return data + section.bytes;
 }
 
 /* Saves only the header and link of a free block of HOLE bytes or more. */
 size_t heap_save(const struct heap *h, void *buf)
 {
-    const struct run end = { 0, 0 };
+    const struct section end = { 0, 0 };
     size_t at = 0, from = 0;
 
     for (uint32_t b = h->first; b != h->top; b += units_of(h, b)) {
         size_t start = (size_t)b * UNIT, size = (size_t)units_of(h, b) * UNIT;
-        if (!is_free(h, b) || size < HOLE)
+        if (!is_free(h, b) || size < MIN_HOLE)
             continue;
-        at = save_run(h, buf, at, from, start + sizeof(struct link));
-        from = start + size - sizeof(struct head);
+        at = save_section(h, buf, at, from, start + sizeof(struct free_link));
+        from = start + size - sizeof(struct block_header);
     }
     if (from < heap_extent(h))
-        at = save_run(h, buf, at, from, heap_extent(h));
+        at = save_section(h, buf, at, from, heap_extent(h));
     if (buf)
         memcpy((char *)buf + at, &end, sizeof end);
     return at + sizeof end;
@@ -605,49 +606,50 @@ size_t heap_save(const struct heap *h, void *buf)
 size_t heap_restore(struct heap *h, const void *buf)
 {
     const char *p = buf;
-    struct run run;
+    struct section section;
     size_t at = 0;
 
     for (;;) {
-        memcpy(&run, p + at, sizeof run);
-        at += sizeof run;
-        if (run.bytes == 0)
+        memcpy(&section, p + at, sizeof section);
+        at += sizeof section;
+        if (section.bytes == 0)
             return at;
-        at = in_step(at, run.from);
-        memcpy((char *)h + run.from, p + at, run.bytes);
-        at += run.bytes;
+        at = match_alignment(at, section.from);
+        memcpy((char *)h + section.from, p + at, section.bytes);
+        at += section.bytes;
     }
 }
 
 /* ---- checking ---- */
 
-static bool check_slab(const struct heap *h, uint32_t page, size_t *room)
+static bool check_slab(const struct heap *h, uint32_t page, size_t *capacity)
 {
-    const struct slab *s = at(h, page);
+    const struct slab *s = unit_address(h, page);
     unsigned bytes = class_bytes[s->class], count = 0, listed = 0;
 
     for (uint16_t f = s->free; f; count++) {
-        if (f >= s->unused_from || (f - sizeof *s) % bytes || count > SLAB_ROOM / UNIT)
+        if (f >= s->unused_from || (f - sizeof *s) % bytes || count > SLAB_BYTES / UNIT)
             return false;
         memcpy(&f, (const char *)s + f, sizeof f);
     }
-    for (uint32_t p = h->partial[s->class]; p; p = ((const struct slab *)at(h, p))->next)
+    for (uint32_t p = h->partial[s->class]; p; p = ((const struct slab *)unit_address(h, p))->next)
         listed += p == page;
-    *room += (size_t)s->used * bytes;
+    *capacity += (size_t)s->used * bytes;
     if (!s->used && (s->next || s->prev))
         return false;
-    return s->used + count == (s->unused_from - sizeof *s) / bytes && listed == !slab_full(s);
+    return s->used + count == (s->unused_from - sizeof *s) / bytes && listed == !is_slab_full(s);
 }
 
-static bool check_listed(const struct heap *h, uint32_t b)
+static bool is_listed(const struct heap *h, uint32_t b)
 {
-    struct place p = bin_of(units_of(h, b));
+    struct bin_index p = bin_of(units_of(h, b));
     uint32_t before = 0;
 
     if (!(h->rows >> p.row & 1) || !(h->columns[p.row] >> p.column & 1))
         return false;
-    for (uint32_t i = h->bin[p.row][p.column]; i; before = i, i = ((const struct link *)at(h, i))->next) {
-        if (((const struct link *)at(h, i))->prev != before)
+    for (uint32_t i = h->bins[p.row][p.column]; i;
+         before = i, i = ((const struct free_link *)unit_address(h, i))->next) {
+        if (((const struct free_link *)unit_address(h, i))->prev != before)
             return false;
         if (i == b)
             return true;
@@ -662,10 +664,10 @@ static bool check_bins(const struct heap *h, uint32_t free_blocks)
     for (uint32_t r = 0; r < ROWS; r++) {
         if (!h->columns[r] != !(h->rows >> r & 1))
             return false;
-        for (uint32_t c = 0; c < COLUMNS_A_ROW; c++) {
-            if (!h->bin[r][c] != !(h->columns[r] >> c & 1))
+        for (uint32_t c = 0; c < COLUMNS_PER_ROW; c++) {
+            if (!h->bins[r][c] != !(h->columns[r] >> c & 1))
                 return false;
-            for (uint32_t i = h->bin[r][c]; i; i = ((const struct link *)at(h, i))->next)
+            for (uint32_t i = h->bins[r][c]; i; i = ((const struct free_link *)unit_address(h, i))->next)
                 n++;
         }
     }
@@ -675,29 +677,29 @@ static bool check_bins(const struct heap *h, uint32_t free_blocks)
 bool heap_check(const struct heap *h)
 {
     uint32_t prev = 0, free_blocks = 0, slabs = 0, marked = 0;
-    size_t room = 0;
+    size_t capacity = 0;
     bool was_free = false;
 
     if (h->top > h->limit)
         return false;
     for (uint32_t b = h->first; b != h->top; b += prev) {
-        if (b > h->top || head(h, b)->prev != prev || !units_of(h, b) || (was_free && is_free(h, b)))
+        if (b > h->top || block_header(h, b)->prev != prev || !units_of(h, b) || (was_free && is_free(h, b)))
             return false;
         prev = units_of(h, b);
         was_free = is_free(h, b);
         free_blocks += was_free;
-        if (was_free && !check_listed(h, b))
+        if (was_free && !is_listed(h, b))
             return false;
-        if (!was_free && b % PAGE_UNITS == 0 && in_slab(h, at(h, b))) {
-            if (prev != PAGE_UNITS || !check_slab(h, b, &room))
+        if (!was_free && b % PAGE_UNITS == 0 && is_in_slab(h, unit_address(h, b))) {
+            if (prev != PAGE_UNITS || !check_slab(h, b, &capacity))
                 return false;
             slabs++;
         } else if (!was_free) {
-            room += (size_t)prev * UNIT - sizeof(struct head);
+            capacity += (size_t)prev * UNIT - sizeof(struct block_header);
         }
     }
     for (size_t w = 0; w < (h->size / PAGE + 64) / 64; w++)
         for (uint64_t bits = h->slabs[w]; bits; bits &= bits - 1)
             marked++;
-    return h->last == prev && marked == slabs && h->used <= room && check_bins(h, free_blocks);
+    return h->last == prev && marked == slabs && h->used <= capacity && check_bins(h, free_blocks);
 }

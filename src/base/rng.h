@@ -12,9 +12,9 @@ struct rng {
     uint64_t s[4];
 };
 
-static inline uint64_t rng_rotate(uint64_t v, int by)
+static inline uint64_t rng_rotate(uint64_t v, int count)
 {
-    return v << by | v >> (64 - by);
+    return v << count | v >> (64 - count);
 }
 
 /* Seeds the stream; any seed is good, 0 included. */

@@ -7,45 +7,45 @@
 #include "hash.h"
 
 enum {
-    MOST_COLUMNS = 64, /* maximum number of columns of a chip */
-    ALIGN = 64,        /* a cache line, so that columns do not share one */
-    LONG = 1024        /* sections of a snapshot with at least this many bytes are aligned */
+    MAX_COLUMNS = 64,   /* maximum number of columns of a chip */
+    ALIGN = 64,         /* a cache line, so that columns do not share one */
+    LONG_SECTION = 1024 /* sections of a snapshot with at least this many bytes are aligned */
 };
 
-static uint32_t blocks(uint32_t n)
+static uint32_t round_to_blocks(uint32_t n)
 {
     return (n + SLOTS_BLOCK - 1) / SLOTS_BLOCK * SLOTS_BLOCK;
 }
 
-static uint64_t aligned(uint64_t n)
+static uint64_t align_up(uint64_t n)
 {
     return (n + ALIGN - 1) / ALIGN * ALIGN;
 }
 
 /* Returns the number of values in a column with that many slots. If the column has values per block, `slots` must be a
  * multiple of SLOTS_BLOCK. */
-static uint64_t values(const struct column *c, uint64_t slots)
+static uint64_t value_count(const struct column *c, uint64_t slots)
 {
-    return (c->block ? slots / SLOTS_BLOCK : slots) * c->n;
+    return (c->is_per_block ? slots / SLOTS_BLOCK : slots) * c->n;
 }
 
 /* Returns the number of slots that columns have space for: cap in a list, cap rounded up to whole blocks in a pool. */
-static uint32_t room_for(const struct chip *chip, uint32_t cap)
+static uint32_t slot_capacity(const struct chip *chip, uint32_t cap)
 {
-    return chip->list ? cap : blocks(cap);
+    return chip->is_list ? cap : round_to_blocks(cap);
 }
 
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
 {
-    uint64_t room = room_for(chip, cap), size = 0;
+    uint64_t capacity = slot_capacity(chip, cap), size = 0;
 
     if (!cap)
         return 0;
-    if (!chip->list)
-        size = aligned(room / 8) + aligned(room * 4);
+    if (!chip->is_list)
+        size = align_up(capacity / 8) + align_up(capacity * 4);
     for (int i = 0; i < chip->count; i++)
-        if (!chip->columns[i].reg && slots_column_there(&chip->columns[i], groups))
-            size += aligned(values(&chip->columns[i], room) * chip->columns[i].width);
+        if (!chip->columns[i].is_register && slots_has_column(&chip->columns[i], groups))
+            size += align_up(value_count(&chip->columns[i], capacity) * chip->columns[i].width);
     return size;
 }
 
@@ -53,34 +53,34 @@ static void *carve(uint8_t **next, uint64_t bytes)
 {
     void *at = *next;
 
-    *next += aligned(bytes);
+    *next += align_up(bytes);
     return at;
 }
 
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next)
 {
     struct slots *s = self;
-    uint64_t room = room_for(chip, cap);
+    uint64_t capacity = slot_capacity(chip, cap);
 
     *s = (struct slots){ .cap = cap, .groups = groups };
-    if (!chip->list) {
-        s->used = carve(next, room / 8);
-        s->gen = carve(next, room * 4);
+    if (!chip->is_list) {
+        s->used = carve(next, capacity / 8);
+        s->gen = carve(next, capacity * 4);
     }
     for (int i = 0; i < chip->count; i++) {
         const struct column *c = &chip->columns[i];
         void *at = (uint8_t *)self + c->at;
 
-        if (c->reg)
+        if (c->is_register)
             memset(at, 0, (size_t)c->width * c->n);
         else {
-            void *column = slots_column_there(c, groups) ? carve(next, values(c, room) * c->width) : NULL;
+            void *column = slots_has_column(c, groups) ? carve(next, value_count(c, capacity) * c->width) : NULL;
             memcpy(at, &column, sizeof column);
         }
     }
 }
 
-static bool grow_high(struct slots *s)
+static bool raise_high(struct slots *s)
 {
     if (s->high >= s->cap)
         return false;
@@ -93,26 +93,26 @@ static bool grow_high(struct slots *s)
 
 /* Returns a mask of the slots in a block that are neither live nor held. The lowest one is never retired, but higher
  * ones may be. */
-static uint64_t room_in(const struct slots *s, uint32_t block)
+static uint64_t find_free_slots(const struct slots *s, uint32_t block)
 {
-    uint64_t room = ~s->used[block];
+    uint64_t free_slots = ~s->used[block];
 
     if (block * 64 < s->held_top)
-        room &= ~s->held[block];
-    while (room && s->gen[block * 64 + bits_lowest(room)] == GENERATIONS)
-        room &= room - 1;
-    return room;
+        free_slots &= ~s->held[block];
+    while (free_slots && s->gen[block * 64 + bits_lowest(free_slots)] == RETIRED_GENERATION)
+        free_slots &= free_slots - 1;
+    return free_slots;
 }
 
 int32_t slots_take(struct slots *s)
 {
     for (;; s->low++) {
-        if (s->low * 64 == s->high && !grow_high(s))
+        if (s->low * 64 == s->high && !raise_high(s))
             break;
-        uint64_t room = room_in(s, s->low);
-        if (!room)
+        uint64_t free_slots = find_free_slots(s, s->low);
+        if (!free_slots)
             continue;
-        uint32_t i = s->low * 64 + bits_lowest(room);
+        uint32_t i = s->low * 64 + bits_lowest(free_slots);
         if (i >= s->cap)
             break;
         s->used[i / 64] |= 1ull << (i & 63);
@@ -153,7 +153,7 @@ void slots_drop(struct slots *s, uint32_t i)
 void slots_hold(struct slots *s, uint64_t *words, uint32_t i)
 {
     assert(i < s->top && (s->used[i / 64] >> (i & 63) & 1));
-    if (!s->holding) {
+    if (!s->held_count) {
         s->held = words;
         s->held_top = s->top;
         memset(words, 0, s->top / 8);
@@ -161,7 +161,7 @@ void slots_hold(struct slots *s, uint64_t *words, uint32_t i)
     s->used[i / 64] &= ~(1ull << (i & 63));
     s->held[i / 64] |= 1ull << (i & 63);
     s->live--;
-    s->holding++;
+    s->held_count++;
 }
 
 void slots_release(struct slots *s, uint32_t i)
@@ -169,7 +169,7 @@ void slots_release(struct slots *s, uint32_t i)
     assert(i < s->held_top && (s->held[i / 64] >> (i & 63) & 1));
     s->held[i / 64] &= ~(1ull << (i & 63));
     vacate(s, i);
-    if (--s->holding == 0) {
+    if (--s->held_count == 0) {
         s->held = NULL;
         s->held_top = 0;
     }
@@ -177,7 +177,7 @@ void slots_release(struct slots *s, uint32_t i)
 
 void slots_trim(struct slots *s)
 {
-    while (s->top && !s->holding && !s->used[s->top / 64 - 1])
+    while (s->top && !s->held_count && !s->used[s->top / 64 - 1])
         s->top -= SLOTS_BLOCK;
 }
 
@@ -185,9 +185,9 @@ void slots_trim(struct slots *s)
 static uint32_t next_bit(const uint64_t *words, uint32_t i, uint32_t top)
 {
     while (i < top) {
-        uint64_t rest = words[i / 64] >> (i & 63);
-        if (rest)
-            return i + bits_lowest(rest);
+        uint64_t bits = words[i / 64] >> (i & 63);
+        if (bits)
+            return i + bits_lowest(bits);
         i = i / 64 * 64 + 64;
     }
     return top;
@@ -241,40 +241,40 @@ static const uint8_t *column_at(const struct column *c, const void *self)
     return at;
 }
 
-static bool hashed_register(const struct column *c, uint32_t groups)
+static bool is_hashed_register(const struct column *c, uint32_t groups)
 {
-    return c->reg && c->kind == COL_GAME && slots_column_there(c, groups);
+    return c->is_register && c->kind == COL_GAME && slots_has_column(c, groups);
 }
 
 /* The hashed columns, found once for all slots. */
-struct hashed {
-    const struct column *column[MOST_COLUMNS];
-    const uint8_t *at[MOST_COLUMNS];
+struct hash_list {
+    const struct column *column[MAX_COLUMNS];
+    const uint8_t *at[MAX_COLUMNS];
     int n;
 };
 
-static void hashed_columns(struct hashed *h, const struct chip *chip, const void *self)
+static void collect_hashed_columns(struct hash_list *h, const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
 
-    assert(chip->count <= MOST_COLUMNS);
+    assert(chip->count <= MAX_COLUMNS);
     h->n = 0;
     for (int c = 0; c < chip->count; c++) {
         const struct column *col = &chip->columns[c];
-        if (col->reg || col->kind != COL_GAME || !slots_column_there(col, s->groups))
+        if (col->is_register || col->kind != COL_GAME || !slots_has_column(col, s->groups))
             continue;
         h->column[h->n] = col;
         h->at[h->n++] = column_at(col, self);
     }
 }
 
-bool slots_blank(const struct chip *chip, const void *self)
+bool slots_registers_are_zero(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
 
     for (int c = 0; c < chip->count; c++) {
         const struct column *col = &chip->columns[c];
-        for (int k = 0; hashed_register(col, s->groups) && k < col->n; k++)
+        for (int k = 0; is_hashed_register(col, s->groups) && k < col->n; k++)
             if (value_at((const uint8_t *)self + col->at + (size_t)k * col->width, col->width))
                 return false;
     }
@@ -285,14 +285,14 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
 {
     const struct slots *s = self;
     uint64_t h = hash_fold(hash_fold(HASH_START, s->live), s->refused);
-    struct hashed list;
+    struct hash_list list;
 
     for (int c = 0; c < chip->count; c++)
-        if (hashed_register(&chip->columns[c], s->groups))
+        if (is_hashed_register(&chip->columns[c], s->groups))
             h = fold_values(h, &chip->columns[c], (const uint8_t *)self + chip->columns[c].at);
     if (s->live == 0)
         return h;
-    hashed_columns(&list, chip, self);
+    collect_hashed_columns(&list, chip, self);
     uint32_t end = s->used ? s->top : s->live;
     for (uint32_t i = slots_next(s, 0); i < end; i = slots_next(s, i + 1)) {
         if (s->used)
@@ -306,7 +306,7 @@ uint64_t slots_hash(const struct chip *chip, const void *self)
 }
 
 /* Visits the values of one column of a slot, or of one register, at p. */
-static void visit_values(const struct column *c, const uint8_t *p, struct slots_value v, slots_visit *visit,
+static void visit_values(const struct column *c, const uint8_t *p, struct slots_value v, slots_visitor *visit,
                          void *context)
 {
     v.column = c->name;
@@ -318,7 +318,7 @@ static void visit_values(const struct column *c, const uint8_t *p, struct slots_
     }
 }
 
-static void visit_registers(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+static void visit_registers(const struct chip *chip, const void *self, slots_visitor *visit, void *context)
 {
     const struct slots *s = self;
     struct slots_value v = { .slot = NO_SLOT, .n = 1, .width = sizeof s->live };
@@ -330,11 +330,11 @@ static void visit_registers(const struct chip *chip, const void *self, slots_vis
     v.value = s->refused;
     visit(context, &v);
     for (int c = 0; c < chip->count; c++)
-        if (hashed_register(&chip->columns[c], s->groups))
+        if (is_hashed_register(&chip->columns[c], s->groups))
             visit_values(&chip->columns[c], (const uint8_t *)self + chip->columns[c].at, v, visit, context);
 }
 
-void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context)
+void slots_visit_values(const struct chip *chip, const void *self, slots_visitor *visit, void *context)
 {
     const struct slots *s = self;
     uint32_t end = s->used ? s->top : s->live;
@@ -344,7 +344,7 @@ void slots_values(const struct chip *chip, const void *self, slots_visit *visit,
         struct slots_value v = { .slot = i, .gen = s->used ? s->gen[i] : 0 };
         for (int c = 0; c < chip->count; c++) {
             const struct column *col = &chip->columns[c];
-            if (!col->reg && col->kind == COL_GAME && slots_column_there(col, s->groups))
+            if (!col->is_register && col->kind == COL_GAME && slots_has_column(col, s->groups))
                 visit_values(col, column_at(col, self) + (size_t)i * col->width * col->n, v, visit, context);
         }
     }
@@ -353,7 +353,7 @@ void slots_values(const struct chip *chip, const void *self, slots_visit *visit,
 /* Copies the columns to `save` or from `restore`, or only counts if both are NULL. Returns the snapshot's bytes. Long
  * sections start at cache lines, as they do in RAM: copying between addresses that differ by a few bytes within the
  * page is up to 16 times slower on some processors. */
-static size_t walk(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
+static size_t copy_columns(const struct chip *chip, const void *self, uint8_t *save, const uint8_t *restore)
 {
     const struct slots *s = self;
     size_t at = 0;
@@ -364,35 +364,35 @@ static size_t walk(const struct chip *chip, const void *self, uint8_t *save, con
 
     if (!s->cap)
         return 0;
-    for (int i = chip->list ? 0 : -2; i < chip->count; i++) {
+    for (int i = chip->is_list ? 0 : -2; i < chip->count; i++) {
         if (i == -2)
             piece.p = (uint8_t *)s->used, piece.n = s->high / 8;
         else if (i == -1)
             piece.p = (uint8_t *)s->gen, piece.n = (size_t)s->high * 4;
-        else if (chip->columns[i].reg || !slots_column_there(&chip->columns[i], s->groups))
+        else if (chip->columns[i].is_register || !slots_has_column(&chip->columns[i], s->groups))
             continue;
         else {
             const struct column *c = &chip->columns[i];
             memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
-            piece.n = (size_t)values(c, chip->list ? s->live : s->top) * c->width;
+            piece.n = (size_t)value_count(c, chip->is_list ? s->live : s->top) * c->width;
         }
-        if (piece.n >= LONG)
-            at = (size_t)aligned(at);
+        if (piece.n >= LONG_SECTION)
+            at = (size_t)align_up(at);
         if (save && piece.n)
             memcpy(save + at, piece.p, piece.n);
         if (restore && piece.n)
             memcpy(piece.p, restore + at, piece.n);
         at += piece.n;
     }
-    return (size_t)aligned(at);
+    return (size_t)align_up(at);
 }
 
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)
 {
-    return walk(chip, self, buf, NULL);
+    return copy_columns(chip, self, buf, NULL);
 }
 
 size_t slots_restore(const struct chip *chip, void *self, const uint8_t *buf)
 {
-    return walk(chip, self, NULL, buf);
+    return copy_columns(chip, self, NULL, buf);
 }

@@ -7,10 +7,10 @@
  * same table.
  *
  * In a pool (`used` is not NULL) a live entity keeps its slot, a new one takes the lowest free slot, and a slot's
- * generation is incremented when its entity is dropped. A slot whose generation reaches GENERATIONS, after 2^30 - 2
- * entities, is retired: no entity ever has that generation, so no handle can ever name a second entity. Each retired
- * slot reduces the pool's capacity by one. In a list (`used` is NULL) entries [0, live) are in use, in the order in
- * which they were added.
+ * generation is incremented when its entity is dropped. A slot whose generation reaches RETIRED_GENERATION, after 2^30
+ * - 2 entities, is retired: no entity ever has that generation, so no handle can ever name a second entity. Each
+ * retired slot reduces the pool's capacity by one. In a list (`used` is NULL) entries [0, live) are in use, in the
+ * order in which they were added.
  *
  * Invariants of a pool: every live slot is below top; top and high are multiples of 64; gen and used are valid below
  * high, and columns are not read at or beyond top, so a snapshot copies [0, top) of the columns and [0, high) of gen
@@ -31,19 +31,19 @@
 
 enum column_kind {
     COL_GAME,    /* hashed */
-    COL_DERIVED, /* computed from game columns or used only within a frame; `why` states which */
+    COL_DERIVED, /* computed from game columns or used only within a frame; `reason` states which */
 };
 
 struct column {
     const char *name;
-    uint16_t at;   /* offset, in the chip's struct, of the column's pointer or of the register */
-    uint8_t width; /* bytes of one value: 1, 2, 4 or 8 */
-    uint16_t n;    /* values per slot; for a register, the number of values */
-    bool reg;      /* a register of the chip, not a column */
-    bool block;    /* n values per block of SLOTS_BLOCK slots, not per slot */
+    uint16_t at;       /* offset, in the chip's struct, of the column's pointer or of the register */
+    uint8_t width;     /* bytes of one value: 1, 2, 4 or 8 */
+    uint16_t n;        /* values per slot; for a register, the number of values */
+    bool is_register;  /* a register of the chip, not a column */
+    bool is_per_block; /* n values per block of SLOTS_BLOCK slots, not per slot */
     enum column_kind kind;
-    const char *why; /* reason that a column is derived */
-    uint8_t group;   /* 0: always present; g: present only in chips laid out with SLOTS_GROUP(g) */
+    const char *reason; /* reason that a column is derived */
+    uint8_t group;      /* 0: always present; g: present only in chips laid out with SLOTS_GROUP(g) */
 };
 
 /* Some columns are present only if a game's manifest asks for their group. Otherwise their pointer is NULL, and they
@@ -107,13 +107,13 @@ struct slots {
     uint32_t top;  /* every live slot is below this */
     uint32_t high; /* slots ever used, in whole blocks */
     uint32_t live;
-    uint32_t refused;           /* additions refused because the chip was full; scripts can read it */
-    uint32_t low;               /* no word of `used` before this one has a slot that slots_take can return */
-    uint64_t *used;             /* a bit per slot, 1: live; NULL: the chip is a list */
-    uint32_t *gen;              /* generation of each slot, 1 to GENERATIONS (retired) */
-    uint64_t *held;             /* a bit per slot below held_top */
-    uint32_t held_top, holding; /* end of `held`, number of held slots; 0 if none is held */
-    uint32_t groups;            /* SLOTS_GROUP bits of the groups of columns that are present */
+    uint32_t refused;              /* additions refused because the chip was full; scripts can read it */
+    uint32_t low;                  /* no word of `used` before this one has a slot that slots_take can return */
+    uint64_t *used;                /* a bit per slot, 1: live; NULL: the chip is a list */
+    uint32_t *gen;                 /* generation of each slot, 1 to RETIRED_GENERATION (retired) */
+    uint64_t *held;                /* a bit per slot below held_top */
+    uint32_t held_top, held_count; /* end of `held`, number of held slots; 0 if none is held */
+    uint32_t groups;               /* SLOTS_GROUP bits of the groups of columns that are present */
 };
 
 /* A chip's description: its name in hashes and reports, and its columns. */
@@ -121,11 +121,11 @@ struct chip {
     const char *name;
     const struct column *columns;
     int count;
-    bool list;
+    bool is_list;
     bool unhashed; /* hashed in reports but not in the combined hash, as no script can read the chip */
 };
 
-enum { SLOTS_BLOCK = 64, GENERATIONS = (1 << 30) - 1, NO_SLOT = -1 };
+enum { SLOTS_BLOCK = 64, RETIRED_GENERATION = (1 << 30) - 1, NO_SLOT = -1 };
 
 /* Returns the bytes of RAM that a chip of this capacity with these groups of columns occupies. */
 uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
@@ -135,7 +135,7 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups);
 void slots_layout(const struct chip *chip, void *self, uint32_t cap, uint32_t groups, uint8_t **next);
 
 /* Returns whether the group of this column or register is present. */
-static inline bool slots_column_there(const struct column *c, uint32_t groups)
+static inline bool slots_has_column(const struct column *c, uint32_t groups)
 {
     return c->group == 0 || groups & SLOTS_GROUP(c->group);
 }
@@ -191,7 +191,7 @@ uint32_t slots_next_held(const struct slots *s, uint32_t i);
 #define EACH_LIVE(i, s) for (uint32_t i = slots_next(s, 0); i < (s)->top; i = slots_next(s, i + 1))
 
 /* Returns whether all hashed registers are 0. */
-bool slots_blank(const struct chip *chip, const void *self);
+bool slots_registers_are_zero(const struct chip *chip, const void *self);
 
 /* Returns the state hash. Folds the live and refused counts and the game registers, then for each live slot, in slot
  * order, the slot number and generation (pools only) and the game columns. */
@@ -206,10 +206,10 @@ struct slots_value {
     uint8_t width;      /* bytes */
     uint64_t value;
 };
-typedef void slots_visit(void *context, const struct slots_value *v);
+typedef void slots_visitor(void *context, const struct slots_value *v);
 
 /* Visits all values that slots_hash folds, in the same order. */
-void slots_values(const struct chip *chip, const void *self, slots_visit *visit, void *context);
+void slots_visit_values(const struct chip *chip, const void *self, slots_visitor *visit, void *context);
 
 /* Prefetches the cache line at p. */
 static inline void slots_prefetch(const void *p)
@@ -222,12 +222,12 @@ static inline void slots_prefetch(const void *p)
 }
 
 /* Packs the flags of a block, one byte each, 0 or 1, into a mask. Vectorised loops write flags as bytes. */
-static inline uint64_t slots_gather(const uint8_t is[SLOTS_BLOCK])
+static inline uint64_t slots_pack_flags(const uint8_t flags[SLOTS_BLOCK])
 {
     uint64_t m = 0;
 
     for (int i = 0; i < 8; i++)
-        m |= (bytes_get64(is + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
+        m |= (bytes_get64(flags + 8 * i) * 0x0102040810204080u >> 56) << 8 * i;
     return m;
 }
 

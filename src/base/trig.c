@@ -10,8 +10,8 @@
  * Directions of vectors are guessed in doubles to about 2^-12 of an ang. The guess decides unless it is near halfway
  * between two angs; then 128-bit arithmetic computes on which side of the halfway ray the vector lies. The rays' slopes
  * are irrational, so no vector lies on one. Polar coordinates are guessed to 2^-11 of a unit (trig_guess.h); doubtful
- * ones are computed to 2^-29 from tables and short series (way_of), and if that leaves doubt, 128-bit arithmetic
- * decides. Strides start from way_of.
+ * ones are computed to 2^-29 from tables and short series (cos_sin_q64), and if that leaves doubt, 128-bit arithmetic
+ * decides. Strides start from cos_sin_q64.
  */
 #include "trig.h"
 #include "trig_guess.h"
@@ -19,7 +19,7 @@
 
 /* Returns term - t * sum, one step of Horner's rule. Terms are in units of 2^-(64 + n), to use all 64 bits; n falls by
  * `shift` per step. */
-static inline uint64_t less(uint64_t term, uint64_t t, uint64_t sum, int shift)
+static inline uint64_t horner_step(uint64_t term, uint64_t t, uint64_t sum, int shift)
 {
     return term - (fx_mul_high(t, sum) >> shift);
 }
@@ -35,13 +35,13 @@ static uint64_t eighth_sine(uint32_t u)
 {
     uint64_t t = squared(u), sum;
 
-    sum = less(0xf477689770051973, t, 0xb62dc3aea739c886, 8);
-    sum = less(0xf183a5a7f982be39, t, sum, 8);
-    sum = less(0xa83c1a42e5ec1adc, t, sum, 8);
-    sum = less(0x996966731561123c, t, sum, 7);
-    sum = less(0xa335e33bad56c907, t, sum, 6);
-    sum = less(0xa55de7312df295db, t, sum, 5);
-    sum = less(0xc90fdaa22168c235, t, sum, 3);
+    sum = horner_step(0xf477689770051973, t, 0xb62dc3aea739c886, 8);
+    sum = horner_step(0xf183a5a7f982be39, t, sum, 8);
+    sum = horner_step(0xa83c1a42e5ec1adc, t, sum, 8);
+    sum = horner_step(0x996966731561123c, t, sum, 7);
+    sum = horner_step(0xa335e33bad56c907, t, sum, 6);
+    sum = horner_step(0xa55de7312df295db, t, sum, 5);
+    sum = horner_step(0xc90fdaa22168c235, t, sum, 3);
     return fx_mul_high((uint64_t)u << 35, sum);
 }
 
@@ -50,13 +50,13 @@ static uint64_t eighth_cosine(uint32_t u)
 {
     uint64_t t = squared(u), sum;
 
-    sum = less(0xdb6f45c74dd0407c, t, 0x8f3a2f2f04fb6540, 8);
-    sum = less(0xfce9c384388ca3fc, t, sum, 8);
-    sum = less(0xd368f95043648007, t, sum, 8);
-    sum = less(0xf0fa83448d74a895, t, sum, 7);
-    sum = less(0xaae9e3f1e5ffb798, t, sum, 7);
-    sum = less(0x81e0f840dad61d96, t, sum, 6);
-    sum = less(0x9de9e64df22ef2d2, t, sum, 4);
+    sum = horner_step(0xdb6f45c74dd0407c, t, 0x8f3a2f2f04fb6540, 8);
+    sum = horner_step(0xfce9c384388ca3fc, t, sum, 8);
+    sum = horner_step(0xd368f95043648007, t, sum, 8);
+    sum = horner_step(0xf0fa83448d74a895, t, sum, 7);
+    sum = horner_step(0xaae9e3f1e5ffb798, t, sum, 7);
+    sum = horner_step(0x81e0f840dad61d96, t, sum, 6);
+    sum = horner_step(0x9de9e64df22ef2d2, t, sum, 4);
     return ~(fx_mul_high(t, sum) >> 1);
 }
 
@@ -69,14 +69,14 @@ static uint64_t sine(ang a)
     return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(0x40000000 - u);
 }
 
-/* Returns -v if `so`, otherwise v, without a branch, because signs of angles are hard to predict. */
-static inline int64_t negate_if(bool so, int64_t v)
+/* Returns -v if `condition`, otherwise v, without a branch, because signs of angles are hard to predict. */
+static inline int64_t negate_if(bool condition, int64_t v)
 {
-    return (v ^ -(int64_t)so) + so;
+    return (v ^ -(int64_t)condition) + condition;
 }
 
 /* Returns the magnitude q, in Q64, rounded to `bits` bits, with the sign of sin a. */
-static int32_t rounded(uint64_t q, int bits, ang a)
+static int32_t round_to_bits(uint64_t q, int bits, ang a)
 {
     return (int32_t)negate_if(a >> 31, (int64_t)((q >> (64 - bits)) + (q >> (63 - bits) & 1)));
 }
@@ -91,7 +91,7 @@ static inline uint32_t magnitude(fx v)
 
 int32_t trig_sin30(ang a)
 {
-    return rounded(sine(a), 30, a);
+    return round_to_bits(sine(a), 30, a);
 }
 
 int32_t trig_cos30(ang a)
@@ -109,7 +109,7 @@ static inline int64_t sine_guess(ang a)
     return SINE.base[i] + SINE.slope[i] * f + SINE.bend[i] * (f * f >> 23);
 }
 
-void trig_direction(ang a, int64_t *cosine, int64_t *sine)
+void trig_cos_sin40(ang a, int64_t *cosine, int64_t *sine)
 {
     const int64_t half = (int64_t)1 << 39;
 
@@ -119,17 +119,17 @@ void trig_direction(ang a, int64_t *cosine, int64_t *sine)
 
 FX_COLD static fx sine_by_series(ang a)
 {
-    return rounded(sine(a), 16, a);
+    return round_to_bits(sine(a), 16, a);
 }
 
 /* The quadratics are off by less than 2^29.4 / 2^40 of a unit; one case in 700 is in doubt, and the series
  * decides it. */
 fx trig_sin(ang a)
 {
-    const uint64_t doubt = 800000000;
+    const uint64_t margin = 800000000;
     const int64_t v = sine_guess(a);
 
-    if (!FX_USUAL(((uint64_t)v + doubt) << 24 > doubt << 25))
+    if (!FX_LIKELY(((uint64_t)v + margin) << 24 > margin << 25))
         return sine_by_series(a);
     return (fx)(v >> 40);
 }
@@ -178,7 +178,7 @@ static struct wide wide_div(struct wide a, uint32_t n)
 
 /* Stores cosine and sine of an angle of u half angs, 0 < u <= 2^30 (an eighth of a turn), to 2^-120. Uses Taylor
  * series. */
-static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
+static void wide_cos_sin(uint32_t u, struct wide *cosine, struct wide *sine)
 {
     static const struct wide EIGHTH_TURN = { 0xc90fdaa22168c234, 0xc4c6628b80dc1cd1 }; /* pi / 4 */
     struct wide x = u >> 30 ? EIGHTH_TURN : wide_scale(EIGHTH_TURN, (uint64_t)u << 34);
@@ -196,46 +196,46 @@ static void wide_circle(uint32_t u, struct wide *cosine, struct wide *sine)
  * Stores, in Q64, cosine and sine of an angle of u half angs, u <= 2^30 (an eighth of a turn). Takes the last of 513
  * directions (trig_tables.h) that is not beyond u, and rotates it by the rest, r < 2^-9.3. The sine of r is r (1 - r^2
  * (1 - r^2 / 20) / 6), and 1 minus its cosine is r^2 / 2 (1 - r^2 / 12); the omitted terms are below 2^-65. Each result
- * is off by less than 2^3; `scaled` requires less than 2^4. Using only a series would take twice the time.
+ * is off by less than 2^3; `scale_rounded` requires less than 2^4. Using only a series would take twice the time.
  */
-static inline void way_of(uint32_t u, uint64_t *cosine, uint64_t *sine)
+static inline void cos_sin_q64(uint32_t u, uint64_t *cosine, uint64_t *sine)
 {
-    const uint64_t *way = WAY[u >> 21];
+    const uint64_t *entry = WAY[u >> 21];
     const uint64_t r = fx_mul_high((uint64_t)(u & 0x1fffff) << 43, 0x6487ed5110b461);           /* 2 pi 2^52 */
     const uint64_t square = fx_mul_high(r << 9, r << 9);                                        /* r^2, times 2^18 */
     const uint64_t sixth = 0x2aaaaaaaaaaaaaaa - (fx_mul_high(square, 0x222222222222222) >> 18); /* 1 / 6 - r^2 / 120 */
-    const uint64_t aside = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
-    const uint64_t back =
+    const uint64_t sin_r = r - (fx_mul_high(r, fx_mul_high(square, sixth)) >> 18);
+    const uint64_t versin_r =
         square - (fx_mul_high(square, fx_mul_high(square, 0x1555555555555555)) >> 18); /* times 2^19 */
 
-    *cosine = way[0] - fx_mul_high(way[1], aside) - (fx_mul_high(way[0], back) >> 19);
-    *sine = way[1] + fx_mul_high(way[0], aside) - (fx_mul_high(way[1], back) >> 19);
+    *cosine = entry[0] - fx_mul_high(entry[1], sin_r) - (fx_mul_high(entry[0], versin_r) >> 19);
+    *sine = entry[1] + fx_mul_high(entry[0], sin_r) - (fx_mul_high(entry[1], versin_r) >> 19);
 }
 
 /*
  * Returns whether n/d is above the tangent of k + 1/2 angs, k < 2^29. No vector with 32-bit coordinates is nearer to
  * such a ray than 2^-90 of its length (make prove), so 120 bits suffice.
  */
-FX_COLD static bool above_near_ray(uint32_t n, uint32_t d, uint32_t k)
+FX_COLD static bool is_above_ray_exact(uint32_t n, uint32_t d, uint32_t k)
 {
     struct wide c, s;
 
-    wide_circle(2 * k + 1, &c, &s);
+    wide_cos_sin(2 * k + 1, &c, &s);
     c = wide_scale(c, (uint64_t)n << 32);
     s = wide_scale(s, (uint64_t)d << 32);
     return c.hi > s.hi || (c.hi == s.hi && c.lo > s.lo);
 }
 
-/* Like above_near_ray, but first tries the ray from the tables. Each component of that ray is off by less than 2^3, so
- * it decides unless the vector is very close to the ray. */
-FX_COLD static bool above_ray(uint32_t n, uint32_t d, uint32_t k)
+/* Like is_above_ray_exact, but first tries the ray from the tables. Each component of that ray is off by less than 2^3,
+ * so it decides unless the vector is very close to the ray. */
+FX_COLD static bool is_above_ray(uint32_t n, uint32_t d, uint32_t k)
 {
     uint64_t c, s;
     int64_t above;
 
-    way_of(2 * k + 1, &c, &s);
+    cos_sin_q64(2 * k + 1, &c, &s);
     above = (int64_t)(fx_mul_high((uint64_t)n << 32, c) - fx_mul_high((uint64_t)d << 32, s));
-    return above > 32 || above < -32 ? above > 0 : above_near_ray(n, d, k);
+    return above > 32 || above < -32 ? above > 0 : is_above_ray_exact(n, d, k);
 }
 
 #ifdef FX_INTEGER
@@ -257,12 +257,12 @@ static const uint64_t ATAN[33] = {
 static uint64_t atan_guess(uint32_t n, uint32_t d)
 {
     uint64_t i = ((uint64_t)n * 64 + d) / ((uint64_t)d * 2), low = i * d, high = (uint64_t)n * 32;
-    uint64_t over = high < low ? low - high : high - low, under = (uint64_t)d * 32 + i * n, q = 0;
+    uint64_t numerator = high < low ? low - high : high - low, denominator = (uint64_t)d * 32 + i * n, q = 0;
 
     for (int k = 0; k < 4; k++) { /* over < 2^31, under < 2^38: 16 bits of the quotient at a time */
-        over <<= 16;
-        q = q << 16 | over / under;
-        over %= under;
+        numerator <<= 16;
+        q = q << 16 | numerator / denominator;
+        numerator %= denominator;
     }
 
     uint64_t z = fx_mul_high(q, q), series;
@@ -278,13 +278,13 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
 /* Returns atan(n / d), correctly rounded; n <= d <= 2^31, d > 0. */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
-    const uint32_t doubt = 64;
+    const uint32_t margin = 64;
     uint64_t guess = atan_guess(n, d);
-    uint32_t k = (uint32_t)(guess >> 32), rest = (uint32_t)guess;
+    uint32_t k = (uint32_t)(guess >> 32), fraction = (uint32_t)guess;
 
-    if (rest - (0x80000000 - doubt) < 2 * doubt)
-        return k + above_ray(n, d, k);
-    return k + (rest >> 31);
+    if (fraction - (0x80000000 - margin) < 2 * margin)
+        return k + is_above_ray(n, d, k);
+    return k + (fraction >> 31);
 }
 #else
 /*
@@ -295,30 +295,30 @@ static ang atan_eighth(uint32_t n, uint32_t d)
  */
 static ang atan_eighth(uint32_t n, uint32_t d)
 {
-    const double cells = 105553116266496.0;
-    const uint32_t doubt = 5000;
-    double t = (double)n / d, sum = t + cells, h = t - (sum - cells), hh = h * h;
+    const double cell_bias = 105553116266496.0;
+    const uint32_t margin = 5000;
+    double t = (double)n / d, sum = t + cell_bias, h = t - (sum - cell_bias), hh = h * h;
     uint64_t bits;
 
     memcpy(&bits, &sum, sizeof bits);
 
     const double *c = ARC[bits & 127];
     uint64_t guess = (uint64_t)(int64_t)((c[0] + c[1] * h) + hh * ((c[2] + c[3] * h) + hh * c[4]));
-    uint32_t rest = (uint32_t)guess << 8;
+    uint32_t fraction = (uint32_t)guess << 8;
 
-    if (!FX_USUAL(rest + (doubt << 8) > doubt << 9)) {
+    if (!FX_LIKELY(fraction + (margin << 8) > margin << 9)) {
         uint32_t k = (uint32_t)((guess - (1 << 23)) >> 24);
 
-        return k + above_ray(n, d, k);
+        return k + is_above_ray(n, d, k);
     }
     return (uint32_t)(guess >> 24);
 }
 #endif
 
-/* If `so`, returns the mirror image of a about the direction axis/2, otherwise a. */
-static inline ang mirror_if(bool so, ang axis, ang a)
+/* If `condition`, returns the mirror image of a about the direction axis/2, otherwise a. */
+static inline ang mirror_if(bool condition, ang axis, ang a)
 {
-    return (ang)negate_if(so, a) + (axis & (0 - (ang)so));
+    return (ang)negate_if(condition, a) + (axis & (0 - (ang)condition));
 }
 
 ang trig_atan2(fx y, fx x)
@@ -338,11 +338,11 @@ ang trig_atan2(fx y, fx x)
  * if the values from the tables cannot decide. For m <= 2^31 no such fraction is within 2^-66 of a half (make prove),
  * and the series is off by at most 2^-89.
  */
-FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
+FX_COLD static bool is_above_half(uint32_t v, bool cosine, uint64_t m)
 {
     struct wide c, s;
 
-    wide_circle(2 * v, &c, &s);
+    wide_cos_sin(2 * v, &c, &s);
     if (!cosine)
         c = s;
     return (c.hi * m + fx_mul_high(c.lo, m)) >> 63;
@@ -352,44 +352,45 @@ FX_COLD static bool above_half(uint32_t v, bool cosine, uint64_t m)
 struct heading {
     uint64_t c, s;
     uint32_t v;
-    bool swap, left, up; /* swap: c is the sine of v, s the cosine */
+    bool is_swapped, left, up; /* is_swapped: c is the sine of v, s the cosine */
 };
 
 static inline struct heading heading_of(ang dir)
 {
     uint32_t u = dir & 0x3fffffff;
-    bool past = u >= 0x20000000; /* past the middle of the quarter: v counts from its end, and sine and cosine swap */
-    uint32_t v = past ? 0x40000000 - u : u;
-    bool swap = past != (dir >> 30 & 1);
+    bool is_past_middle =
+        u >= 0x20000000; /* past the middle of the quarter: v counts from its end, and sine and cosine swap */
+    uint32_t v = is_past_middle ? 0x40000000 - u : u;
+    bool is_swapped = is_past_middle != (dir >> 30 & 1);
     uint64_t c, s;
 
-    way_of(2 * v, &c, &s);
+    cos_sin_q64(2 * v, &c, &s);
 
-    uint64_t change = (s ^ c) & (0 - (uint64_t)swap);
+    uint64_t swapped_bits = (s ^ c) & (0 - (uint64_t)is_swapped);
 
-    return (struct heading){ c ^ change, s ^ change, v, swap, (dir + 0x40000000) >> 31, dir >> 31 };
+    return (struct heading){ c ^ swapped_bits, s ^ swapped_bits, v, is_swapped, (dir + 0x40000000) >> 31, dir >> 31 };
 }
 
-/* Returns length times the cosine of v if `cosine`, otherwise times the sine of v, rounded; negated if `back`. q is an
- * approximation of that cosine or sine. */
-static inline int64_t scaled(int64_t length, uint64_t q, uint32_t v, bool cosine, bool back)
+/* Returns length times the cosine of v if `cosine`, otherwise times the sine of v, rounded; negated if `is_negated`. q
+ * is an approximation of that cosine or sine. */
+static inline int64_t scale_rounded(int64_t length, uint64_t q, uint32_t v, bool cosine, bool is_negated)
 {
     const uint64_t half = (uint64_t)1 << 63;
-    uint64_t m = (uint64_t)negate_if(length < 0, length), doubt = m << 4; /* q is off by less than 2^4 */
-    uint64_t whole = fx_mul_high(q, m), rest = q * m;
+    uint64_t m = (uint64_t)negate_if(length < 0, length), margin = m << 4; /* q is off by less than 2^4 */
+    uint64_t whole = fx_mul_high(q, m), fraction = q * m;
 
-    whole += rest - (half - doubt) < 2 * doubt ? above_half(v, cosine, m) : rest >= half;
-    return negate_if(back != (length < 0), (int64_t)whole);
+    whole += fraction - (half - margin) < 2 * margin ? is_above_half(v, cosine, m) : fraction >= half;
+    return negate_if(is_negated != (length < 0), (int64_t)whole);
 }
 
 static inline int64_t along_x(const struct heading *h, int64_t length)
 {
-    return scaled(length, h->c, h->v, !h->swap, h->left);
+    return scale_rounded(length, h->c, h->v, !h->is_swapped, h->left);
 }
 
 static inline int64_t along_y(const struct heading *h, int64_t length)
 {
-    return scaled(length, h->s, h->v, h->swap, h->up);
+    return scale_rounded(length, h->s, h->v, h->is_swapped, h->up);
 }
 
 FX_COLD static void polar_by_series(fx speed, ang dir, fx *vx, fx *vy)
@@ -408,7 +409,7 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 #else
 /* Returns, in the low bits, the whole number nearest to (v + 1/2) * 2^10; |v| <= 2^31. A double near 1.5 * 2^42 has no
  * bits below 2^-10. */
-static inline uint64_t in_steps(double v)
+static inline uint64_t round_to_steps(double v)
 {
     double sum = v + 6597069766656.5;
     uint64_t bits;
@@ -428,11 +429,11 @@ void trig_polar(fx speed, ang dir, fx *vx, fx *vy)
 {
     double cosine, sine;
 
-    trig_circle_guess(dir, &cosine, &sine);
+    trig_cos_sin_guess(dir, &cosine, &sine);
 
-    uint64_t x = in_steps(speed * cosine), y = in_steps(speed * sine);
+    uint64_t x = round_to_steps(speed * cosine), y = round_to_steps(speed * sine);
 
-    if (!FX_USUAL(x & 1023 && y & 1023 && speed != FX_MIN)) {
+    if (!FX_LIKELY(x & 1023 && y & 1023 && speed != FX_MIN)) {
         polar_by_series(speed, dir, vx, vy);
         return;
     }
@@ -453,14 +454,14 @@ void trig_stride(int64_t from, int64_t to, ang dir, int64_t *dx, int64_t *dy)
 #ifdef FX_INTEGER
 /* Returns x / sqrt(square), rounded. Finds the greatest t with t^2 <= 2^34 x^2 / square, which is twice the magnitude
  * of the result, truncated. */
-static fx unit_part(fx x, uint64_t square)
+static fx unit_component(fx x, uint64_t square)
 {
     uint64_t xx = (uint64_t)((int64_t)x * x), high = xx >> 30, low = xx << 34, t = 0;
 
     for (uint64_t bit = square ? FX_ONE * 2 : 0; bit; bit >>= 1) {
-        uint64_t tt = (t + bit) * (t + bit), most = fx_mul_high(tt, square);
+        uint64_t tt = (t + bit) * (t + bit), product_high = fx_mul_high(tt, square);
 
-        if (most < high || (most == high && tt * square <= low))
+        if (product_high < high || (product_high == high && tt * square <= low))
             t += bit;
     }
     return (fx)negate_if(x < 0, (int64_t)(t + 1) >> 1);
@@ -468,10 +469,10 @@ static fx unit_part(fx x, uint64_t square)
 
 void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 {
-    uint64_t square = fx_square(x, y);
+    uint64_t square = fx_length_squared(x, y);
 
-    *ux = unit_part(x, square);
-    *uy = unit_part(y, square);
+    *ux = unit_component(x, square);
+    *uy = unit_component(y, square);
 }
 #else
 /*
@@ -480,7 +481,7 @@ void trig_normalise(fx x, fx y, fx *ux, fx *uy)
  * 2^-18 < 2^62, so 64 bits of the difference suffice. There are no ties: a tie would need two odd squares that add up
  * to 2^34 squares.
  */
-static bool above_middle(int32_t r, fx x, uint64_t square)
+static bool is_above_middle(int32_t r, fx x, uint64_t square)
 {
     uint64_t xx = (uint64_t)((int64_t)x * x), odd = (uint64_t)(2 * r + 1);
 
@@ -489,26 +490,26 @@ static bool above_middle(int32_t r, fx x, uint64_t square)
 
 /* Returns x / sqrt(square), rounded. scale is 2^16 / sqrt(square) to 50 bits, which gives the product to 2^-30 of a
  * unit. */
-static fx unit_part(fx x, uint64_t square, double scale)
+static fx unit_component(fx x, uint64_t square, double scale)
 {
     double guess = x * scale;
     int64_t r = fx_nearest(guess);
 
-    if (!FX_USUAL(fabs(guess - (double)r) < 0.4999995)) {
+    if (!FX_LIKELY(fabs(guess - (double)r) < 0.4999995)) {
         int32_t low = (int32_t)fabs(guess);
 
-        return (fx)negate_if(x < 0, low + above_middle(low, x, square));
+        return (fx)negate_if(x < 0, low + is_above_middle(low, x, square));
     }
     return (fx)r;
 }
 
 void trig_normalise(fx x, fx y, fx *ux, fx *uy)
 {
-    uint64_t square = fx_square(x, y);
+    uint64_t square = fx_length_squared(x, y);
     double scale = square ? FX_ONE / fx_root_guess(square) : 0;
 
-    *ux = unit_part(x, square, scale);
-    *uy = unit_part(y, square, scale);
+    *ux = unit_component(x, square, scale);
+    *uy = unit_component(y, square, scale);
 }
 #endif
 
@@ -590,7 +591,7 @@ static inline double double_of(uint64_t bits)
 /* ---- directions ---- */
 
 /* Returns |v|, but 0 for FX_MIN. */
-static inline int32_t size_of(fx v)
+static inline int32_t lane_magnitude(fx v)
 {
     const uint32_t sign = (uint32_t)(v >> 31);
 
@@ -599,23 +600,24 @@ static inline int32_t size_of(fx v)
 
 /* Stores in t[i] the shorter component of vector i divided by the longer. Returns 0 if some vector is (0, 0) or has a
  * component of FX_MIN. */
-static int32_t slopes(const fx *restrict y, const fx *restrict x, double *restrict t)
+static int32_t compute_slopes(const fx *restrict y, const fx *restrict x, double *restrict t)
 {
-    int32_t odd = 0;
+    int32_t special_mask = 0;
 
     for (int i = 0; i < LANES; i++) {
-        const int32_t ax = size_of(x[i]), ay = size_of(y[i]), low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
-        odd |= -(high == 0) | -(x[i] == FX_MIN) | -(y[i] == FX_MIN);
+        const int32_t ax = lane_magnitude(x[i]), ay = lane_magnitude(y[i]), low = ax < ay ? ax : ay,
+                      high = ax < ay ? ay : ax;
+        special_mask |= -(high == 0) | -(x[i] == FX_MIN) | -(y[i] == FX_MIN);
         t[i] = (double)low / (double)(high | -(high == 0));
     }
-    return ~odd;
+    return ~special_mask;
 }
 
 /* Replaces a[i], the arctangent of slopes' t[i], with the direction of (x[i], y[i]). */
-static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
+static void restore_quadrants(const fx *restrict y, const fx *restrict x, ang *restrict a)
 {
     for (int i = 0; i < LANES; i++) {
-        const uint32_t steep = (uint32_t) - (size_of(x[i]) < size_of(y[i]));
+        const uint32_t steep = (uint32_t) - (lane_magnitude(x[i]) < lane_magnitude(y[i]));
         const uint32_t left = (uint32_t)(x[i] >> 31), up = (uint32_t)(y[i] >> 31);
         const uint32_t first = (a[i] ^ steep) - steep + (steep & 0x40000000);
         const uint32_t half = (first ^ left) - left + (left & 0x80000000);
@@ -628,40 +630,40 @@ static void mirror(const fx *restrict y, const fx *restrict x, ang *restrict a)
  * point where the result changes: 5000 as in atan_eighth, plus 8 because guesses are examined in steps of 4 units.
  * Returns 0 if none is doubtful.
  */
-static int32_t cut(const double *restrict guess, ang *restrict a, int32_t *restrict doubtful)
+static int32_t round_guesses(const double *restrict guess, ang *restrict a, int32_t *restrict doubtful)
 {
-    const uint32_t doubt = 1252;
-    int32_t any = 0;
+    const uint32_t margin = 1252;
+    int32_t any_doubtful = 0;
 
     for (int i = 0; i < LANES; i++) {
         const uint64_t steps = bits_of(guess[i] + 27021597764222976.0); /* 1.5 * 2^54: its last bit is 4 */
-        const uint32_t rest = ((uint32_t)steps << 10) + (doubt << 10);
+        const uint32_t fraction = ((uint32_t)steps << 10) + (margin << 10);
         a[i] = (ang)(steps >> 22) - 0x60000000; /* 1.5 * 2^54 in these bits */
-        doubtful[i] = -((int32_t)(rest ^ 0x80000000) <= (int32_t)(doubt << 11 ^ 0x80000000));
-        any |= doubtful[i];
+        doubtful[i] = -((int32_t)(fraction ^ 0x80000000) <= (int32_t)(margin << 11 ^ 0x80000000));
+        any_doubtful |= doubtful[i];
     }
-    return any;
+    return any_doubtful;
 }
 
-static void turns(const fx *y, const fx *x, ang *a)
+static void atan2_lanes(const fx *y, const fx *x, ang *a)
 {
-    const double cells = 105553116266496.0;
+    const double cell_bias = 105553116266496.0;
     double t[LANES], guess[LANES];
     int32_t doubtful[LANES];
 
-    if (!slopes(y, x, t)) {
+    if (!compute_slopes(y, x, t)) {
         for (int i = 0; i < LANES; i++)
             a[i] = trig_atan2(y[i], x[i]);
         return;
     }
     for (int i = 0; i < LANES; i++) {
-        const double sum = t[i] + cells, h = t[i] - (sum - cells), hh = h * h;
+        const double sum = t[i] + cell_bias, h = t[i] - (sum - cell_bias), hh = h * h;
         const double *c = ARC[bits_of(sum) & 127];
         guess[i] = (c[0] + c[1] * h) + hh * ((c[2] + c[3] * h) + hh * c[4]);
     }
-    const int32_t any = cut(guess, a, doubtful);
-    mirror(y, x, a);
-    for (int i = 0; any && i < LANES; i++)
+    const int32_t any_doubtful = round_guesses(guess, a, doubtful);
+    restore_quadrants(y, x, a);
+    for (int i = 0; any_doubtful && i < LANES; i++)
         if (doubtful[i])
             a[i] = trig_atan2(y[i], x[i]);
 }
@@ -671,9 +673,9 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
     int i = 0;
 
     for (; i + LANES <= n; i += LANES)
-        turns(y + i, x + i, a + i);
+        atan2_lanes(y + i, x + i, a + i);
     if (i && n - i >= LANES / 2) { /* recomputes some elements */
-        turns(y + n - LANES, x + n - LANES, a + n - LANES);
+        atan2_lanes(y + n - LANES, x + n - LANES, a + n - LANES);
         return;
     }
     for (; i < n; i++)
@@ -683,7 +685,7 @@ void trig_atan2s(const fx *y, const fx *x, ang *a, int n)
 /* ---- polar coordinates ---- */
 
 /* Stores the sine of the angle between dir and the nearest ray (trig_guess.h), and 1 minus the cosine of that angle. */
-static void steps_of(const ang *restrict dir, double *restrict sine, double *restrict versine)
+static void compute_ray_offsets(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
         const double h = (int32_t)(dir[i] << 8), hh = h * h;
@@ -694,36 +696,36 @@ static void steps_of(const ang *restrict dir, double *restrict sine, double *res
 
 /* Multiplies speed by x and y in steps of 2^-10, like trig_polar, and marks the doubtful products. Returns 0 if none is
  * doubtful. */
-static int32_t products(const fx *restrict speed, const double *restrict x, const double *restrict y, fx *restrict vx,
-                        fx *restrict vy, int32_t *restrict doubtful)
+static int32_t multiply_lanes(const fx *restrict speed, const double *restrict x, const double *restrict y,
+                              fx *restrict vx, fx *restrict vy, int32_t *restrict doubtful)
 {
-    int32_t any = 0;
+    int32_t any_doubtful = 0;
 
     for (int i = 0; i < LANES; i++) {
         const double v = speed[i];
-        const uint64_t in_x = bits_of(v * x[i] + 6597069766656.5), in_y = bits_of(v * y[i] + 6597069766656.5);
-        vx[i] = (fx)(in_x >> 10);
-        vy[i] = (fx)(in_y >> 10);
-        doubtful[i] = -(((uint32_t)in_x & 1023) == 0) | -(((uint32_t)in_y & 1023) == 0) | -(speed[i] == FX_MIN);
-        any |= doubtful[i];
+        const uint64_t steps_x = bits_of(v * x[i] + 6597069766656.5), steps_y = bits_of(v * y[i] + 6597069766656.5);
+        vx[i] = (fx)(steps_x >> 10);
+        vy[i] = (fx)(steps_y >> 10);
+        doubtful[i] = -(((uint32_t)steps_x & 1023) == 0) | -(((uint32_t)steps_y & 1023) == 0) | -(speed[i] == FX_MIN);
+        any_doubtful |= doubtful[i];
     }
-    return any;
+    return any_doubtful;
 }
 
-static void polars(const fx *speed, const ang *dir, fx *vx, fx *vy)
+static void polar_lanes(const fx *speed, const ang *dir, fx *vx, fx *vy)
 {
     double sine[LANES], versine[LANES], x[LANES], y[LANES];
     int32_t doubtful[LANES];
 
-    steps_of(dir, sine, versine);
+    compute_ray_offsets(dir, sine, versine);
     for (int i = 0; i < LANES; i++) {
         const double *ray = RAY[(ang)(dir[i] + 0x800000) >> 24];
         const double c = ray[0], s = ray[1];
         x[i] = c - (c * versine[i] + s * sine[i]);
         y[i] = s + (c * sine[i] - s * versine[i]);
     }
-    const int32_t any = products(speed, x, y, vx, vy, doubtful);
-    for (int i = 0; any && i < LANES; i++)
+    const int32_t any_doubtful = multiply_lanes(speed, x, y, vx, vy, doubtful);
+    for (int i = 0; any_doubtful && i < LANES; i++)
         if (doubtful[i])
             trig_polar(speed[i], dir[i], &vx[i], &vy[i]);
 }
@@ -733,10 +735,10 @@ void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
     int i = 0;
 
     for (; i + LANES <= n; i += LANES)
-        polars(speed + i, dir + i, vx + i, vy + i);
+        polar_lanes(speed + i, dir + i, vx + i, vy + i);
     if (i && n - i >= LANES / 2) {
         i = n - LANES;
-        polars(speed + i, dir + i, vx + i, vy + i);
+        polar_lanes(speed + i, dir + i, vx + i, vy + i);
         return;
     }
     for (; i < n; i++)
@@ -746,87 +748,89 @@ void trig_polars(const fx *speed, const ang *dir, fx *vx, fx *vy, int n)
 /* ---- strides ---- */
 
 /* Returns the angle between dir and the nearer axis, at most an eighth of a turn, as heading_of does. */
-static inline uint32_t eighth_of(ang dir)
+static inline uint32_t fold_to_eighth(ang dir)
 {
-    const uint32_t u = dir & 0x3fffffff, past = 0 - (u >> 29);
+    const uint32_t u = dir & 0x3fffffff, past_mask = 0 - (u >> 29);
 
-    return (u ^ past) - past + (past & 0x40000000);
+    return (u ^ past_mask) - past_mask + (past_mask & 0x40000000);
 }
 
-/* Stores the sine of r and 1 minus the cosine of r. r < 2^-9.3 is the angle by which eighth_of(dir) exceeds the last of
- * the 513 directions (way_of) that is not beyond it. */
-static void parts_beyond(const ang *restrict dir, double *restrict sine, double *restrict versine)
+/* Stores the sine of r and 1 minus the cosine of r. r < 2^-9.3 is the angle by which fold_to_eighth(dir) exceeds the
+ * last of the 513 directions (cos_sin_q64) that is not beyond it. */
+static void compute_remainders(const ang *restrict dir, double *restrict sine, double *restrict versine)
 {
     for (int i = 0; i < LANES; i++) {
-        const double r = (double)(int32_t)(eighth_of(dir[i]) & 0xfffff) * 0x1.921fb54442d18p-30, rr = r * r;
+        const double r = (double)(int32_t)(fold_to_eighth(dir[i]) & 0xfffff) * 0x1.921fb54442d18p-30, rr = r * r;
         sine[i] = r - r * (rr * (1.0 / 6 - rr * (1.0 / 120)));
         versine[i] = rr * (0.5 - rr * (1.0 / 24 - rr * (1.0 / 720)));
     }
 }
 
-/* Replaces the cosine and sine of eighth_of(dir) with the cosine and sine of dir. */
+/* Replaces the cosine and sine of fold_to_eighth(dir) with the cosine and sine of dir. */
 static void unfold(const ang *restrict dir, double *restrict cosine, double *restrict sine)
 {
     for (int i = 0; i < LANES; i++) {
         const uint64_t c = bits_of(cosine[i]), s = bits_of(sine[i]);
-        const uint64_t swap = 0 - (uint64_t)((dir[i] ^ dir[i] << 1) >> 30 & 1), change = (c ^ s) & swap;
-        cosine[i] = double_of(c ^ change ^ (uint64_t)((dir[i] + 0x40000000) >> 31) << 63);
-        sine[i] = double_of(s ^ change ^ (uint64_t)(dir[i] >> 31) << 63);
+        const uint64_t swap_mask = 0 - (uint64_t)((dir[i] ^ dir[i] << 1) >> 30 & 1), swapped_bits = (c ^ s) & swap_mask;
+        cosine[i] = double_of(c ^ swapped_bits ^ (uint64_t)((dir[i] + 0x40000000) >> 31) << 63);
+        sine[i] = double_of(s ^ swapped_bits ^ (uint64_t)(dir[i] >> 31) << 63);
     }
 }
 
 /* Stores the cosine and sine of dir within 2^-52.4: the table's directions are truncated to 53 bits, the last sum is
  * rounded to 53 bits, and all other errors are below 2^-60. */
-static void circles(const ang *dir, double *cosine, double *sine)
+static void cos_sin_lanes(const ang *dir, double *cosine, double *sine)
 {
-    double along[LANES], back[LANES];
+    double sin_r[LANES], versin_r[LANES];
 
-    parts_beyond(dir, along, back);
+    compute_remainders(dir, sin_r, versin_r);
     for (int i = 0; i < LANES; i++) {
-        const uint64_t *way = WAY[eighth_of(dir[i]) >> 20];
-        const double c = (double)(int64_t)(way[0] >> 11) * 0x1p-53, s = (double)(int64_t)(way[1] >> 11) * 0x1p-53;
-        cosine[i] = c - (c * back[i] + s * along[i]);
-        sine[i] = s + (c * along[i] - s * back[i]);
+        const uint64_t *entry = WAY[fold_to_eighth(dir[i]) >> 20];
+        const double c = (double)(int64_t)(entry[0] >> 11) * 0x1p-53, s = (double)(int64_t)(entry[1] >> 11) * 0x1p-53;
+        cosine[i] = c - (c * versin_r[i] + s * sin_r[i]);
+        sine[i] = s + (c * sin_r[i] - s * versin_r[i]);
     }
     unfold(dir, cosine, sine);
 }
 
 /* Returns a length as a double, exactly: |v| <= 2^48. */
-static inline double length_of(int64_t v)
+static inline double length_to_double(int64_t v)
 {
     return double_of((uint64_t)v + 0x4338000000000000) - 6755399441055744.0; /* 1.5 * 2^52 has no bits below one */
 }
 
 /*
- * Stores d = round(to * part) - round(from * part). The error of a product, relative to its length (|from| or |to|), is
- * below 2^-52.4 from `part`, plus 2^-53 from rounding the product to a double. Sets doubtful[i] if a product of lane i
- * is nearer to a rounding tie than 2^-51 of its length. Returns 0 if no lane is doubtful.
+ * Stores d = round(to * f) - round(from * f), where f is the exact value that `factor` approximates. The error of a
+ * product, relative to its length (|from| or |to|), is below 2^-52.4 from `factor`, plus 2^-53 from rounding the
+ * product to a double. Sets doubtful[i] if a product of lane i is nearer to a rounding tie than 2^-51 of its length.
+ * Returns 0 if no lane is doubtful.
  */
-static uint64_t spans(const int64_t *restrict from, const int64_t *restrict to, const double *restrict part,
-                      int64_t *restrict d, uint64_t *restrict doubtful)
+static uint64_t compute_spans(const int64_t *restrict from, const int64_t *restrict to, const double *restrict factor,
+                              int64_t *restrict d, uint64_t *restrict doubtful)
 {
-    uint64_t any = 0;
+    uint64_t any_doubtful = 0;
 
     for (int i = 0; i < LANES; i++) {
-        const double a = length_of(from[i]), b = length_of(to[i]), x = a * part[i], y = b * part[i];
+        const double a = length_to_double(from[i]), b = length_to_double(to[i]), x = a * factor[i], y = b * factor[i];
         const double whole_x = x + 6755399441055744.0, whole_y = y + 6755399441055744.0;
-        const double left_x = 0.5 - fabs(x - (whole_x - 6755399441055744.0)) - fabs(a) * 0x1p-51;
-        const double left_y = 0.5 - fabs(y - (whole_y - 6755399441055744.0)) - fabs(b) * 0x1p-51;
+        const double slack_x = 0.5 - fabs(x - (whole_x - 6755399441055744.0)) - fabs(a) * 0x1p-51;
+        const double slack_y = 0.5 - fabs(y - (whole_y - 6755399441055744.0)) - fabs(b) * 0x1p-51;
         d[i] = (int64_t)(bits_of(whole_y) - bits_of(whole_x));
-        doubtful[i] = (bits_of(left_x) | bits_of(left_y)) >> 63;
-        any |= doubtful[i];
+        doubtful[i] = (bits_of(slack_x) | bits_of(slack_y)) >> 63;
+        any_doubtful |= doubtful[i];
     }
-    return any;
+    return any_doubtful;
 }
 
-static void strides(const int64_t *from, const int64_t *to, const ang *dir, int64_t *dx, int64_t *dy)
+static void stride_lanes(const int64_t *from, const int64_t *to, const ang *dir, int64_t *dx, int64_t *dy)
 {
     double cosine[LANES], sine[LANES];
     uint64_t doubtful[2][LANES];
 
-    circles(dir, cosine, sine);
-    const uint64_t any = spans(from, to, cosine, dx, doubtful[0]) | spans(from, to, sine, dy, doubtful[1]);
-    for (int i = 0; any && i < LANES; i++)
+    cos_sin_lanes(dir, cosine, sine);
+    const uint64_t any_doubtful =
+        compute_spans(from, to, cosine, dx, doubtful[0]) | compute_spans(from, to, sine, dy, doubtful[1]);
+    for (int i = 0; any_doubtful && i < LANES; i++)
         if (doubtful[0][i] | doubtful[1][i])
             trig_stride(from[i], to[i], dir[i], &dx[i], &dy[i]);
 }
@@ -836,10 +840,10 @@ void trig_strides(const int64_t *from, const int64_t *to, const ang *dir, int64_
     int i = 0;
 
     for (; i + LANES <= n; i += LANES)
-        strides(from + i, to + i, dir + i, dx + i, dy + i);
+        stride_lanes(from + i, to + i, dir + i, dx + i, dy + i);
     if (i && n - i >= LANES / 2) {
         i = n - LANES;
-        strides(from + i, to + i, dir + i, dx + i, dy + i);
+        stride_lanes(from + i, to + i, dir + i, dx + i, dy + i);
         return;
     }
     for (; i < n; i++)

@@ -17,7 +17,7 @@ int32_t trig_cos30(ang a);
 
 /* Stores cosine and sine in Q40, off by less than 2^-26, in a fraction of the time of trig_cos30 and trig_sin30. For
  * values that are rounded to fx afterwards. */
-void trig_direction(ang a, int64_t *cosine, int64_t *sine);
+void trig_cos_sin40(ang a, int64_t *cosine, int64_t *sine);
 
 fx trig_sin(ang a);
 fx trig_cos(ang a);

@@ -16,7 +16,7 @@
  * entry, 2^-54 for the last sum, and 2^-57 for each rounding within the correction, which is below 2^-6.3. The total is
  * below 2.56 / 2^44 (`make prove` checks every direction).
  */
-static inline void trig_circle_guess(ang dir, double *cosine, double *sine)
+static inline void trig_cos_sin_guess(ang dir, double *cosine, double *sine)
 {
     const double *ray = RAY[(ang)(dir + 0x800000) >> 24];
     double c = ray[0], s = ray[1], h = (int32_t)(dir << 8), hh = h * h;

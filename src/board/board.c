@@ -24,39 +24,39 @@ enum { RAM_ALIGN = 64 };
 #define MAX_RAM (1ull << 30)
 #endif
 
-static uint64_t aligned(uint64_t n)
+static uint64_t align_up(uint64_t n)
 {
     return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
 }
 
 /* Returns the most events a frame may raise. A bullet may graze or hit both players, be blocked and, if bullets can
- * meet, meet another one. A shot hits one entity or, if shots can pierce, up to PIERCED. An enemy may touch players,
- * die and leave the field. An item is taken once and may give lives. A laser may graze or hit both players, or hit
- * enemies. A BulletML document may raise an event for each bullet it fires. */
-static uint64_t event_room(const struct manifest *m)
+ * meet, meet another one. A shot hits one entity or, if shots can pierce, up to MAX_PIERCED_TARGETS. An enemy may touch
+ * players, die and leave the field. An item is taken once and may give lives. A laser may graze or hit both players, or
+ * hit enemies. A BulletML document may raise an event for each bullet it fires. */
+static uint64_t event_capacity(const struct manifest *m)
 {
-    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? PIERCED : 1) * (uint64_t)m->shots +
+    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots +
            8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers +
            (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
 }
 
 /* Returns the most bullets that BulletML documents may fire in a frame. */
-static uint32_t fresh_room(const struct manifest *m)
+static uint32_t fired_capacity(const struct manifest *m)
 {
     return m->bulletml ? (uint32_t)m->bullets : 0;
 }
 
-uint64_t board_room(const struct cart *cart)
+uint64_t board_ram_needed(const struct cart *cart)
 {
-    const struct part_room room = parts_room(&cart->m);
-    uint64_t sum = aligned(sizeof(struct board)) + aligned(sizeof(struct output));
+    const struct part_capacities capacities = parts_capacities(&cart->manifest);
+    uint64_t sum = align_up(sizeof(struct board)) + align_up(sizeof(struct output));
 
     for (int i = 0; i < PARTS; i++)
-        sum += slots_size(machine_parts[i].chip, room.slots[i], room.groups[i]);
-    sum += aligned((uint64_t)cart->sprites * sizeof(struct sprite));
-    sum += aligned(events_size((uint32_t)event_room(&cart->m)));
-    sum += aligned(fresh_room(&cart->m) * sizeof(struct ml_fired));
-    return sum + aligned((uint64_t)cart->m.lua_kib * 1024) + RAM_ALIGN;
+        sum += slots_size(machine_parts[i].chip, capacities.slots[i], capacities.groups[i]);
+    sum += align_up((uint64_t)cart->sprites * sizeof(struct sprite));
+    sum += align_up(events_size((uint32_t)event_capacity(&cart->manifest)));
+    sum += align_up(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
+    return sum + align_up((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
 }
 
 /* Opens the cart and sets *size as board_size does. Returns false with one sentence in err if it fails. */
@@ -65,7 +65,7 @@ static bool open_cart(struct cart *cart, const struct rom *rom, size_t *size, ch
     memset(cart, 0, sizeof *cart); /* it is copied into RAM */
     if (!cart_open(cart, rom, err, err_size))
         return false;
-    uint64_t sum = board_room(cart);
+    uint64_t sum = board_ram_needed(cart);
     if (sum > MAX_RAM) {
         snprintf(err, err_size, "the capacities in rom.lua need %llu MiB of RAM (at most %llu); lower them",
                  (unsigned long long)(sum + 0xfffff) >> 20, MAX_RAM >> 20);
@@ -82,21 +82,21 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
     return open_cart(&cart, rom, size, err, err_size);
 }
 
-static fx pixels(int v)
+static fx px_to_fx(int v)
 {
     return (fx)(v * 65536);
 }
 
 static void set_up(struct board *b)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
     struct rng r;
 
-    b->keep = (struct box){ pixels(-m->margin), pixels(-m->margin), pixels(m->field_w + m->margin),
-                            pixels(m->field_h + m->margin) };
-    b->area = (struct box){ pixels(8), pixels(8), pixels(m->field_w - 8), pixels(m->field_h - 8) };
+    b->keep_box = (struct box){ px_to_fx(-m->margin), px_to_fx(-m->margin), px_to_fx(m->field_w + m->margin),
+                                px_to_fx(m->field_h + m->margin) };
+    b->area = (struct box){ px_to_fx(8), px_to_fx(8), px_to_fx(m->field_w - 8), px_to_fx(m->field_h - 8) };
     for (int i = 0; i < b->cart.sprites; i++)
-        cart_sprite(&b->cart, i, &b->pictures[i]);
+        cart_sprite(&b->cart, i, &b->sprite_images[i]);
     rng_seed(&r, b->start.seed);
     memcpy(b->core.random, r.s, sizeof r.s);
     rng_seed(&r, b->start.seed ^ 0x537061726b73u); /* "Sparks" */
@@ -105,21 +105,21 @@ static void set_up(struct board *b)
     b->script.digest = HASH_START;
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
-    struct slots *full[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
-                             &b->music.s, &b->cues.s,   &b->voices.s, &b->option_ways.s };
-    for (size_t i = 0; i < sizeof full / sizeof *full; i++)
-        full[i]->live = full[i]->cap;
+    struct slots *always_live[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
+                                    &b->music.s, &b->cues.s,   &b->voices.s, &b->option_ways.s };
+    for (size_t i = 0; i < sizeof always_live / sizeof *always_live; i++)
+        always_live[i]->live = always_live[i]->cap;
     for (uint32_t i = 0; i < PADS; i++)
         player_leave(&b->player, i);
     const uint8_t *rgb = cart_palette(&b->cart, "main");
     for (int i = 0; i < COLOURS; i++, rgb += 3)
         pal_set(&b->pal, i, (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2]);
     bg_clear(&b->bg, &b->bg_lines);
-    tasks_empty(&b->tasks);
-    b->bullets.of_kind = b->bullet_kinds.live;
-    b->shots.of_kind = b->shot_kinds.live;
+    tasks_init(&b->tasks);
+    b->bullets.kind_counts = b->bullet_kinds.live_count;
+    b->shots.kind_counts = b->shot_kinds.live_count;
     if (b->voices.s.cap)
-        sound_power(b);
+        sound_reset(b);
 }
 
 /* Lays out RAM and clears the columns of lists, because their entries are read before they are written. The columns of
@@ -134,30 +134,30 @@ static void set_up(struct board *b)
  *   order of PART_LIST                                               the live entries (slots.h)
  *   pictures                      a struct sprite per sprite of the  none; a restore reads the ROM
  *                                 ROM
- *   events                        events_size of event_room          none; there are no events between frames
- *   fresh bullets                 a struct ml_fired per bullet, if   none; there are none between frames
+ *   events                        events_size of event_capacity          none; there are no events between frames
+ *   fresh bullets                 a struct ml_fired_bullet per bullet, if   none; there are none between frames
  *                                 BulletML documents may run
  *   Lua's heap                    board.lua_kib KiB                  the part in use
  */
 static void lay_out(struct board *b)
 {
-    uint8_t *next = b->ram + aligned(sizeof *b);
-    const struct part_room room = parts_room(&b->cart.m);
+    uint8_t *next = b->ram + align_up(sizeof *b);
+    const struct part_capacities capacities = parts_capacities(&b->cart.manifest);
 
     b->output = (struct output *)next;
-    next += aligned(sizeof *b->output);
+    next += align_up(sizeof *b->output);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
-        slots_layout(machine_parts[i].chip, part_of(b, i), room.slots[i], room.groups[i], &next);
-        if (machine_parts[i].chip->list && machine_parts[i].chip != &nvram_chip)
+        slots_layout(machine_parts[i].chip, part_of(b, i), capacities.slots[i], capacities.groups[i], &next);
+        if (machine_parts[i].chip->is_list && machine_parts[i].chip != &nvram_chip)
             memset(first, 0, (size_t)(next - first));
     }
-    b->pictures = (struct sprite *)next;
-    next += aligned((uint64_t)b->cart.sprites * sizeof(struct sprite));
-    events_layout(&b->events, (uint32_t)event_room(&b->cart.m), next);
-    next += aligned(events_size(b->events.cap));
-    b->ml_fresh = (struct ml_fresh){ 0, fresh_room(&b->cart.m), (struct ml_fired *)next };
-    next += aligned(b->ml_fresh.cap * sizeof(struct ml_fired));
+    b->sprite_images = (struct sprite *)next;
+    next += align_up((uint64_t)b->cart.sprites * sizeof(struct sprite));
+    events_init(&b->events, (uint32_t)event_capacity(&b->cart.manifest), next);
+    next += align_up(events_size(b->events.cap));
+    b->ml_fresh = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
+    next += align_up(b->ml_fresh.cap * sizeof(struct ml_fired_bullet));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
@@ -166,17 +166,17 @@ static void lay_out(struct board *b)
 
 static bool boot(struct board *b)
 {
-    if (!vm_open(b, b->vm.heap, (size_t)b->cart.m.lua_kib * 1024))
+    if (!vm_open(b, b->vm.heap, (size_t)b->cart.manifest.lua_kib * 1024))
         return false;
     b->vm.loading = true;
-    bool fine = vm_call(b, vm_boot);
+    bool ok = vm_call(b, vm_boot);
     b->vm.loading = false;
-    if (fine) /* invariant: between frames there are no events */
+    if (ok) /* invariant: between frames there are no events */
         vm_call(b, events_run);
     return true;
 }
 
-static bool practice_fits(const struct practice *p, char *err, size_t err_size)
+static bool check_practice(const struct practice *p, char *err, size_t err_size)
 {
     if (p->lives < 0 || p->lives > PRACTICE_LIVES)
         snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_LIVES, (int)p->lives);
@@ -190,7 +190,7 @@ static bool practice_fits(const struct practice *p, char *err, size_t err_size)
     return false;
 }
 
-static bool lang_fits(const char *lang, char *err, size_t err_size)
+static bool check_lang(const char *lang, char *err, size_t err_size)
 {
     for (; *lang; lang++) {
         if (*lang < 32 || *lang > 126) {
@@ -203,16 +203,16 @@ static bool lang_fits(const char *lang, char *err, size_t err_size)
 
 static bool open_lang(struct board *b, char *err, size_t err_size)
 {
-    if (!lang_fits(b->start.lang, err, err_size))
+    if (!check_lang(b->start.lang, err, err_size))
         return false;
-    if (cart_lang(&b->cart, b->start.lang, &b->words))
+    if (cart_open_lang(&b->cart, b->start.lang, &b->words))
         return true;
     snprintf(err, err_size, "language \"%s\": no lang/%s.txt in the game", b->start.lang, b->start.lang);
     return false;
 }
 
 /* Returns whether the start's values are valid for the manifest; if not, writes one sentence to err. */
-static bool start_fits(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
+static bool check_start(const struct manifest *m, const struct board_start *start, char *err, size_t err_size)
 {
     if (start->difficulty >= m->n_difficulties) {
         snprintf(err, err_size, "difficulty %d: the game has only %d", start->difficulty, m->n_difficulties);
@@ -220,17 +220,17 @@ static bool start_fits(const struct manifest *m, const struct board_start *start
     }
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *d = &m->dips[i];
-        int32_t lo = d->number ? d->lo : 0, hi = d->number ? d->hi : d->values - 1;
+        int32_t lo = d->is_number ? d->lo : 0, hi = d->is_number ? d->hi : d->n_values - 1;
         if (start->dip[i] < lo || start->dip[i] > hi) {
             snprintf(err, err_size, "DIP switch %s: expected %d to %d, got %d", d->name, lo, hi, start->dip[i]);
             return false;
         }
     }
-    return practice_fits(&start->practice, err, err_size);
+    return check_practice(&start->practice, err, err_size);
 }
 
 /* Terminates the start's strings, because the caller's strings may lack a NUL. */
-static void end_texts(struct board_start *start)
+static void terminate_strings(struct board_start *start)
 {
     struct practice *p = &start->practice;
 
@@ -240,16 +240,16 @@ static void end_texts(struct board_start *start)
         p->reg[i].name[sizeof p->reg[i].name - 1] = 0;
 }
 
-static struct board *power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
-                           size_t err_size)
+static struct board *power_on(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                              size_t err_size)
 {
     struct board *b = (struct board *)ram;
-    const char *wrong = ieee_fault();
+    const char *fault = ieee_fault();
     struct cart cart;
     size_t need;
 
-    if (wrong) {
-        snprintf(err, err_size, "%s", wrong);
+    if (fault) {
+        snprintf(err, err_size, "%s", fault);
         return NULL;
     }
     if (!open_cart(&cart, rom, &need, err, err_size))
@@ -262,14 +262,15 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     b->start = *start;
     b->start.nvram = NULL;
     b->start.nvram_size = 0;
-    end_texts(&b->start);
-    if (!start_fits(&b->cart.m, start, err, err_size) || !open_lang(b, err, err_size))
+    terminate_strings(&b->start);
+    if (!check_start(&b->cart.manifest, start, err, err_size) || !open_lang(b, err, err_size))
         return NULL;
     lay_out(b);
     memset(b->output, 0, sizeof *b->output);
     nvram_load(&b->nvram, start->nvram, start->nvram_size);
     if (!boot(b)) {
-        snprintf(err, err_size, "board.lua_kib = %d is too small to start Lua; raise it in rom.lua", b->cart.m.lua_kib);
+        snprintf(err, err_size, "board.lua_kib = %d is too small to start Lua; raise it in rom.lua",
+                 b->cart.manifest.lua_kib);
         return NULL;
     }
     b->output->out.log = b->output->log;
@@ -277,13 +278,13 @@ static struct board *power(void *ram, size_t size, const struct rom *rom, const 
     return b;
 }
 
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
-                          size_t err_size)
+struct board *board_power_on(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                             size_t err_size)
 {
     struct host host;
 
     host_enter(&host);
-    struct board *b = power(ram, size, rom, start, err, err_size);
+    struct board *b = power_on(ram, size, rom, start, err, err_size);
     host_leave(&host);
     return b;
 }
@@ -294,14 +295,14 @@ static void reset(struct board *b)
 {
     uint32_t frame = b->core.frame;
     uint64_t digest = b->script.digest;
-    const struct nvram was = b->nvram;
+    const struct nvram nvram = b->nvram;
 
     lay_out(b);
-    assert(b->nvram.bytes == was.bytes);
-    b->nvram = was;
+    assert(b->nvram.bytes == nvram.bytes);
+    b->nvram = nvram;
     b->core.frame = frame;
     script_fold(b, digest);
-    b->reset = false;
+    b->reset_requested = false;
     boot(b);
 }
 
@@ -311,7 +312,7 @@ void board_on_phase(struct board *b, board_phase_done *done, void *context)
     b->output->phase_context = context;
 }
 
-static void phase_done(const struct board *b, enum board_phase phase)
+static void report_phase(const struct board *b, enum board_phase phase)
 {
     if (b->output->phase_done)
         b->output->phase_done(b->output->phase_context, phase);
@@ -321,65 +322,66 @@ static void move_items(struct board *b)
 {
     struct item_pull pull[PADS];
 
-    board_pulls(b, pull);
+    board_get_pulls(b, pull);
     items_move(&b->items, &b->item_kinds, pull);
 }
 
 /* Finds the position of the entity an enemy orbits. If that entity is an enemy too, moves it first; this nests up to 32
  * levels deep. Returns false if the entity is not alive. */
-static bool orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
+static bool find_orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
 {
-    const int most = 32;
+    const int max_depth = 32;
     struct board *b = w->context;
 
     if (!board_alive(b, entity))
         return false;
-    if (handle_kind(entity) == H_ENEMY && w->deep < most) {
-        w->deep++;
-        enemies_settle(&b->enemies, handle_slot(entity), w);
-        w->deep--;
+    if (handle_kind(entity) == H_ENEMY && w->depth < max_depth) {
+        w->depth++;
+        enemies_ensure_moved(&b->enemies, handle_slot(entity), w);
+        w->depth--;
     }
-    return board_where(b, entity, x, y);
+    return board_get_position(b, entity, x, y);
 }
 
-void board_move(struct board *b)
+void board_move_entities(struct board *b)
 {
-    struct motion_world w = board_world(b, false), ws = board_world(b, true);
-    struct enemies_world we = { b, orbited, board_chance, 0 };
-    const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld(b, 0)),
-                                  (uint16_t)(b->input.held[1] & ~board_withheld(b, 1)) };
+    struct motion_world w = board_motion_world(b, false), ws = board_motion_world(b, true);
+    struct enemies_world we = { b, find_orbited, board_random, 0 };
+    const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld_buttons(b, 0)),
+                                  (uint16_t)(b->input.held[1] & ~board_withheld_buttons(b, 1)) };
     struct bullets_query query[PADS];
-    const bool solid = hit_solid_possible(b);
+    const bool has_solids = hit_solid_is_possible(b);
 
-    emit_none(b);
+    emit_clear(b);
     player_move(&b->player, &b->player_kinds, held, &b->area);
     if (b->option_plans)
         options_follow(b);
-    enemies_move(&b->enemies, &b->keep, &we);
-    bullets_move(&b->shots, &ws, &b->keep, NULL, b->enemies.s.live > 0 || solid);
+    enemies_move(&b->enemies, &b->keep_box, &we);
+    bullets_move(&b->shots, &ws, &b->keep_box, NULL, b->enemies.s.live > 0 || has_solids);
     if (b->ml_roots.s.live)
         bulletml_run(b);
-    hit_queries(b, query);
-    bullets_move(&b->bullets, &w, &b->keep, query, solid || b->bullets.meets);
+    hit_get_queries(b, query);
+    bullets_move(&b->bullets, &w, &b->keep_box, query, has_solids || b->bullets.n_meets);
     if (b->items.s.top)
         move_items(b);
     if (b->lasers.s.live)
         lasers_move(b);
-    sparks_move(&b->sparks, &b->spark_kinds, &b->keep);
-    b->counts.moved = b->bullets.moved;
+    sparks_move(&b->sparks, &b->spark_kinds, &b->keep_box);
+    b->counts.moved = b->bullets.n_moved;
 }
 
 /* Charges this frame's motion steps as work. If there were too many, the moves have stopped early and the frame ends in
  * a fault. */
-static void count_steps(struct board *b)
+static void charge_steps(struct board *b)
 {
-    const uint64_t ran = b->bullets.ran + b->shots.ran + b->laser_heads.ran;
+    const uint64_t steps = b->bullets.work_done + b->shots.work_done + b->laser_heads.work_done;
 
-    if (!board_work(b, MOTION_WORK * ran))
-        board_too_much(b,
-                       "motions: too many steps in one frame (%llu, for %u bullets, %u shots and %u lasers); add waits "
-                       "to their loops or give motions to fewer of these things",
-                       (unsigned long long)ran, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
+    if (!board_charge_work(b, MOTION_WORK * steps))
+        board_raise_overload(
+            b,
+            "motions: too many steps in one frame (%llu, for %u bullets, %u shots and %u lasers); add waits "
+            "to their loops or give motions to fewer of these things",
+            (unsigned long long)steps, b->bullets.s.live, b->shots.s.live, b->lasers.s.live);
 }
 
 /* Moves everything, tests collisions, then fires the bullets that BulletML documents and motion programs queued. Called
@@ -390,13 +392,13 @@ static int move_and_hit(lua_State *L)
 
     events_step_players(b, L);
     if (b->option_plans)
-        options_count(b, L);
-    board_move(b);
-    count_steps(b);
-    phase_done(b, PHASE_MOTION);
+        options_adjust_count(b, L);
+    board_move_entities(b);
+    charge_steps(b);
+    report_phase(b, PHASE_MOTION);
     hit_run(b);
     if (b->ml_fresh.n)
-        bulletml_let_go(b);
+        bulletml_spawn_fired(b);
     emit_run(b);
     return 0;
 }
@@ -405,7 +407,7 @@ static int move_and_hit(lua_State *L)
 static void drop_lines(struct board *b)
 {
     EACH_LIVE (i, &b->lines.s)
-        if (b->lines.follow[i] && !board_alive(b, b->lines.follow[i]))
+        if (b->lines.follow_target[i] && !board_alive(b, b->lines.follow_target[i]))
             slots_drop(&b->lines.s, i);
     slots_trim(&b->lines.s);
 }
@@ -415,14 +417,14 @@ static void drop_followers(struct board *b)
 {
     struct sprites *s = &b->sprites;
 
-    if (!s->following)
+    if (!s->n_following)
         return;
-    s->following = 0;
+    s->n_following = 0;
     EACH_LIVE (i, &s->s) {
         if (!(s->flags[i] & SPRITE_FOLLOW))
             continue;
-        if (board_alive(b, board_followed(b, i)))
-            s->following++;
+        if (board_alive(b, board_followed_by_sprite(b, i)))
+            s->n_following++;
         else
             slots_drop(&s->s, i);
     }
@@ -430,35 +432,35 @@ static void drop_followers(struct board *b)
 }
 
 /* Advances the game's clock. Entities that stood still in this frame's move do not age. */
-static void next_frame(struct board *b)
+static void advance_clock(struct board *b)
 {
     b->core.clock++;
-    bullets_stay(&b->bullets);
-    bullets_stay(&b->shots);
-    bullets_stay(&b->laser_heads);
-    enemies_stay(&b->enemies);
-    items_stay(&b->items);
+    bullets_postpone_frozen(&b->bullets);
+    bullets_postpone_frozen(&b->shots);
+    bullets_postpone_frozen(&b->laser_heads);
+    enemies_postpone_frozen(&b->enemies);
+    items_postpone_frozen(&b->items);
 }
 
 static void drain_registers(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++)
-        if (b->player.in[p])
-            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.registers[b->player.kind[p]],
+        if (b->player.in_game[p])
+            registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.n_registers[b->player.kind[p]],
                             p);
-    registers_drain(&b->registers, b->registers.first, b->registers.count, 0);
+    registers_drain(&b->registers, b->registers.first_run_row, b->registers.n_run_rows, 0);
 }
 
 /* Ends a frame that board.stop did not hold. */
 static void end_frame(struct board *b)
 {
     if (b->core.frozen < 0) /* board.stop was called in this frame and holds from the next one on */
-        input_done(&b->input);
+        input_clear_edges(&b->input);
     if (b->core.frozen > 0)
         return;
     bg_step(&b->bg);
     pal_step(&b->pal);
-    next_frame(b);
+    advance_clock(b);
 }
 
 /*
@@ -467,20 +469,20 @@ static void end_frame(struct board *b)
  * nothing moves, and the clock does not advance. Buttons pressed in held ticks count as pressed in the first tick
  * afterwards.
  */
-static bool count_stop(struct board *b, const uint16_t pads[PADS])
+static bool step_stop(struct board *b, const uint16_t pads[PADS])
 {
-    const bool was = b->core.frozen < 0;
+    const bool was_stopped = b->core.frozen < 0;
 
-    b->core.frozen += was;
+    b->core.frozen += was_stopped;
     const bool stopped = b->core.frozen < 0;
-    input_latch(&b->input, pads, stopped ? PRESS_NOBODY : board_presses(b), was);
+    input_latch(&b->input, pads, stopped ? PRESS_NOBODY : board_press_side(b), was_stopped);
     return stopped;
 }
 
 /* Returns whether events_run has anything to do in this frame. */
 static bool has_raised(const struct board *b)
 {
-    return b->events.n || b->bullets.s.holding || b->shots.s.holding || b->lasers.s.live;
+    return b->events.n || b->bullets.s.held_count || b->shots.s.held_count || b->lasers.s.live;
 }
 
 /* Empties the output. The arrays of markers and full pools need no clearing, because their counts are zeroed. */
@@ -492,13 +494,13 @@ static void clear_output(struct output *o)
     out->attract[0] = '\0';
     out->log = o->log;
     out->log_size = o->log_size = 0;
-    out->markers = out->fulls = 0;
-    out->menu = false;
+    out->markers = out->full_pools = 0;
+    out->menu_shown = false;
     out->fault = NULL;
 }
 
 /* Charges the work of drawing this frame's picture, then runs the collector. Called through vm_call. */
-static int count_picture(lua_State *L)
+static int charge_picture(lua_State *L)
 {
     board_charge_picture(vm_board(L));
     return vm_collect(L);
@@ -508,41 +510,41 @@ static void tick(struct board *b, const uint16_t pads[PADS])
 {
     struct output *o = b->output;
 
-    vm_begin(b, WORK_LIMIT);
+    vm_reset_work(b, WORK_LIMIT);
     b->events.n = 0;
     b->counts = (struct board_counts){ 0 };
-    b->laser_heads.ran = 0;
-    const bool stopped = count_stop(b, pads);
+    b->laser_heads.work_done = 0;
+    const bool stopped = step_stop(b, pads);
     if (b->voices.s.cap)
-        sound_begin(b);
+        sound_begin_tick(b);
     if (!b->core.frozen) {
-        player_count_down(&b->player);
-        if (b->registers.drains)
+        player_step_invulnerability(&b->player);
+        if (b->registers.n_draining)
             drain_registers(b);
-        enemies_count_down(&b->enemies);
+        enemies_step_timers(&b->enemies);
     }
-    bool fine = stopped || vm_call(b, tasks_run);
-    phase_done(b, PHASE_SCRIPTS);
+    bool ok = stopped || vm_call(b, tasks_run);
+    report_phase(b, PHASE_SCRIPTS);
     if (!stopped && b->core.frozen <= 0)
-        fine = fine && vm_call(b, move_and_hit);
-    phase_done(b, PHASE_HITS);
-    fine = fine && (!has_raised(b) || vm_call(b, events_run));
-    phase_done(b, PHASE_EVENTS);
-    if (fine) {
+        ok = ok && vm_call(b, move_and_hit);
+    report_phase(b, PHASE_HITS);
+    ok = ok && (!has_raised(b) || vm_call(b, events_run));
+    report_phase(b, PHASE_EVENTS);
+    if (ok) {
         drop_followers(b);
         if (b->lines.s.live)
             drop_lines(b);
         if (b->voices.s.cap)
-            sound_end(b);
+            sound_end_tick(b);
         b->core.frame++;
         if (!stopped)
             end_frame(b);
-        if (b->reset)
+        if (b->reset_requested)
             reset(b);
         else
-            vm_call(b, count_picture);
+            vm_call(b, charge_picture);
     }
-    phase_done(b, PHASE_REST);
+    report_phase(b, PHASE_CLEANUP);
     o->out.log_size = o->log_size;
 }
 
@@ -567,15 +569,15 @@ bool board_has_boot_run(const struct board *b)
     return b->vm.practice_read;
 }
 
-const struct board_out *board_last(const struct board *b)
+const struct board_out *board_last_output(const struct board *b)
 {
     return &b->output->out;
 }
 
-void board_screen(const struct board *b, int *w, int *h)
+void board_screen_size(const struct board *b, int *w, int *h)
 {
-    *w = b->cart.m.screen_w;
-    *h = b->cart.m.screen_h;
+    *w = b->cart.manifest.screen_w;
+    *h = b->cart.manifest.screen_h;
 }
 
 uint32_t board_frame(const struct board *b)
@@ -589,7 +591,7 @@ int board_parts(const struct board *b)
     return PARTS;
 }
 
-const char *board_part(const struct board *b, int i)
+const char *board_part_name(const struct board *b, int i)
 {
     (void)b;
     return machine_parts[i].chip->name;
@@ -597,7 +599,7 @@ const char *board_part(const struct board *b, int i)
 
 size_t board_snapshot_size(const struct board *b)
 {
-    size_t n = (size_t)(aligned(sizeof *b) + aligned(heap_save(b->vm.heap, NULL)));
+    size_t n = (size_t)(align_up(sizeof *b) + align_up(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
         n += slots_save(machine_parts[i].chip, part_of(b, i), NULL);
@@ -609,8 +611,8 @@ void board_save(const struct board *b, void *buf)
     uint8_t *p = buf;
 
     memcpy(p, b, sizeof *b);
-    p += aligned(sizeof *b);
-    p += aligned(heap_save(b->vm.heap, p));
+    p += align_up(sizeof *b);
+    p += align_up(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
@@ -621,12 +623,12 @@ void board_restore(struct board *b, const void *buf)
     const uint8_t *p = buf;
 
     memcpy(b, p, sizeof *b);
-    p += aligned(sizeof *b);
-    p += aligned(heap_restore(b->vm.heap, p));
+    p += align_up(sizeof *b);
+    p += align_up(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_restore(machine_parts[i].chip, part_of(b, i), p);
     for (int i = 0; i < b->cart.sprites; i++)
-        cart_sprite(&b->cart, i, &b->pictures[i]);
+        cart_sprite(&b->cart, i, &b->sprite_images[i]);
     memset(b->output, 0, sizeof *b->output);
 }
 
@@ -659,10 +661,10 @@ int board_difficulty_now(const struct board *b)
 
 size_t board_lua_peak(const struct board *b)
 {
-    return heap_most(b->vm.heap);
+    return heap_peak(b->vm.heap);
 }
 
-int64_t board_live(const struct board *b, const char *part)
+int64_t board_live_count(const struct board *b, const char *part)
 {
     const struct slots *s = part_named(b, part);
 
@@ -674,7 +676,7 @@ int64_t board_points(const struct board *b, int i)
     return b->player.score[i];
 }
 
-int64_t board_refused(const struct board *b, const char *part)
+int64_t board_refused_count(const struct board *b, const char *part)
 {
     const struct slots *s = part_named(b, part);
 
@@ -688,14 +690,14 @@ struct board_counts board_counts(const struct board *b)
 
 /* ---- the picture ---- */
 
-size_t board_scratch(const struct board *b)
+size_t board_scratch_size(const struct board *b)
 {
-    return video_bullets_scratch(&b->cart.m);
+    return video_bullets_scratch(&b->cart.manifest);
 }
 
-size_t board_scratch_of(const struct cart *cart)
+size_t board_scratch_size_for(const struct cart *cart)
 {
-    return video_bullets_scratch(&cart->m);
+    return video_bullets_scratch(&cart->manifest);
 }
 
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch)
@@ -704,11 +706,11 @@ uint64_t board_draw(const struct board *b, const struct view *view, struct fb *f
 
     if (!video_fits(b, WORK_LIMIT, &work)) { /* the board has a fault, or its next tick will raise one */
         memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-        fb_clip_all(fb);
+        fb_reset_clip(fb);
         fb_fill(fb, 0);
         return 0;
     }
-    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn;
+    return video_draw(b, view, fb, rgb, scratch, VIDEO_OVERDRAW).drawn_count;
 }
 
 /* ---- Lua ---- */
@@ -720,7 +722,7 @@ const char *board_lua_release(void)
 
 const char *board_lua_copyright(void)
 {
-    const char *whose = strstr(LUA_COPYRIGHT, "Copyright");
+    const char *notice = strstr(LUA_COPYRIGHT, "Copyright");
 
-    return whose ? whose : LUA_COPYRIGHT;
+    return notice ? notice : LUA_COPYRIGHT;
 }

@@ -1,13 +1,13 @@
 /*
  * board.h - the machine: RAM x ROM x pads -> RAM, RAM x ROM x view -> picture, and RAM x ROM -> sound.
  *
- * The caller owns the RAM block and the ROM. board_power lays the chips out in the block, boots the Lua machine in it
- * and runs the game's entry script. After that, each board_tick advances one frame; board_draw draws the picture from
- * const RAM. RAM points into itself and into the ROM, so a snapshot is valid only in the same process, for the same RAM
- * block.
+ * The caller owns the RAM block and the ROM. board_power_on lays the chips out in the block, boots the Lua machine in
+ * it and runs the game's entry script. After that, each board_tick advances one frame; board_draw draws the picture
+ * from const RAM. RAM points into itself and into the ROM, so a snapshot is valid only in the same process, for the
+ * same RAM block.
  *
  * The host thread's settings (locale, rounding mode, flushing of denormals, floating-point traps) do not affect a run:
- * board_power, board_tick and board_eval replace them while they run and restore them before they return (host.h).
+ * board_power_on, board_tick and board_eval replace them while they run and restore them before they return (host.h).
  */
 #ifndef BOARD_H
 #define BOARD_H
@@ -33,14 +33,14 @@ bool board_size(const struct rom *rom, size_t *size, char *err, size_t err_size)
 
 /* Returns the bytes of RAM that a board for an open cart needs, even if they exceed the limit of board_size. The caller
  * may have changed the cart's manifest since opening it. */
-uint64_t board_room(const struct cart *cart);
+uint64_t board_ram_needed(const struct cart *cart);
 
 /* Powers on a board in ram (16-byte aligned, size >= board_size) and runs the entry script. Returns NULL with one
  * sentence in err if the ROM cannot run, if `start` is invalid for it, or if this build's arithmetic differs from other
  * builds' (ieee.h). If a script faults while loading, still returns the board, with the fault in
- * board_last(b)->fault. */
-struct board *board_power(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
-                          size_t err_size);
+ * board_last_output(b)->fault. */
+struct board *board_power_on(void *ram, size_t size, const struct rom *rom, const struct board_start *start, char *err,
+                             size_t err_size);
 
 /* Advances one frame. pads: PAD_ bits of the two players. After a fault, does nothing and reports the same fault
  * again. */
@@ -50,66 +50,68 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
  * no ship and no game can be started. */
 bool board_has_boot_run(const struct board *b);
 
-/* Returns the output of the last tick, or of board_power. */
-const struct board_out *board_last(const struct board *b);
+/* Returns the output of the last tick, or of board_power_on. */
+const struct board_out *board_last_output(const struct board *b);
 
 /* Sets *w and *h to the screen size in pixels. */
-void board_screen(const struct board *b, int *w, int *h);
+void board_screen_size(const struct board *b, int *w, int *h);
 
 /* Return the bytes of scratch memory that board_draw needs: for a board, and for any board of an open cart. */
-size_t board_scratch(const struct board *b);
-size_t board_scratch_of(const struct cart *cart);
+size_t board_scratch_size(const struct board *b);
+size_t board_scratch_size_for(const struct cart *cart);
 
 /* Draws the picture into fb and its 256 colours (0xRRGGBB) into rgb, adjusted by the view (NULL: unadjusted). Returns
  * the number of sprites drawn. Reads b and view, writes only fb, rgb and scratch. fb must have been initialised by
  * fb_init with the size of the screen. */
 uint64_t board_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256], void *scratch);
 
-/* board_sound writes the sound of the frame just ticked to out: BOARD_SOUND stereo frames at 48 kHz, left first, the
- * same bytes on every host. It only reads b, so skipping it does not affect the run. tables: board_sound_tables()
- * bytes, aligned to 8, filled once by board_sound_open (which takes a few milliseconds); any number of boards can share
- * them. A game that declares neither sounds nor music is silent and needs no tables. */
-enum { BOARD_SOUND = 800 };
+/* board_mix_sound writes the sound of the frame just ticked to out: BOARD_SOUND_FRAMES stereo frames at 48 kHz, left
+ * first, the same bytes on every host. It only reads b, so skipping it does not affect the run. tables:
+ * board_sound_tables_size() bytes, aligned to 8, filled once by board_sound_init_tables (which takes a few
+ * milliseconds); any number of boards can share them. A game that declares neither sounds nor music is silent and needs
+ * no tables. */
+enum { BOARD_SOUND_FRAMES = 800 };
 bool board_has_sound(const struct board *b);
-size_t board_sound_tables(void);
-void board_sound_open(void *tables);
+size_t board_sound_tables_size(void);
+void board_sound_init_tables(void *tables);
 
-/* board_sound_levels sets the listener's volume for music and for all other sounds: 0 to 100 percent of the game's own
- * volume. At 100 and 100, which board_sound_open sets, the samples are bit-identical to the game's. */
-void board_sound_levels(void *tables, int music, int sounds);
-void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND]);
+/* board_sound_set_levels sets the listener's volume for music and for all other sounds: 0 to 100 percent of the game's
+ * own volume. At 100 and 100, which board_sound_init_tables sets, the samples are bit-identical to the game's. */
+void board_sound_set_levels(void *tables, int music, int sounds);
+void board_mix_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND_FRAMES]);
 
 /* What one sound slot plays after a tick. board_cue returns false past the last slot. */
 struct board_cue {
-    const char *name; /* name of the sound; NULL: the slot is silent */
-    uint32_t began;   /* frame in which the sound began */
-    bool first;       /* the slot plays the sound's first track */
-    bool ends;        /* the track ends in the next frame */
+    const char *name;     /* name of the sound; NULL: the slot is silent */
+    uint32_t start_frame; /* frame in which the sound began */
+    bool is_first_track;  /* the slot plays the sound's first track */
+    bool ends_next;       /* the track ends in the next frame */
 };
 bool board_cue(const struct board *b, int slot, struct board_cue *out);
 
 /* Returns the name of the music that is playing; "": none. */
-const char *board_music(const struct board *b);
+const char *board_music_name(const struct board *b);
 
-/* A box is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_box_size() bytes, aligned
- * to 64. board_box_play plays the sound called `name` or, if there is none, the music called `name`; it returns false
- * if neither exists. board_box_tick advances one frame; it returns false when everything has ended and is silent. */
-size_t board_box_size(void);
-struct board *board_box_open(void *ram, const struct rom *rom, char *err, size_t err_size);
-bool board_box_play(struct board *b, const char *name);
-bool board_box_tick(struct board *b);
+/* A box is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_jukebox_size() bytes,
+ * aligned to 64. board_jukebox_play plays the sound called `name` or, if there is none, the music called `name`; it
+ * returns false if neither exists. board_jukebox_tick advances one frame; it returns false when everything has ended
+ * and is silent. */
+size_t board_jukebox_size(void);
+struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size);
+bool board_jukebox_play(struct board *b, const char *name);
+bool board_jukebox_tick(struct board *b);
 
 /* A sound or a piece of music in a box's list. */
 struct board_tune {
     const char *name, *title;
-    bool music, recording, endless;
+    bool is_music, is_recording, endless;
     int tracks, priority, limit, marks;
     size_t bytes;
     const uint8_t *data; /* tune.h */
 };
 
 /* Stores entry n of the box's list: all sounds, then all music. Returns false past the last entry. */
-bool board_box_tune(const struct board *b, int n, struct board_tune *out);
+bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out);
 
 /* Returns the number of frames ticked since power-on. */
 uint32_t board_frame(const struct board *b);
@@ -118,7 +120,7 @@ uint32_t board_frame(const struct board *b);
  * hashes of all parts. The combined hash leaves out the parts that no script can read: sparks, cues and voices. */
 uint64_t board_hash(const struct board *b);
 int board_parts(const struct board *b);
-const char *board_part(const struct board *b, int i);
+const char *board_part_name(const struct board *b, int i);
 uint64_t board_part_hash(const struct board *b, int i);
 void board_hashes(const struct board *b, uint64_t out[MAX_PARTS]);
 
@@ -129,11 +131,11 @@ size_t board_hash_cache_size(const struct board *b);
 void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX_PARTS]);
 
 /* Returns the combined hash, computed from the parts' hashes. */
-uint64_t board_hash_of(const uint64_t hashes[MAX_PARTS]);
+uint64_t board_combine_hashes(const uint64_t hashes[MAX_PARTS]);
 
 /* Visits every value hashed for part i, in hash order: the live and refused counts, registers, then each live slot's
  * columns. Visits nothing for a part that has no capacity in this game; its hash is 0. */
-void board_trace(const struct board *b, int i, slots_visit *visit, void *context);
+void board_trace(const struct board *b, int i, slots_visitor *visit, void *context);
 
 /* Snapshots, only between frames. board_save copies the used part of RAM into buf (board_snapshot_size bytes);
  * board_restore copies it back into the same RAM block, whatever that block contains by then. Both are fastest when RAM
@@ -154,8 +156,8 @@ const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *change
 
 /* Return how many entities of a part, such as "bullets", are live, and how many more were refused because the part was
  * full; -1: no such part. */
-int64_t board_live(const struct board *b, const char *part);
-int64_t board_refused(const struct board *b, const char *part);
+int64_t board_live_count(const struct board *b, const char *part);
+int64_t board_refused_count(const struct board *b, const char *part);
 
 /* Returns the points of player i (0 or 1) in the current game or, when none is running, in the last one. */
 int64_t board_points(const struct board *b, int i);

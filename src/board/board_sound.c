@@ -13,41 +13,41 @@ bool board_has_sound(const struct board *b)
     return b->voices.s.cap > 0;
 }
 
-size_t board_sound_tables(void)
+size_t board_sound_tables_size(void)
 {
     return sizeof(struct snd_tables);
 }
 
-void board_sound_open(void *tables)
+void board_sound_init_tables(void *tables)
 {
     snd_tables_make(tables);
 }
 
-void board_sound_levels(void *tables, int music, int sounds)
+void board_sound_set_levels(void *tables, int music, int sounds)
 {
     struct snd_tables *t = tables;
 
-    t->music = music;
-    t->sounds = sounds;
+    t->music_volume = music;
+    t->sound_volume = sounds;
 }
 
-void board_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND])
+void board_mix_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND_FRAMES])
 {
     if (board_has_sound(b))
         voices_mix(&b->voices, b->cart.tune_data, tables, out);
     else
-        memset(out, 0, 2 * BOARD_SOUND * sizeof *out);
+        memset(out, 0, 2 * BOARD_SOUND_FRAMES * sizeof *out);
 }
 
 /* Returns whether the slot's track ends within the next frame. */
-static bool ends_next(const struct board *b, int slot)
+static bool track_ends_next(const struct board *b, int slot)
 {
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(b->cart.tune_data + c->tune[slot]);
     struct tune_run run = { &t, c->track[slot], { c->at[slot], c->left[slot] }, t.tempo, 0, SND_FRAME, 0 };
     struct tune_played e;
 
-    while (tune_next(&run, &e))
+    while (tune_next_event(&run, &e))
         ;
     return run.at.at == 0;
 }
@@ -60,85 +60,85 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
     if (!board_has_sound(b) || slot >= CUES)
         return false;
     *out = (struct board_cue){ 0 };
-    while (sound < b->cart.sounds && cart_sound(&b->cart, sound) != c->tune[slot])
+    while (sound < b->cart.sounds && cart_sound_place(&b->cart, sound) != c->tune[slot])
         sound++;
     if (c->tune[slot] == 0 || sound == b->cart.sounds)
         return true;
     out->name = cart_sound_name(&b->cart, sound);
-    out->began = c->born[slot];
-    out->first = c->track[slot] == 0;
-    out->ends = ends_next(b, slot);
+    out->start_frame = c->born[slot];
+    out->is_first_track = c->track[slot] == 0;
+    out->ends_next = track_ends_next(b, slot);
     return true;
 }
 
-const char *board_music(const struct board *b)
+const char *board_music_name(const struct board *b)
 {
     return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
 }
 
 /* ---- boxes ---- */
 
-static size_t aligned(size_t n)
+static size_t align_up(size_t n)
 {
     return (n + 63) / 64 * 64;
 }
 
 static const struct {
     const struct chip *chip;
-    size_t at;
+    size_t offset;
     uint32_t cap;
-} box_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
-                  { &cues_chip, offsetof(struct board, cues), CUES },
-                  { &voices_chip, offsetof(struct board, voices), VOICE_ROOM } };
+} jukebox_parts[] = { { &seq_chip, offsetof(struct board, music), SEQ_SLOTS },
+                      { &cues_chip, offsetof(struct board, cues), CUES },
+                      { &voices_chip, offsetof(struct board, voices), VOICE_CAPACITY } };
 
-enum { BOX_PARTS = sizeof box_parts / sizeof *box_parts };
+enum { JUKEBOX_PARTS = sizeof jukebox_parts / sizeof *jukebox_parts };
 
-size_t board_box_size(void)
+size_t board_jukebox_size(void)
 {
-    size_t n = aligned(sizeof(struct board));
+    size_t n = align_up(sizeof(struct board));
 
-    for (int i = 0; i < BOX_PARTS; i++)
-        n += (size_t)slots_size(box_parts[i].chip, box_parts[i].cap, 0);
+    for (int i = 0; i < JUKEBOX_PARTS; i++)
+        n += (size_t)slots_size(jukebox_parts[i].chip, jukebox_parts[i].cap, 0);
     return n;
 }
 
-struct board *board_box_open(void *ram, const struct rom *rom_, char *err, size_t err_size)
+struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size)
 {
     struct board *b = ram;
-    uint8_t *next = (uint8_t *)ram + aligned(sizeof *b);
+    uint8_t *next = (uint8_t *)ram + align_up(sizeof *b);
 
-    memset(ram, 0, board_box_size());
-    if (!cart_open(&b->cart, rom_, err, err_size))
+    memset(ram, 0, board_jukebox_size());
+    if (!cart_open(&b->cart, rom, err, err_size))
         return NULL;
-    for (int i = 0; i < BOX_PARTS; i++) {
-        struct slots *s = (struct slots *)(void *)((uint8_t *)b + box_parts[i].at);
-        slots_layout(box_parts[i].chip, s, box_parts[i].cap, 0, &next);
+    for (int i = 0; i < JUKEBOX_PARTS; i++) {
+        struct slots *s = (struct slots *)(void *)((uint8_t *)b + jukebox_parts[i].offset);
+        slots_layout(jukebox_parts[i].chip, s, jukebox_parts[i].cap, 0, &next);
         s->live = s->cap;
     }
-    sound_power(b);
+    sound_reset(b);
     return b;
 }
 
-bool board_box_play(struct board *b, const char *name)
+bool board_jukebox_play(struct board *b, const char *name)
 {
     const int sound = cart_find_sound(&b->cart, name), tune = cart_find_tune(&b->cart, name);
 
     if (sound >= 0)
-        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, 0, 0 });
+        sound_play(b, &(struct cue){ cart_sound_place(&b->cart, sound), 256, 0, 0 });
     else if (tune >= 0)
-        sound_music(b, tune, &(struct music_options){ .again = true });
+        sound_start_music(b, tune, &(struct music_options){ .restart = true });
     return sound >= 0 || tune >= 0;
 }
 
-bool board_box_tick(struct board *b)
+bool board_jukebox_tick(struct board *b)
 {
     bool busy = false;
 
-    sound_begin(b);
-    sound_end(b);
+    sound_begin_tick(b);
+    sound_end_tick(b);
     b->core.frame++;
     for (int i = 0; i < VOICE_SLOTS; i++)
-        busy = busy || voices_busy(&b->voices, i);
+        busy = busy || voices_is_busy(&b->voices, i);
     for (int i = 0; i < CUES; i++)
         busy = busy || b->cues.tune[i];
     for (int i = 0; i < SEQ_SLOTS; i++)
@@ -146,22 +146,22 @@ bool board_box_tick(struct board *b)
     return busy;
 }
 
-bool board_box_tune(const struct board *b, int n, struct board_tune *out)
+bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out)
 {
-    const bool music = n >= b->cart.sounds;
-    const int i = music ? n - b->cart.sounds : n;
+    const bool is_music = n >= b->cart.sounds;
+    const int i = is_music ? n - b->cart.sounds : n;
     struct lump l;
 
-    if (music && i >= b->cart.tunes)
+    if (is_music && i >= b->cart.tunes)
         return false;
-    rom_lump(b->cart.rom, (music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
+    rom_lump(b->cart.rom, (is_music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
     const struct tune t = tune_of(l.data);
-    const size_t bytes = l.size + cart_wave_size(&b->cart, music ? i : -1);
-    *out = (struct board_tune){ music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
+    const size_t bytes = l.size + cart_wave_size(&b->cart, is_music ? i : -1);
+    *out = (struct board_tune){ is_music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
                                 tune_title(&t),
-                                music,
-                                tune_recording(&t),
-                                tune_endless(&t),
+                                is_music,
+                                tune_is_recording(&t),
+                                tune_is_endless(&t),
                                 t.tracks,
                                 t.priority,
                                 t.limit,

@@ -27,49 +27,50 @@ struct inspect_body {
                      them all */
     struct {
         int32_t x, y, r;
-    } circle[SHAPE_PARTS];
+    } circle[SHAPE_MAX_CIRCLES];
     int32_t graze; /* player: radius of the graze ring; otherwise 0 */
-    bool spent;    /* bullet or laser: no player can graze it now; enemy: dying, or harmless to touch; player:
+    bool inactive; /* bullet or laser: no player can graze it now; enemy: dying, or harmless to touch; player:
                       invulnerable */
 };
 
-/* Calls `each` for every body: enemies, shots, bullets, lasers, then players, each group in slot order. A laser has one
- * body per segment of its line. */
-void inspect_bodies(const struct board *b, void (*each)(void *context, const struct inspect_body *body), void *context);
+/* Calls `visit` for every body: enemies, shots, bullets, lasers, then players, each group in slot order. A laser has
+ * one body per segment of its line. */
+void inspect_bodies(const struct board *b, void (*visit)(void *context, const struct inspect_body *body),
+                    void *context);
 
 /* Sets *out to the body of a player (0 or 1) at the position where the ship is drawn, which includes a screen shake.
  * Returns false if no ship is drawn: the player is not in the game, or is hidden. */
 bool inspect_ship(const struct board *b, int player, struct inspect_body *out);
 
 /* The hitbox and the sprite of one kind of bullet, shot, enemy or player. */
-struct inspect_shape_of {
-    const char *of, *name;    /* type of entity, "bullet"; name of the kind, "orb" */
-    enum inspect_shape shape; /* not INSPECT_NONE */
-    int32_t r, bar_x, bar_y;  /* circle: r is the radius; capsule: all points within r of the bar from (-bar_x, -bar_y)
+struct inspect_kind_shape {
+    const char *entity, *name; /* type of entity, "bullet"; name of the kind, "orb" */
+    enum inspect_shape shape;  /* not INSPECT_NONE */
+    int32_t r, bar_x, bar_y;   /* circle: r is the radius; capsule: all points within r of the bar from (-bar_x, -bar_y)
                                  to (bar_x, bar_y), relative to the entity's position */
-    int n;                    /* number of circles */
+    int n;                     /* number of circles */
     struct {
         int32_t x, y, r;
-    } circle[SHAPE_PARTS];
+    } circle[SHAPE_MAX_CIRCLES];
     int32_t x0, y0, x1, y1; /* bounding box of the hitbox, relative to the entity's position, unrotated */
     bool turns;             /* the sprite rotates; a box hitbox does not rotate with it */
     const char *sprite;
     int bank;
     const char *ramp; /* name of the kind's blend if that is a ramp blend; otherwise NULL */
 };
-void inspect_kinds(const struct board *b, void (*each)(void *context, const struct inspect_shape_of *kind),
+void inspect_kinds(const struct board *b, void (*visit)(void *context, const struct inspect_kind_shape *kind),
                    void *context);
 
 /* Returns whether a player's buttons currently steer the ship and fire its shots, as opposed to controlling a menu or a
  * dialogue. player: from 0. */
-struct inspect_ship_has {
+struct inspect_controls {
     bool steers, fires;
 };
-struct inspect_ship_has inspect_plays(const struct board *b, int player);
+struct inspect_controls inspect_player_controls(const struct board *b, int player);
 
-/* Calls `each` with the code point of every character on the screen, in cells and in visible lines of text. The order
- * is unspecified, and code points may repeat. FIX_OTHER (fix.h) stands for a character that its cell cannot store. */
-void inspect_codes(const struct board *b, void (*each)(void *context, uint32_t code), void *context);
+/* Calls `visit` with the code point of every character on the screen, in cells and in visible lines of text. The order
+ * is unspecified, and code points may repeat. FIX_UNKNOWN (fix.h) stands for a character that its cell cannot store. */
+void inspect_codes(const struct board *b, void (*visit)(void *context, uint32_t code), void *context);
 
 /* The field's rectangle on the screen, px. */
 struct inspect_area {
@@ -90,9 +91,9 @@ int inspect_gauges(const struct board *b, struct inspect_gauge out[MAX_PARTS]);
 void inspect_memory(const struct board *b, size_t *used, size_t *size);
 
 /* Returns how many numbers the game has drawn from its random stream since power-on or the last board.reset. */
-uint64_t inspect_drawn(const struct board *b);
+uint64_t inspect_random_draws(const struct board *b);
 
-enum { INSPECT_PLACE = 80 };
+enum { INSPECT_PLACE_SIZE = 80 };
 
 enum inspect_owner {
     OWNER_BOARD,
@@ -108,16 +109,16 @@ enum inspect_owner {
 
 struct inspect_task {
     uint32_t serial;
-    uint32_t age; /* frames of game time */
-    int64_t wait; /* frames until the task resumes; 1: it resumes in the next frame */
-    bool forever; /* the task waits forever */
-    bool scope;   /* the task only owns other tasks */
-    bool begun;   /* the task has run at least once */
-    bool stopped; /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */
-    bool frozen;  /* the task does not run now, because the game is paused */
+    uint32_t age;       /* frames of game time */
+    int64_t wait;       /* frames until the task resumes; 1: it resumes in the next frame */
+    bool waits_forever; /* the task waits forever */
+    bool is_scope;      /* the task only owns other tasks */
+    bool begun;         /* the task has run at least once */
+    bool stopped;       /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */
+    bool frozen;        /* the task does not run now, because the game is paused */
     enum inspect_owner owner;
-    uint32_t owner_number;  /* serial of an owner task; 1 or 2 for a player; slot of any other owner */
-    char at[INSPECT_PLACE]; /* "stages/one.lua:42": the line where the task waits (vm_where); "": none */
+    uint32_t owner_number;          /* serial of an owner task; 1 or 2 for a player; slot of any other owner */
+    char place[INSPECT_PLACE_SIZE]; /* "stages/one.lua:42": the line where the task waits (vm_where); "": none */
 };
 
 /* Describes up to n live tasks in order of serial, skipping the first `first` (the oldest) of them. Returns the number
@@ -127,7 +128,7 @@ uint32_t inspect_tasks(const struct board *b, uint32_t first, struct inspect_tas
 /* Describes the live task whose serial is `serial`. Returns false if there is none. */
 bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *out);
 
-struct inspect_thing {
+struct inspect_entity {
     struct inspect_body body;
     const char *name;     /* name of the entity's kind */
     const char *tag;      /* NULL: none */
@@ -135,34 +136,35 @@ struct inspect_thing {
     int32_t x, y;         /* on the field, Q15.16 px */
     int32_t speed;        /* Q15.16 px/frame; speed and dir: bullets, shots and lasers only */
     double dir;           /* degrees */
-    bool moves;           /* a motion program drives the entity */
+    bool has_motion;      /* a motion program drives the entity */
     const char *motion;   /* name of the motion program; NULL: unnamed */
     uint32_t program;     /* index of the motion program */
     uint32_t step, steps; /* current step, from 1, and number of steps; step = steps + 1: past the last step */
-    uint32_t left;        /* frames left in the current step; 0: the step has not begun or takes no time */
-    uint32_t by;          /* serial of the task that fired or spawned it; 0: none */
+    uint32_t frames_left; /* frames left in the current step; 0: the step has not begun or takes no time */
+    uint32_t owner_task;  /* serial of the task that fired or spawned it; 0: none */
     int player;           /* shot or laser: the player who owns it, 1 or 2; 0: none */
     int32_t hp, safe;     /* hp: enemies only; safe: enemies and players, frames of invulnerability left, -1: forever */
     int32_t lives;        /* players only */
 };
 
-/* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `within` px away. Ties go
+/* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `radius` px away. Ties go
  * to the smallest hitbox, then to the hitbox with the nearest centre, then to the first in the order of inspect_bodies.
  * Returns false if no entity is near enough. */
-bool inspect_at(const struct board *b, int x, int y, int within, struct inspect_thing *out);
+bool inspect_at(const struct board *b, int x, int y, int radius, struct inspect_entity *out);
 
 /* State of voice i, 0 to VOICES - 1; music voices come first. On a board without sound no voice is busy. */
 struct inspect_voice {
-    bool music, busy;
-    bool ends;        /* the note was released, or only the tail of the voice still sounds */
-    const char *of;   /* name of the sound or music that the voice plays */
-    const char *wave; /* kind of instrument: "fm" */
-    int32_t pitch;    /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
-    int pan;          /* -64 left to 64 right */
+    bool is_music, busy;
+    bool is_ending;     /* the note was released, or only the tail of the voice still sounds */
+    const char *source; /* name of the sound or music that the voice plays */
+    const char *wave;   /* kind of instrument: "fm" */
+    int32_t pitch;      /* 65536ths of a semitone; semitone 69 is A at 440 Hz */
+    int pan;            /* -64 left to 64 right */
 };
 void inspect_voice(const struct board *b, int i, struct inspect_voice *out);
 
-/* Returns the peak level, out of 32768, of this voice alone in the frame just ticked. tables: as for board_sound. */
+/* Returns the peak level, out of 32768, of this voice alone in the frame just ticked. tables: as for
+ * board_mix_sound. */
 int inspect_voice_peak(const struct board *b, int i, const void *tables);
 
 /* The music's current position. name "": no music is playing. */
@@ -173,7 +175,7 @@ struct inspect_music {
     int beat, beats;         /* beat in the bar, from 0; beats per bar */
     uint32_t tempo;          /* hundredths of a quarter note per minute */
     int gain;                /* percent */
-    bool held;               /* stopped by the game's pause */
+    bool is_paused;          /* stopped by the game's pause */
 };
 void inspect_music(const struct board *b, struct inspect_music *out);
 

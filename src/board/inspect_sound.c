@@ -8,26 +8,26 @@
 #include "../base/int.h"
 #include "../machine/machine.h"
 
-static const char *const kinds[INST_KINDS] = {
+static const char *const kind_names[INST_KINDS] = {
     [INST_PULSE] = "pulse", [INST_TRIANGLE] = "tri",  [INST_SAW] = "saw", [INST_SINE] = "sine", [INST_FM] = "fm",
     [INST_NOISE] = "noise", [INST_SAMPLE] = "sample", [INST_FM4] = "fm4", [INST_WAVE] = "wave",
 };
 
 /* Returns the name of the sound or music whose data contains an instrument. The data of all sounds, then of all music,
  * is stored in ascending order, so the result is the last sound or music that starts at or before the instrument. */
-static const char *tune_of_inst(const struct board *b, uint32_t inst)
+static const char *inst_source_name(const struct board *b, uint32_t inst)
 {
     const struct cart *c = &b->cart;
     const char *name = "";
 
-    for (int i = 0; i < c->sounds && cart_sound(c, i) <= inst; i++)
+    for (int i = 0; i < c->sounds && cart_sound_place(c, i) <= inst; i++)
         name = cart_sound_name(c, i);
-    for (int i = 0; i < c->tunes && cart_tune(c, i) <= inst; i++)
+    for (int i = 0; i < c->tunes && cart_tune_place(c, i) <= inst; i++)
         name = cart_tune_name(c, i);
     return name;
 }
 
-static const char *piece(const struct board *b, uint16_t index)
+static const char *music_name(const struct board *b, uint16_t index)
 {
     return index ? cart_tune_name(&b->cart, index - 1) : "";
 }
@@ -37,35 +37,35 @@ void inspect_voice(const struct board *b, int i, struct inspect_voice *out)
     const struct voices *v = &b->voices;
     const bool music = i < VOICES_MUSIC;
 
-    *out = (struct inspect_voice){ .music = music, .wave = "", .of = "" };
-    if (!board_has_sound(b) || (!voices_busy(v, i) && !voices_busy(v, VOICES + i)))
+    *out = (struct inspect_voice){ .is_music = music, .wave = "", .source = "" };
+    if (!board_has_sound(b) || (!voices_is_busy(v, i) && !voices_is_busy(v, VOICES + i)))
         return;
-    const int slot = voices_busy(v, i) ? i : VOICES + i;
+    const int slot = voices_is_busy(v, i) ? i : VOICES + i;
     out->busy = true;
-    out->ends = slot != i || v->off[slot] <= v->age[slot];
-    out->wave = kinds[inst_of(b->cart.tune_data + v->inst[slot]).kind];
-    out->of = tune_of_inst(b, v->inst[slot]);
+    out->is_ending = slot != i || v->off[slot] <= v->age[slot];
+    out->wave = kind_names[inst_read(b->cart.tune_data + v->inst[slot]).kind];
+    out->source = inst_source_name(b, v->inst[slot]);
     out->pitch = v->pitch[slot];
-    out->pan = v->pan1[slot] - TUNE_PAN;
+    out->pan = v->pan1[slot] - TUNE_PAN_CENTRE;
 }
 
 /* Mixes the voice and its tail alone and measures the result. */
 int inspect_voice_peak(const struct board *b, int i, const void *tables)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
     uint32_t inst[VOICE_SLOTS] = { 0 };
-    struct voices alone = b->voices;
+    struct voices solo = b->voices;
     int peak = 0;
 
     if (!board_has_sound(b))
         return 0;
-    alone.inst = inst;
+    solo.inst = inst;
     inst[i] = b->voices.inst[i];
     inst[VOICES + i] = b->voices.inst[VOICES + i];
     if (inst[i] == 0 && inst[VOICES + i] == 0)
         return 0;
-    voices_mix(&alone, b->cart.tune_data, tables, sound);
-    for (int k = 0; k < 2 * BOARD_SOUND; k++)
+    voices_mix(&solo, b->cart.tune_data, tables, sound);
+    for (int k = 0; k < 2 * BOARD_SOUND_FRAMES; k++)
         peak = int_max(peak, abs(sound[k]));
     return peak;
 }
@@ -77,15 +77,15 @@ void inspect_music(const struct board *b, struct inspect_music *out)
     *out = (struct inspect_music){ .name = "", .title = "", .mark = "", .next = "" };
     if (!board_has_sound(b) || !s->tune)
         return;
-    const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, s->tune - 1));
-    out->name = piece(b, s->tune);
+    const struct tune t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, s->tune - 1));
+    out->name = music_name(b, s->tune);
     out->title = tune_title(&t);
-    out->mark = s->mark ? tune_mark(&t, s->mark - 1) : "";
-    out->next = piece(b, s->next);
-    out->bar = seq_beats(s) / (uint64_t)t.bar;
-    out->beat = (int)(seq_beats(s) % (uint64_t)t.bar);
-    out->beats = t.bar;
+    out->mark = s->mark ? tune_mark_name(&t, s->mark - 1) : "";
+    out->next = music_name(b, s->next);
+    out->bar = seq_beats(s) / (uint64_t)t.beats_per_bar;
+    out->beat = (int)(seq_beats(s) % (uint64_t)t.beats_per_bar);
+    out->beats = t.beats_per_bar;
     out->tempo = s->tempo;
-    out->gain = b->voices.gain1 * 100 / VOICE_GAIN;
-    out->held = b->core.frozen > 0;
+    out->gain = b->voices.gain1 * 100 / VOICE_FULL_GAIN;
+    out->is_paused = b->core.frozen > 0;
 }

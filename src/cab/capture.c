@@ -110,7 +110,7 @@ static enum result check_format(struct capture *c)
         return report_line(RESULT_REFUSED, "%s cannot be combined with WAV, which has no picture",
                            a->scale ? "--scale" : "--speed");
     if (through_ffmpeg(c) && !plat_has_command("ffmpeg"))
-        return report_line(RESULT_HOST,
+        return report_line(RESULT_HOST_FAILED,
                            "%s needs ffmpeg, which is not installed; install it, or write a .gif, .png or .y4m",
                            formats[c->format].name);
     return RESULT_DONE;
@@ -132,17 +132,17 @@ static enum result pictures_open(struct capture *c)
     const int scale = c->a->scale ? c->a->scale : 1;
     int w, h;
 
-    board_screen(b, &w, &h);
+    board_screen_size(b, &w, &h);
     c->w = w * scale;
     c->h = h * scale;
     c->memory = malloc(fb_size(w, h));
-    c->scratch = malloc(board_scratch(b) + 1);
+    c->scratch = malloc(board_scratch_size(b) + 1);
     c->pix = malloc((size_t)c->w * (size_t)c->h);
     if (!c->memory || !c->scratch || !c->pix)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     fb_init(&c->fb, c->memory, w, h);
     c->view = (struct view){ .dim = (enum view_dim)c->a->dim,
-                             .soft_flashes = c->a->flashes,
+                             .softens_flashes = c->a->flashes,
                              .colours = (enum view_colours)c->a->colours,
                              .shades = shade_for(&c->shades, &c->run.game.cart) };
     return RESULT_DONE;
@@ -252,14 +252,15 @@ static enum result write_out(const struct capture *c, const uint8_t *bytes, size
     char err[FILES_ERR];
 
     if (!c->to_stdout)
-        return files_save(c->a->out, bytes, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+        return files_save(c->a->out, bytes, n, err, sizeof err) ? RESULT_DONE
+                                                                : report_line(RESULT_HOST_FAILED, "%s", err);
     fwrite(bytes, 1, n, stdout);
     return report_stdout(RESULT_DONE);
 }
 
 static enum result no_memory(const struct capture *c)
 {
-    return report_line(RESULT_HOST, "%s: out of memory, or larger than 1 GiB", c->a->out);
+    return report_line(RESULT_HOST_FAILED, "%s: out of memory, or larger than 1 GiB", c->a->out);
 }
 
 /* Of two results the worse one that was told first. */
@@ -320,9 +321,9 @@ static enum result shoot_wav(struct capture *c)
 /* What is written stays, when there is no room for more: a player shows it up to there. */
 static enum result shoot_y4m(struct capture *c)
 {
-    c->stream = c->to_stdout ? stdout : plat_stream(c->a->out, true);
+    c->stream = c->to_stdout ? stdout : plat_open_stream(c->a->out, true);
     if (!c->stream)
-        return report_line(RESULT_HOST, "%s: cannot be written (%s)", c->a->out, strerror(errno));
+        return report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(errno));
     y4m_head(c->stream, c->w, c->h);
     enum result result = go_through(c, false);
     if (c->to_stdout)
@@ -331,7 +332,7 @@ static enum result shoot_y4m(struct capture *c)
     const int why = errno;
     good = fclose(c->stream) == 0 && good;
     c->stream = NULL;
-    return good ? result : report_line(RESULT_HOST, "%s: cannot be written (%s)", c->a->out, strerror(why));
+    return good ? result : report_line(RESULT_HOST_FAILED, "%s: cannot be written (%s)", c->a->out, strerror(why));
 }
 
 /* ---- ffmpeg ---- */
@@ -393,7 +394,7 @@ static enum result put_film(const struct capture *c, const char *part)
     good = good && files_save(c->a->out, film, size, err, sizeof err);
     free(film);
     plat_remove(part);
-    return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static enum result feed(struct capture *c, const char *sound, const char *part)
@@ -404,11 +405,11 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
     if (!ffmpeg_words(&ffmpeg, c, sound, part))
         return report_line(RESULT_REFUSED, "-o: path too long");
     if (!files_save(part, "", 0, err, sizeof err)) /* with a sentence of ours, before all the work */
-        return report_line(RESULT_HOST, "%s", err);
+        return report_line(RESULT_HOST_FAILED, "%s", err);
     fflush(stdout);
     c->stream = plat_command_open(ffmpeg.words);
     if (!c->stream)
-        return report_line(RESULT_HOST, "cannot run ffmpeg (%s)", strerror(errno));
+        return report_line(RESULT_HOST_FAILED, "cannot run ffmpeg (%s)", strerror(errno));
     y4m_head(c->stream, c->w, c->h);
     enum result result = go_through(c, false);
     const bool good = plat_command_close(c->stream);
@@ -416,7 +417,7 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
     if (good)
         return first_of(result, put_film(c, part));
     plat_remove(part);
-    return report_line(RESULT_HOST, "%s: ffmpeg failed", c->a->out);
+    return report_line(RESULT_HOST_FAILED, "%s: ffmpeg failed", c->a->out);
 }
 
 /* With sound, unless its speed is another. */
@@ -436,7 +437,7 @@ static enum result shoot_film(struct capture *c)
     if (!tape_end(&c->tape))
         return no_memory(c);
     if (!files_save(sound, c->tape.bytes, c->tape.n, err, sizeof err))
-        return report_line(RESULT_HOST, "%s", err);
+        return report_line(RESULT_HOST_FAILED, "%s", err);
     tape_close(&c->tape);
     enum result second = again(c);
     second = second == RESULT_DONE ? feed(c, sound, part) : second;
@@ -468,7 +469,7 @@ enum result capture_run(const struct args *a)
     struct capture *c = calloc(1, sizeof *c);
 
     if (!c)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     c->a = a;
     enum result result = check_format(c);
     result = result == RESULT_DONE ? check_frames(a) : result;

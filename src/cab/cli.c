@@ -62,7 +62,7 @@ static bool outputs(const struct args *a, char *err, size_t err_size)
 struct program {
     struct args args;
     struct demo_game demo_game; /* of args */
-    struct running running;
+    struct frame_command running;
     enum result result; /* of what is not running */
 };
 
@@ -79,7 +79,7 @@ static enum result run(struct program *p, int argc, char **argv)
         return report_line(RESULT_REFUSED, "%s", err);
     const char *wrong = ieee_fault();
     if (wrong && a->command != COMMAND_HELP && a->command != COMMAND_VERSION)
-        return report_line(RESULT_HOST, "%s", wrong);
+        return report_line(RESULT_HOST_FAILED, "%s", wrong);
     switch (a->command) {
     case COMMAND_RENDER:
         return headless_render(a);
@@ -135,7 +135,7 @@ static int exit_code(enum result result)
         [RESULT_DONE] = EXIT_DONE,
         [RESULT_DIFFERS] = EXIT_DIFFERS,
         [RESULT_REFUSED] = EXIT_INPUT,
-        [RESULT_HOST] = EXIT_HOST,
+        [RESULT_HOST_FAILED] = EXIT_HOST,
     };
 
     return codes[result];
@@ -151,20 +151,20 @@ struct program *program_open(int argc, char **argv)
     if (!p)
         return NULL;
     host_enter(&host);
-    (void)result_cause(); /* forget a failure of the program that ran before in this process */
+    (void)result_take_cause(); /* forget a failure of the program that ran before in this process */
     p->result = run(p, argc, argv);
     host_leave(&host);
     return p;
 }
 
-bool program_frame(struct program *p)
+bool program_run_frame(struct program *p)
 {
     struct host host;
 
     if (!p->running.frame)
         return false;
     host_enter(&host);
-    const bool goes_on = p->running.frame(p->running.of);
+    const bool goes_on = p->running.frame(p->running.context);
     host_leave(&host);
     return goes_on;
 }
@@ -195,7 +195,7 @@ int program_close(struct program *p)
     struct host host;
 
     host_enter(&host);
-    const enum result result = p->running.frame ? p->running.close(p->running.of) : p->result;
+    const enum result result = p->running.frame ? p->running.close(p->running.context) : p->result;
     host_leave(&host);
     if (p->args.dialog && result != RESULT_DONE)
         show_error();
@@ -211,7 +211,7 @@ int cli_main(int argc, char **argv)
         plat_log("curtain: out of memory");
         return EXIT_HOST;
     }
-    while (program_frame(p))
+    while (program_run_frame(p))
         ;
     return program_close(p);
 }

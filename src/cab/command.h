@@ -11,7 +11,7 @@
 
 /* Plays a game, and then those that are dropped on its window: *running is to be called, if there is one. a must last
  * as long. named: the word play was there. */
-enum result command_play(const struct args *a, bool named, struct running *running);
+enum result command_play(const struct args *a, bool named, struct frame_command *running);
 
 /* A folder to a ROM; what is in one, or the replays of it; its lumps as files; a program of it. */
 enum result command_pack(const struct args *a);

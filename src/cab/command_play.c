@@ -31,7 +31,7 @@ static enum result no_such_word(const char *word, bool after_play)
     char err[1024];
 
     if (after_play)
-        return report_line(RESULT_REFUSED, "%s", files_absent(word, "file or folder", err, sizeof err));
+        return report_line(RESULT_REFUSED, "%s", files_set_missing_error(word, "file or folder", err, sizeof err));
     if (meant)
         return report_line(RESULT_REFUSED, "%s: no such command, file or folder (did you mean %s?)", word, meant);
     return report_line(RESULT_REFUSED, "%s: no such command, file or folder (see curtain help)", word);
@@ -96,7 +96,7 @@ static bool play_it(struct play *p)
     o.wrong = p->wrong;
     p->cab = cab_open(&o);
     if (!p->cab)
-        p->result = report_line(RESULT_HOST, "out of memory");
+        p->result = report_line(RESULT_HOST_FAILED, "out of memory");
     return p->cab != NULL;
 }
 
@@ -139,7 +139,7 @@ static enum result close(void *of)
     return result;
 }
 
-enum result command_play(const struct args *a, bool named, struct running *running)
+enum result command_play(const struct args *a, bool named, struct frame_command *running)
 {
     const char *path = a->n_words ? a->words[0] : NULL;
 
@@ -147,10 +147,10 @@ enum result command_play(const struct args *a, bool named, struct running *runni
         return no_such_word(path, named);
     struct play *p = calloc(1, sizeof *p);
     if (!p)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     p->a = a;
     p->path = path;
     play_it(p);
-    *running = (struct running){ frame, close, p };
+    *running = (struct frame_command){ frame, close, p };
     return RESULT_DONE;
 }

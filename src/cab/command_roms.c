@@ -61,13 +61,13 @@ enum result command_pack(const struct args *a)
     if (!cart_open(&cart, &image.rom, err, sizeof err))
         result = report_line(RESULT_REFUSED, "%s: %s", dir, err);
     if (result == RESULT_DONE && !out) {
-        snprintf(name, sizeof name, "%s.rom", cart.m.id);
+        snprintf(name, sizeof name, "%s.rom", cart.manifest.id);
         out = name;
         if (!output_path_derived(dir, out, is_rom, err, sizeof err))
             result = report_line(RESULT_REFUSED, "%s", err);
     }
     if (result == RESULT_DONE && !save_packed(&image, out, a->plain, err, sizeof err))
-        result = report_line(RESULT_HOST, "%s", err);
+        result = report_line(RESULT_HOST_FAILED, "%s", err);
     rom_image_free(&image);
     return result;
 }
@@ -86,8 +86,8 @@ static enum result list_replays(const struct args *a, struct rom_image *image)
 
     if (!cart_open(&cart, &image->rom, err, sizeof err))
         result = report_line(RESULT_REFUSED, "%s: %s", a->words[0], err);
-    else if (!replays_print(cart.m.id, a->json))
-        result = report_line(RESULT_HOST, "out of memory");
+    else if (!replays_print(cart.manifest.id, a->json))
+        result = report_line(RESULT_HOST_FAILED, "out of memory");
     rom_image_free(image);
     return report_stdout(result);
 }

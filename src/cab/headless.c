@@ -55,19 +55,19 @@ static enum result studio_open(struct studio *s, const struct unseen *r)
     int w, h;
 
     memset(s, 0, sizeof *s);
-    board_screen(r->guard.board, &w, &h);
+    board_screen_size(r->guard.board, &w, &h);
     game_files_open(&s->game, r->game.path);
     s->mem = malloc(fb_size(w, h));
-    s->scratch = malloc(board_scratch(r->guard.board) + 1);
+    s->scratch = malloc(board_scratch_size(r->guard.board) + 1);
     if (!s->mem || !s->scratch)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     fb_init(&s->fb, s->mem, w, h);
     s->view = (struct view){ .dim = (enum view_dim)r->a->dim,
-                             .soft_flashes = r->a->flashes,
+                             .softens_flashes = r->a->flashes,
                              .colours = (enum view_colours)r->a->colours,
                              .shades = shade_for(&s->shades, &r->game.cart) };
     if (r->a->wav && !tape_open(&s->tape))
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     if (r->a->sheet && !contact_open(&s->sheet, count_wanted(r->a), w, h))
         return report_line(RESULT_REFUSED, "--sheet: too many frames for one picture");
     return RESULT_DONE;
@@ -81,8 +81,8 @@ static enum result save(const char *path, uint8_t *data, size_t size)
 
     free(data);
     if (!made)
-        return report_line(RESULT_HOST, "%s: out of memory", path);
-    return ok ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
+    return ok ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static enum result picture(struct studio *s, const struct unseen *r, uint32_t frame)
@@ -103,7 +103,7 @@ static enum result picture(struct studio *s, const struct unseen *r, uint32_t fr
         return report_line(RESULT_REFUSED, "-o: %s is one of the game's files; choose another folder", path);
     if (!output_path_available(path, png_is_signed))
         return report_line(RESULT_REFUSED, "%s: already exists; remove it, or choose another folder with -o", path);
-    if (r->a->sheet && plat_same(path, r->a->sheet))
+    if (r->a->sheet && plat_same_file(path, r->a->sheet))
         return report_line(RESULT_REFUSED, "--sheet: %s is also the name of a frame file; choose another name", path);
     png_write(s->fb.pix, s->fb.pitch, s->fb.w, s->fb.h, s->rgb, &png, &size);
     return save(path, png, size);
@@ -130,7 +130,7 @@ static enum result wav_save(struct studio *s, const char *path)
 {
     char err[1200];
 
-    return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    return tape_save(&s->tape, path, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static enum result sheet_save(struct studio *s, const char *path)
@@ -148,7 +148,7 @@ enum result headless_render(const struct args *a)
     struct studio s = { 0 };
 
     if (!r)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     if (!a->n_spans) {
         free(r);
         return report_line(RESULT_REFUSED, "render needs --frames (see curtain help render)");
@@ -183,9 +183,9 @@ struct hashing {
 static void print_hash(struct hashing *h, const struct board *b, bool parts)
 {
     board_hashes_cached(b, h->hash_cache, h->hashes);
-    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_hash_of(h->hashes));
+    printf("%u %016llx", (unsigned)board_frame(b), (unsigned long long)board_combine_hashes(h->hashes));
     for (int i = 0; parts && i < board_parts(b); i++)
-        printf(" %s=%016llx", board_part(b, i), (unsigned long long)h->hashes[i]);
+        printf(" %s=%016llx", board_part_name(b, i), (unsigned long long)h->hashes[i]);
     putchar('\n');
 }
 
@@ -195,7 +195,7 @@ static enum result unknown_part(const struct board *b, const char *name, int n)
     char word[64];
 
     for (int i = 0; i < board_parts(b); i++)
-        names[i] = board_part(b, i);
+        names[i] = board_part_name(b, i);
     snprintf(word, sizeof word, "%.*s", n, name);
     meant = args_near(word, names, board_parts(b));
     if (meant)
@@ -209,7 +209,7 @@ static bool add_part(const struct board *b, const char *name, size_t n, uint64_t
     bool all = n == 3 && memcmp(name, "all", n) == 0, known = all;
 
     for (int i = 0; i < board_parts(b); i++) {
-        const char *part = board_part(b, i);
+        const char *part = board_part_name(b, i);
         bool is = strlen(part) == n && memcmp(part, name, n) == 0;
         *set |= (uint64_t)(is || all) << i;
         known |= is;
@@ -246,7 +246,7 @@ static enum result hash_frames(struct unseen *r, uint32_t frames)
 {
     struct hashing h = { .hash_cache = calloc(1, board_hash_cache_size(r->guard.board)) };
     enum result result =
-        h.hash_cache ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST, "out of memory");
+        h.hash_cache ? read_traces(r->a, r->guard.board, &h.trace) : report_line(RESULT_HOST_FAILED, "out of memory");
 
     for (uint32_t f = 0; result == RESULT_DONE; f++) {
         print_frame(&h, r, f);
@@ -266,7 +266,7 @@ enum result headless_hash(const struct args *a)
     if (a->n_spans && !one && !a->n_traces)
         return report_line(RESULT_REFUSED, "--frames: hash takes one number, the number of frames to run");
     if ((r = malloc(sizeof *r)) == NULL)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     enum result result = unseen_open(r, a);
     uint32_t frames = a->n_spans ? args_last_frame(a) : r->game.has_demo ? r->game.demo.frames : HASH_FRAMES;
     if (result == RESULT_DONE)

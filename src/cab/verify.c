@@ -59,7 +59,7 @@ static enum result refuse(const struct verify *v, enum result result, const char
     vsnprintf(line, sizeof line, format, args);
     va_end(args);
     if (v->a->json) {
-        verify_json_refused(v->path, result == RESULT_HOST, line);
+        verify_json_refused(v->path, result == RESULT_HOST_FAILED, line);
         return result;
     }
     if (!v->batch)
@@ -204,7 +204,7 @@ static void say_header(const struct demo *d)
         report_print(", language %s", d->start.lang);
     for (int i = 0; demo_flag_name(i); i++)
         report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
-    report_print("\n  %d parts, %u rows, %u markers\n", d->parts, (unsigned)d->seconds, (unsigned)d->n_markers);
+    report_print("\n  %d parts, %u rows, %u markers\n", d->parts, (unsigned)d->n_rows, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -245,7 +245,7 @@ static enum result write_again(struct verify *v, const char *path)
 
     if (demo_save(&v->again.demo, path, err, sizeof err))
         return RESULT_DONE;
-    return refuse(v, RESULT_HOST, "%s", err);
+    return refuse(v, RESULT_HOST_FAILED, "%s", err);
 }
 
 static enum result tell_json(const struct verify *v, const char *path, const struct verdict *w)
@@ -253,7 +253,7 @@ static enum result tell_json(const struct verify *v, const char *path, const str
     char doubt[128];
     const struct verify_told told = {
         .path = path,
-        .doubt = demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt),
+        .doubt = demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt),
         .cart = &v->game.cart,
         .demo = &v->demo,
         .again = &v->again.demo,
@@ -269,7 +269,7 @@ static enum result judge(struct verify *v, const char *path)
 {
     struct verdict w;
     char err[512];
-    v->replay.prints = (enum demo_prints)v->a->prints;
+    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
     bool records = v->a->restamp || v->a->json;
     enum result result =
         replay_run(&v->replay, &v->game.cart, &v->demo, records ? &v->again : NULL, &w, err, sizeof err);
@@ -363,7 +363,7 @@ static void tell_markers(const struct verify *v, const struct marker_changes *c,
     t->same &= c->n == 0;
     tell(t, c->n ? "; markers: " : "; markers unchanged");
     for (uint32_t i = 0; i < c->n && i < MARKERS_TOLD; i++) {
-        markers_text(&c->list[i], text, sizeof text);
+        markers_format_change(&c->list[i], text, sizeof text);
         tell(t, "%s%s", i ? ", " : "", text);
     }
     if (c->n > MARKERS_TOLD)
@@ -389,7 +389,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
 
     if (!markers_compare(&c, &v->demo, &v->again.demo)) {
         free(c.list);
-        return refuse(v, RESULT_HOST, "%s: out of memory", path);
+        return refuse(v, RESULT_HOST_FAILED, "%s: out of memory", path);
     }
     replay_text(&v->replay, &v->demo, &o->first, text, sizeof text);
     tell(&t, "rerecorded: %s", text);
@@ -400,7 +400,7 @@ static enum result say_again(const struct verify *v, const char *path, const str
     }
     say(v, path, "%s", t.text);
     for (uint32_t i = 0; v->a->verbose && v->demo.format >= 3 && i < c.n; i++) {
-        markers_text(&c.list[i], text, sizeof text);
+        markers_format_change(&c.list[i], text, sizeof text);
         report_print("  %s\n", text);
     }
     free(c.list);
@@ -435,7 +435,7 @@ static enum result rerecord(struct verify *v, const char *path)
     struct rerun o;
     char err[512];
 
-    v->replay.prints = (enum demo_prints)v->a->prints;
+    v->replay.prints = (enum demo_checksum_rate)v->a->prints;
     enum result result = replay_whole(&v->replay, &v->game.cart, &v->demo, &v->again, &o, err, sizeof err);
 
     progress_wipe();
@@ -452,12 +452,12 @@ static enum result verify_loaded(struct verify *v, const char *path)
 {
     char err[512], doubt[128];
 
-    if (!demo_fits(&v->demo, &v->game.cart, err, sizeof err))
+    if (!demo_check_cart(&v->demo, &v->game.cart, err, sizeof err))
         return refuse(v, RESULT_REFUSED, "%s: %s", path, err);
     if (!v->demo.complete)
         return refuse(v, RESULT_REFUSED, "%s: truncated: %u frames and no end mark", path, (unsigned)v->demo.frames);
     v->doubt[0] = 0;
-    if (demo_doubt(&v->demo, &v->game.cart, doubt, sizeof doubt))
+    if (demo_replay_warning(&v->demo, &v->game.cart, doubt, sizeof doubt))
         snprintf(v->doubt, sizeof v->doubt, " (%s)", doubt);
     return v->a->rerecord ? rerecord(v, path) : judge(v, path);
 }
@@ -471,7 +471,7 @@ static enum result verify_demo(struct verify *v, const char *path)
     if (demo_load(&v->demo, path, err, sizeof err))
         result = verify_loaded(v, path);
     else
-        result = refuse(v, result_cause(), "%s", err);
+        result = refuse(v, result_take_cause(), "%s", err);
     demo_free(&v->again.demo);
     demo_free(&v->demo);
     fflush(stdout);
@@ -513,7 +513,7 @@ static enum result verify_stdin(struct verify *v)
     while (next_name(name, v->a->null, &whole)) {
         size_t n = strlen(name);
         if (first)
-            files_drop_mark(name, &n);
+            files_strip_bom(name, &n);
         first = false;
         plat_slashes(name);
         v->path = name;
@@ -574,7 +574,7 @@ enum result verify_run(const struct args *a)
     if (a->bisect)
         return bisect(a);
     struct verify *v = calloc(1, sizeof *v); /* large for a stack */
-    enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST, "out of memory");
+    enum result result = v ? verify_all(v, a) : report_line(RESULT_HOST_FAILED, "out of memory");
     free(v);
     return result;
 }

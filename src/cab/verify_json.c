@@ -80,7 +80,7 @@ static const struct demo_marker *last(const struct demo *d, enum board_marker_ki
 /* The last game in it. */
 static void tell_game(struct json *j, const struct verify_told *t)
 {
-    const struct manifest *m = &t->cart->m;
+    const struct manifest *m = &t->cart->manifest;
     const struct demo_marker *game = last(t->again, MARKER_GAME, NULL);
     const struct demo_marker *over = game ? last(t->again, MARKER_OVER, game) : NULL;
     int difficulty = t->replay->difficulty;
@@ -101,7 +101,7 @@ static void tell_moments(struct json *j, const struct demo *d)
     json_open(j, "moments", '[');
     for (uint32_t i = 0; i < d->n_markers; i++) {
         const struct board_marker *m = &d->markers[i].marker;
-        if (!board_marks_run(m->kind))
+        if (!board_is_run_marker(m->kind))
             continue;
         json_open(j, NULL, '{');
         json_number(j, "frame", d->markers[i].frame);

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "../../fb/utf8.h"
 
-int clean_character(const char *s, uint32_t *c)
+int clean_decode_character(const char *s, uint32_t *c)
 {
     const char *p = s;
 
@@ -25,10 +25,10 @@ void clean_lines(char *s)
     utf8_blank(s, true);
 }
 
-int clean_markup(const char *s, char out[CLEAN_MARKUP])
+int clean_escape_character(const char *s, char out[CLEAN_MARKUP_SIZE])
 {
     uint32_t c;
-    const int n = clean_character(s, &c);
+    const int n = clean_decode_character(s, &c);
 
     memcpy(out, s, (size_t)n);
     out[n] = '\0';

@@ -9,7 +9,7 @@
 
 /* Decodes the first UTF-8 character of s, which must not be empty, into *c and returns the character's length in bytes.
  * An invalid byte gives U+FFFD and length 1. */
-int clean_character(const char *s, uint32_t *c);
+int clean_decode_character(const char *s, uint32_t *c);
 
 /* Replaces characters that may not be shown, and those that would end the line, with blanks, in place. Bytes that
  * belong to no UTF-8 character become '?'. */
@@ -18,11 +18,11 @@ void clean_line(char *s);
 /* Like clean_line, for several lines: keeps newlines. */
 void clean_lines(char *s);
 
-enum { CLEAN_MARKUP = 8 };
+enum { CLEAN_MARKUP_SIZE = 8 };
 
 /* Writes the first character of s, which must not be empty, to out, escaped for XML and HTML text and quoted
  * attributes. A character that may not be shown becomes a blank, an invalid byte '?'. Returns the number of bytes read
  * from s. */
-int clean_markup(const char *s, char out[CLEAN_MARKUP]);
+int clean_escape_character(const char *s, char out[CLEAN_MARKUP_SIZE]);
 
 #endif

@@ -12,55 +12,55 @@
 #include "../base/err.h"
 #include "result.h"
 
-const char *files_shown(const char *name, char path[FILES_PATH])
+const char *files_display_name(const char *name, char path[FILES_PATH])
 {
-    bool own = strncmp(name, "user:", 5) == 0 || strncmp(name, "pictures:", 9) == 0;
+    bool in_user_folder = strncmp(name, "user:", 5) == 0 || strncmp(name, "pictures:", 9) == 0;
 
-    if (!own || !plat_path(name, path, FILES_PATH))
+    if (!in_user_folder || !plat_path(name, path, FILES_PATH))
         snprintf(path, FILES_PATH, "%s", name);
     return path;
 }
 
 /* Sets err to "NAME: cannot be VERB (REASON)", without the reason when errno is 0. */
-static void explain(const char *name, const char *verb, char *err, size_t err_size)
+static void set_access_error(const char *name, const char *verb, char *err, size_t err_size)
 {
     char shown[FILES_PATH];
-    int why = errno;
+    int error = errno;
 
-    files_shown(name, shown);
-    if (why)
-        snprintf(err, err_size, "%s: cannot be %s (%s)", shown, verb, strerror(why));
+    files_display_name(name, shown);
+    if (error)
+        snprintf(err, err_size, "%s: cannot be %s (%s)", shown, verb, strerror(error));
     else
         snprintf(err, err_size, "%s: cannot be %s", shown, verb);
 }
 
-static bool wrote(bool good, const char *path, char *err, size_t err_size)
+static bool check_written(bool good, const char *path, char *err, size_t err_size)
 {
     if (good)
         return true;
-    explain(path, "written", err, err_size);
-    result_is_why();
+    set_access_error(path, "written", err, err_size);
+    result_set_host_failed();
     return false;
 }
 
 bool files_save(const char *path, const void *data, size_t size, char *err, size_t err_size)
 {
     errno = 0;
-    return wrote(plat_save(path, data, size), path, err, err_size);
+    return check_written(plat_save(path, data, size), path, err, err_size);
 }
 
 bool files_append(const char *path, const void *data, size_t size, char *err, size_t err_size)
 {
     errno = 0;
-    return wrote(plat_append(path, data, size), path, err, err_size);
+    return check_written(plat_append(path, data, size), path, err, err_size);
 }
 
-bool files_load(const char *path, const char *name, void *to, size_t size, char *err, size_t err_size)
+bool files_load(const char *path, const char *name, void *data, size_t size, char *err, size_t err_size)
 {
     errno = 0;
-    if (plat_load(path, to, size) == (long)size)
+    if (plat_load(path, data, size) == (long)size)
         return true;
-    explain(name, "read", err, err_size);
+    set_access_error(name, "read", err, err_size);
     return false;
 }
 
@@ -70,12 +70,12 @@ long files_size(const char *path)
     return plat_size(path);
 }
 
-const char *files_absent(const char *name, const char *what, char *err, size_t err_size)
+const char *files_set_missing_error(const char *name, const char *type, char *err, size_t err_size)
 {
     if (errno && errno != ENOENT && errno != ENOTDIR)
-        explain(name, "read", err, err_size);
+        set_access_error(name, "read", err, err_size);
     else
-        snprintf(err, err_size, "%s: no such %s", name, what);
+        snprintf(err, err_size, "%s: no such %s", name, type);
     return err;
 }
 
@@ -87,7 +87,7 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
     *data = NULL;
     *size = 0;
     if (n < 0) {
-        files_absent(name, "file", err, err_size);
+        files_set_missing_error(name, "file", err, err_size);
         return false;
     }
     if ((unsigned long)n > max)
@@ -105,7 +105,7 @@ bool files_read(const char *path, const char *name, size_t max, uint8_t **data, 
     return true;
 }
 
-void files_drop_mark(void *text, size_t *size)
+void files_strip_bom(void *text, size_t *size)
 {
     uint8_t *bytes = text;
 
@@ -120,13 +120,13 @@ bool files_read_text(const char *path, const char *name, size_t max, uint8_t **t
 {
     if (!files_read(path, name, max, text, size, err, err_size))
         return false;
-    files_drop_mark(*text, size);
+    files_strip_bom(*text, size);
     return true;
 }
 
-bool files_ends(const char *name, const char *tail)
+bool files_has_suffix(const char *name, const char *suffix)
 {
-    const size_t n = strlen(name), m = strlen(tail);
+    const size_t n = strlen(name), m = strlen(suffix);
 
-    return n > m && strcmp(name + n - m, tail) == 0;
+    return n > m && strcmp(name + n - m, suffix) == 0;
 }

@@ -8,7 +8,7 @@
 
 static bool host_failed;
 
-void result_is_why(void)
+void result_set_host_failed(void)
 {
     host_failed = true;
 }
@@ -20,14 +20,14 @@ bool result_set_host_error(char *err, size_t size, const char *format, ...)
     va_start(args, format);
     vsnprintf(err, size, format, args);
     va_end(args);
-    result_is_why();
+    result_set_host_failed();
     return false;
 }
 
-enum result result_cause(void)
+enum result result_take_cause(void)
 {
-    const bool host = host_failed;
+    const bool by_host = host_failed;
 
     host_failed = false;
-    return host ? RESULT_HOST : RESULT_REFUSED;
+    return by_host ? RESULT_HOST_FAILED : RESULT_REFUSED;
 }

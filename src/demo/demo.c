@@ -10,41 +10,41 @@
 
 /* ---- arrays ---- */
 
-/* Grows the array *p to hold at least `want` items of `size` bytes, doubling its capacity. Returns false when out of
+/* Grows the array *p to hold at least `needed` items of `size` bytes, doubling its capacity. Returns false when out of
  * memory; *p is then unchanged. */
-static bool reserve(void *p, uint32_t *room, uint32_t want, size_t size)
+static bool reserve(void *p, uint32_t *cap, uint32_t needed, size_t size)
 {
     void *old, *grown;
-    uint32_t n = *room ? *room : 64;
+    uint32_t n = *cap ? *cap : 64;
 
-    if (want <= *room)
+    if (needed <= *cap)
         return true;
-    while (n < want)
+    while (n < needed)
         n *= 2;
     memcpy(&old, p, sizeof old);
     grown = (size_t)n > SIZE_MAX / size ? NULL : realloc(old, n * size);
     if (!grown)
         return false;
     memcpy(p, &grown, sizeof grown);
-    *room = n;
+    *cap = n;
     return true;
 }
 
 bool demo_reserve_frames(struct demo *d, uint32_t more)
 {
-    return reserve(&d->pads, &d->room_frames, d->frames + more, sizeof d->pads[0]) &&
+    return reserve(&d->pads, &d->frames_cap, d->frames + more, sizeof d->pads[0]) &&
            (d->sparse ||
-            reserve(&d->checksums, &d->room_checksums, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts));
+            reserve(&d->checksums, &d->checksums_cap, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts));
 }
 
-bool demo_reserve_second(struct demo *d)
+bool demo_reserve_row(struct demo *d)
 {
-    return reserve(&d->track, &d->room_seconds, d->seconds + 1, sizeof d->track[0] * (size_t)d->parts);
+    return reserve(&d->rows, &d->rows_cap, d->n_rows + 1, sizeof d->rows[0] * (size_t)d->parts);
 }
 
 bool demo_reserve_marker(struct demo *d)
 {
-    return reserve(&d->markers, &d->room_markers, d->n_markers + 1, sizeof d->markers[0]);
+    return reserve(&d->markers, &d->markers_cap, d->n_markers + 1, sizeof d->markers[0]);
 }
 
 void demo_free(struct demo *d)
@@ -52,7 +52,7 @@ void demo_free(struct demo *d)
     free(d->nvram);
     free(d->pads);
     free(d->checksums);
-    free(d->track);
+    free(d->rows);
     free(d->markers);
     memset(d, 0, sizeof *d);
 }
@@ -66,11 +66,11 @@ const char *demo_flag_name(int i)
     return i >= 0 && i < (int)(sizeof names / sizeof names[0]) ? names[i] : NULL;
 }
 
-const char *const demo_prints_words[] = { "auto", "every", "seconds", NULL };
+const char *const demo_checksum_rate_names[] = { "auto", "every", "seconds", NULL };
 
 uint64_t *demo_row(const struct demo *d, uint32_t i)
 {
-    return d->track + (size_t)i * (size_t)d->parts;
+    return d->rows + (size_t)i * (size_t)d->parts;
 }
 
 void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS])
@@ -87,26 +87,26 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
     return frame < d->frames ? frame : d->frames;
 }
 
-bool demo_row_whole(const struct demo *d, uint32_t i)
+bool demo_row_is_full(const struct demo *d, uint32_t i)
 {
     if (!d->sparse || i % DEMO_MINUTE == 0)
         return true;
-    return i + 1 == d->seconds && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
+    return i + 1 == d->n_rows && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
 }
 
 /* Returns the index of a frame's row, full or not, or d->seconds when it has none. */
-static uint32_t row_of(const struct demo *d, uint32_t frame)
+static uint32_t find_row(const struct demo *d, uint32_t frame)
 {
     uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);
 
-    return i < d->seconds && demo_row_frame(d, i) == frame ? i : d->seconds;
+    return i < d->n_rows && demo_row_frame(d, i) == frame ? i : d->n_rows;
 }
 
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
 {
-    const uint32_t i = row_of(d, frame);
+    const uint32_t i = find_row(d, frame);
 
-    return i < d->seconds && demo_row_whole(d, i) ? demo_row(d, i) : NULL;
+    return i < d->n_rows && demo_row_is_full(d, i) ? demo_row(d, i) : NULL;
 }
 
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
@@ -115,15 +115,15 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
                                                                 : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
 }
 
-bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *print)
+bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum)
 {
     const uint16_t *checksums = demo_checksums(d, frame);
-    const uint32_t i = row_of(d, frame);
+    const uint32_t i = find_row(d, frame);
 
-    if (i < d->seconds)
-        *print = (uint16_t)demo_row(d, i)[part];
+    if (i < d->n_rows)
+        *checksum = (uint16_t)demo_row(d, i)[part];
     else if (checksums && d->checksum_parts >> part & 1)
-        *print = checksums[part];
+        *checksum = checksums[part];
     else
         return false;
     return true;
@@ -131,52 +131,52 @@ bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *pri
 
 bool demo_has_checksums(const struct demo *d, uint32_t frame)
 {
-    return row_of(d, frame) < d->seconds || demo_checksums(d, frame);
+    return find_row(d, frame) < d->n_rows || demo_checksums(d, frame);
 }
 
 /* Returns the index of the board's part with that name, or -1. Tries index i first, because both lists usually have the
  * same order. */
-static int part_of(const struct board *b, const char *name, int i)
+static int find_part(const struct board *b, const char *name, int i)
 {
     int parts = board_parts(b);
 
     for (int n = 0; n < parts; n++) {
         int k = (i + n) % parts;
-        if (strncmp(board_part(b, k), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
+        if (strncmp(board_part_name(b, k), name, sizeof((struct demo *)0)->part[0] - 1) == 0)
             return k;
     }
     return -1;
 }
 
-uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
-                    uint64_t hashes[MAX_PARTS])
+uint64_t demo_reorder_hashes(const struct demo *d, const struct board *b, const uint64_t board_order[MAX_PARTS],
+                             uint64_t hashes[MAX_PARTS])
 {
     uint64_t missing = 0;
 
     for (int i = 0; i < d->parts; i++) {
-        int part = part_of(b, d->part[i], i);
-        hashes[i] = part < 0 ? 0 : board[part];
+        int part = find_part(b, d->part[i], i);
+        hashes[i] = part < 0 ? 0 : board_order[part];
         missing |= (uint64_t)(part < 0) << i;
     }
     return missing;
 }
 
-uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
+uint64_t demo_differing_parts(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS])
 {
     const uint64_t *row = demo_hashes(d, frame);
-    uint64_t differ = 0;
-    uint16_t print;
+    uint64_t differing = 0;
+    uint16_t checksum;
 
     for (int i = 0; i < d->parts; i++) {
-        bool differs = demo_checksum(d, frame, i, &print) && print != (uint16_t)hashes[i];
+        bool differs = demo_checksum(d, frame, i, &checksum) && checksum != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
-            differ |= (uint64_t)1 << i;
+            differing |= (uint64_t)1 << i;
     }
-    return differ;
+    return differing;
 }
 
 /* Parses a score: at most twelve digits, without leading zeroes. */
-static bool read_points(const char *text, int64_t *points)
+static bool parse_points(const char *text, int64_t *points)
 {
     size_t n = strspn(text, "0123456789");
 
@@ -188,19 +188,19 @@ static bool read_points(const char *text, int64_t *points)
 
 bool demo_points(const struct demo *d, int player, int64_t *points)
 {
-    char start[16];
-    int n = snprintf(start, sizeof start, DEMO_POINTS, player + 1);
+    char prefix[16];
+    int n = snprintf(prefix, sizeof prefix, DEMO_POINTS_FORMAT, player + 1);
 
     for (uint32_t i = d->n_markers; d->complete && i-- > 0 && d->markers[i].frame == d->frames;) {
         const struct board_marker *m = &d->markers[i].marker;
-        if (m->kind == MARKER_LISTED && strncmp(m->name, start, (size_t)n) == 0)
-            return read_points(m->name + n, points);
+        if (m->kind == MARKER_LISTED && strncmp(m->name, prefix, (size_t)n) == 0)
+            return parse_points(m->name + n, points);
     }
     return false;
 }
 
 /* Returns the index of the first DIP switch that cannot have the demo's value, or -1. */
-static int bad_dip(const struct demo *d, const struct manifest *m)
+static int find_bad_dip(const struct demo *d, const struct manifest *m)
 {
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *dip = &m->dips[i];
@@ -211,10 +211,10 @@ static int bad_dip(const struct demo *d, const struct manifest *m)
     return -1;
 }
 
-bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size)
+bool demo_check_cart(const struct demo *d, const struct cart *cart, char *err, size_t err_size)
 {
-    const struct manifest *m = &cart->m;
-    int dip = bad_dip(d, m);
+    const struct manifest *m = &cart->manifest;
+    int dip = find_bad_dip(d, m);
 
     if (strcmp(d->id, m->id) != 0)
         snprintf(err, err_size, "demo for another game (\"%s\"; this game is \"%s\")", d->id, m->id);
@@ -229,7 +229,7 @@ bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t 
     return false;
 }
 
-const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size)
+const char *demo_replay_warning(const struct demo *d, const struct cart *cart, char *buf, size_t size)
 {
     if (d->core != CORE_VERSION)
         snprintf(buf, size, "recorded with core version %u; this is version %d", (unsigned)d->core, CORE_VERSION);

@@ -23,10 +23,10 @@
 
 enum {
     DEMO_FORMAT = 5,
-    DEMO_OLDEST = 2,            /* the oldest format that can be read */
+    DEMO_OLDEST_FORMAT = 2,     /* the oldest format that can be read */
     DEMO_SECOND = 60,           /* frames between two rows of the track */
     DEMO_MINUTE = 60,           /* rows between two full rows of a sparse demo */
-    DEMO_DENSE = 3600,          /* frames up to which a demo has checksums of every frame, by default */
+    DEMO_DENSE_FRAMES = 3600,   /* frames up to which a demo has checksums of every frame, by default */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
     DEMO_MAX_BYTES = 256 << 20, /* maximum size of a file */
     DEMO_PATH = 1024,
@@ -38,7 +38,7 @@ enum {
     DEMO_TOUCHED = 1 << 1,  /* the board was changed from outside (console, reload) */
     DEMO_ASSISTED = 1 << 2, /* slow motion or frame stepping was used */
     DEMO_RESUMED = 1 << 3,  /* the player left and resumed: the recording was replayed, then play continued */
-    DEMO_FLAGS = (1 << 4) - 1
+    DEMO_ALL_FLAGS = (1 << 4) - 1
 };
 
 /* Returns the name of flag 1 << i as programs print it ("branched"), or NULL when there is none. */
@@ -60,19 +60,19 @@ struct demo {
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
-    uint32_t frames;          /* ticks recorded */
-    uint16_t (*pads)[PADS];   /* pads[f]: input of the tick that produced frame f + 1 */
-    bool sparse;              /* it has only rows, some with full hashes (demo_row_whole), the others with checksums */
-    uint16_t *checksums;      /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
-    uint64_t checksum_parts;  /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
+    uint32_t frames;         /* ticks recorded */
+    uint16_t (*pads)[PADS];  /* pads[f]: input of the tick that produced frame f + 1 */
+    bool sparse;             /* it has only rows, some with full hashes (demo_row_is_full), the others with checksums */
+    uint16_t *checksums;     /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
+    uint64_t checksum_parts; /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
     uint32_t checksum_frames; /* number of frames that completed: `frames`, or one less if the last tick faulted */
-    uint32_t seconds;         /* number of hash rows; row i is of frame demo_row_frame(d, i) */
-    uint64_t *track;          /* seconds x parts; in a row that is not full only the low 16 bits are valid */
+    uint32_t n_rows;          /* number of hash rows; row i is of frame demo_row_frame(d, i) */
+    uint64_t *rows;           /* seconds x parts; in a row that is not full only the low 16 bits are valid */
     uint32_t n_markers;
     struct demo_marker *markers; /* sorted by frame, ascending */
     bool complete;               /* the end mark was read or written */
     enum board_fault_kind fault; /* fault in the last recorded tick, or at power-on if there are no frames */
-    uint32_t room_frames, room_checksums, room_seconds, room_markers;
+    uint32_t frames_cap, checksums_cap, rows_cap, markers_cap;
 };
 
 /* Reads and checks a whole demo from data, which is not needed afterwards. Returns false and sets err (without the
@@ -89,11 +89,11 @@ void demo_free(struct demo *d);
 /* Gets the pads that make frame `frame` + 1; none are pressed after the demo's end. */
 void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
 
-/* Returns the frame of hash row i, 0 <= i < seconds: 0, 60, 120 ..., and for the last row the demo's end. */
+/* Returns the frame of hash row i, 0 <= i < n_rows: 0, 60, 120 ..., and for the last row the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 
 /* Returns whether row i is stored as full hashes; otherwise it is checksums. */
-bool demo_row_whole(const struct demo *d, uint32_t i);
+bool demo_row_is_full(const struct demo *d, uint32_t i);
 
 /* Returns the full hashes after a frame, in the order of .part, or NULL when the track has no full row of it. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
@@ -104,20 +104,20 @@ const uint16_t *demo_checksums(const struct demo *d, uint32_t frame);
 
 /* Gets the checksum of a part after a frame: the low 16 bits of the part's hash. Returns false when the demo does not
  * have that checksum. */
-bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *print);
+bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum);
 
 /* Returns whether the demo has a hash row or checksums for this frame. A sparse demo has neither for most frames. */
 bool demo_has_checksums(const struct demo *d, uint32_t frame);
 
 /* Reorders hashes from the order of a board's parts to the order of .part; builds may differ in their parts. Returns
  * the parts that the board does not have, one bit each; their hashes are 0. */
-uint64_t demo_order(const struct demo *d, const struct board *b, const uint64_t board[MAX_PARTS],
-                    uint64_t hashes[MAX_PARTS]);
+uint64_t demo_reorder_hashes(const struct demo *d, const struct board *b, const uint64_t board_order[MAX_PARTS],
+                             uint64_t hashes[MAX_PARTS]);
 
 /* Returns the parts, one bit each, whose state after `frame` cannot have these hashes (in the order of .part). Compares
  * checksums, and the full hashes where there is a row. A difference that a checksum misses (one in 65536) shows in a
  * later frame. Returns 0 for a frame that has neither a checksum nor a row: one that faulted, or one after the end. */
-uint64_t demo_differs(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
+uint64_t demo_differing_parts(const struct demo *d, uint32_t frame, const uint64_t hashes[MAX_PARTS]);
 
 /* Gets the points a player (0 or 1) had after the last frame, as stored at the end of the recording. Returns false when
  * the demo does not have them. */
@@ -125,11 +125,11 @@ bool demo_points(const struct demo *d, int player, int64_t *points);
 
 /* Returns whether the demo can run on this game; if not, sets err: it is a demo of another game (its id differs), or
  * this build's manifest does not allow its start. */
-bool demo_fits(const struct demo *d, const struct cart *cart, char *err, size_t err_size);
+bool demo_check_cart(const struct demo *d, const struct cart *cart, char *err, size_t err_size);
 
 /* Returns the reason why a demo may not replay correctly on this ROM and engine ("recorded with another game version",
  * "recorded with core version 2; ..."), or NULL when there is none. */
-const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf, size_t size);
+const char *demo_replay_warning(const struct demo *d, const struct cart *cart, char *buf, size_t size);
 
 /*
  * Recording. Every call is harmless on a zeroed or ended writer, so callers need not check whether they are recording.
@@ -138,29 +138,30 @@ const char *demo_doubt(const struct demo *d, const struct cart *cart, char *buf,
  * write a file that could not be written. (Out of memory stops the recording altogether.)
  */
 struct demo_file {
-    char path[DEMO_PATH]; /* "": none, recorded in memory only */
-    uint32_t written;     /* frames in the file */
-    uint32_t told;        /* number of markers in the file */
-    uint32_t crc;         /* CRC of the last record written */
-    size_t size;          /* bytes in the file; 0: nothing written yet */
-    bool lost;            /* a write failed; nothing more is written until demo_retry rewrites the whole file */
+    char path[DEMO_PATH];     /* "": none, recorded in memory only */
+    uint32_t frames_written;  /* frames in the file */
+    uint32_t markers_written; /* number of markers in the file */
+    uint32_t crc;             /* CRC of the last record written */
+    size_t size;              /* bytes in the file; 0: nothing written yet */
+    bool write_failed;        /* a write failed; nothing more is written until demo_retry rewrites the whole file */
 };
 /* Which frames have checksums in the file. */
-enum demo_prints {
-    DEMO_PRINTS_AUTO,    /* every frame while the demo is short (DEMO_DENSE), every second once it is long */
-    DEMO_PRINTS_EVERY,   /* every frame */
-    DEMO_PRINTS_SECONDS, /* every second: sparse from the start */
+enum demo_checksum_rate {
+    DEMO_CHECKSUMS_AUTO, /* every frame while the demo is short (DEMO_DENSE_FRAMES), every second once it is long */
+    DEMO_CHECKSUMS_EVERY_FRAME,  /* every frame */
+    DEMO_CHECKSUMS_EVERY_SECOND, /* every second: sparse from the start */
 };
-extern const char *const demo_prints_words[]; /* names of the enum demo_prints values as options; NULL-terminated */
+extern const char
+    *const demo_checksum_rate_names[]; /* names of the enum demo_set_checksum_rate values as options; NULL-terminated */
 
 struct demo_writer {
-    enum demo_prints prints;
+    enum demo_checksum_rate checksum_rate;
     struct demo demo; /* recorded so far; demo.pads and demo.frames can be used to go back to any frame */
     struct demo_file file, spare;
     char err[DEMO_ERR], spare_err[DEMO_ERR];
     uint64_t hashes[MAX_PARTS];
     void *hash_cache; /* for board_hashes_cached */
-    bool on;
+    bool recording;
 };
 
 /* Starts recording. b must just have been powered on with `start`; if it faulted at power-on, call demo_end next. path
@@ -172,28 +173,28 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
  * has the reason. Also returns false for a file without a size, such as a pipe, which cannot be rewritten. */
 bool demo_retry(struct demo_writer *w);
 
-/* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_PRINTS_AUTO. */
-bool demo_prints(struct demo_writer *w, enum demo_prints prints);
+/* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_CHECKSUMS_AUTO. */
+bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate);
 
 /* Stores the pads of the tick that is about to run, for demo_dump in case the tick never returns. Optional. */
-void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS]);
+void demo_begin_tick(struct demo_writer *w, const uint16_t pads[PADS]);
 
 /* Records a frame. Call it after every board_tick, with the same pads. The file grows once a second. */
-bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
+bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
 
 /* Records to the file `path` from now on, replacing an existing file. Writes everything recorded so far at once. */
-bool demo_keep(struct demo_writer *w, const char *path);
+bool demo_record_to(struct demo_writer *w, const char *path);
 
 /* Records to a spare file, in addition to the recording's file if it has one. path NULL: stops recording to the spare
  * file and leaves that file as it is. A failure to write the spare file, now or later, does not fail the recording: it
  * sets spare_err, and the spare file is not written again. */
-void demo_spare(struct demo_writer *w, const char *path);
+void demo_record_spare(struct demo_writer *w, const char *path);
 
 /* Stops recording to the spare file and deletes it, unless another program has changed it since. */
-void demo_spare_remove(struct demo_writer *w);
+void demo_remove_spare(struct demo_writer *w);
 
 /* Adds flags. */
-bool demo_flag(struct demo_writer *w, unsigned flags);
+bool demo_add_flags(struct demo_writer *w, unsigned flags);
 
 /* Drops everything after `frame`, adds DEMO_BRANCHED and rewrites the file. Call it when the board has gone back to
  * `frame` and play continues from there. `frame` is at most demo.frames. */
@@ -205,14 +206,14 @@ bool demo_end(struct demo_writer *w, const struct board *b);
 
 /* Returns the recording so far as a complete demo file that ends at b's current frame, from malloc; recording
  * continues. Returns NULL when out of memory, or when recording has stopped. */
-uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size);
+uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size);
 
 /* Frees the writer's memory, also while it is recording; the file stays as it is. */
-void demo_drop(struct demo_writer *w);
+void demo_writer_free(struct demo_writer *w);
 
 /* Returns a demo as a file in the newest format, from malloc, or NULL when out of memory. The demo must have every
  * part's checksums. */
-uint8_t *demo_bytes(const struct demo *d, size_t *size);
+uint8_t *demo_encode(const struct demo *d, size_t *size);
 
 /* Writes a demo file in the newest format, with the end mark if the demo is complete. Returns false and sets err on
  * failure, also for a demo without every part's checksums: replay and record it first. */

@@ -5,33 +5,33 @@
 
 #include "demo_parts.h"
 
-enum { RECORDS = 1 << 14 /* bytes: enough for any record, and for a header without its nvram */ };
+enum { MAX_RECORD = 1 << 14 /* bytes: enough for any record, and for a header without its nvram */ };
 
 struct dump {
     struct demo_sink sink;
-    const struct demo_dump *how;
-    uint32_t frames, told, crc; /* written so far */
+    const struct demo_dump *request;
+    uint32_t frames, markers, crc; /* written so far */
 };
 
 size_t demo_dump_size(const struct demo_writer *w)
 {
     size_t nvram = w->demo.start.nvram_size;
 
-    return RECORDS + nvram + nvram / 64; /* encoding turns 128 bytes into at most 129 */
+    return MAX_RECORD + nvram + nvram / 64; /* encoding turns 128 bytes into at most 129 */
 }
 
 static void flush(struct dump *u)
 {
-    if (!u->sink.bad)
-        u->how->out(u->how->user, u->sink.p, u->sink.n);
+    if (!u->sink.failed)
+        u->request->write(u->request->user, u->sink.p, u->sink.n);
     u->sink.n = 0;
 }
 
 /* Writes the markers of the frames written so far. */
 static void put_markers(struct dump *u, const struct demo *d)
 {
-    while (u->told < d->n_markers && d->markers[u->told].frame <= u->frames) {
-        demo_put_markers(&u->sink, d, &u->told, d->markers[u->told].frame, &u->crc);
+    while (u->markers < d->n_markers && d->markers[u->markers].frame <= u->frames) {
+        demo_put_markers(&u->sink, d, &u->markers, d->markers[u->markers].frame, &u->crc);
         flush(u);
     }
 }
@@ -44,25 +44,25 @@ static void put_second(struct dump *u, const struct demo *d, uint32_t n, const u
     put_markers(u, d);
 }
 
-void demo_dump(const struct demo_writer *w, const struct demo_dump *how)
+void demo_dump(const struct demo_writer *w, const struct demo_dump *request)
 {
-    struct dump u = { .sink = { .p = how->memory, .room = how->size, .fixed = true }, .how = how };
+    struct dump u = { .sink = { .p = request->memory, .cap = request->size, .fixed = true }, .request = request };
     struct demo d = w->demo;
-    bool is_complete = how->frames >= d.frames && !how->ticking;
-    const bool hashed = is_complete && !how->fault && d.checksum_frames == d.frames;
+    bool is_complete = request->frames >= d.frames && !request->ticking;
+    const bool hashed = is_complete && !request->fault && d.checksum_frames == d.frames;
 
-    d.frames = how->frames < d.frames ? how->frames : d.frames;
-    d.fault = how->fault;
+    d.frames = request->frames < d.frames ? request->frames : d.frames;
+    d.fault = request->fault;
     demo_put_header(&u.sink, &d, &u.crc);
     if (d.flags)
         demo_put_flags(&u.sink, d.flags, &u.crc);
     flush(&u);
-    for (uint32_t i = 0; i < d.seconds && demo_row_frame(&w->demo, i) <= d.frames; i++)
+    for (uint32_t i = 0; i < d.n_rows && demo_row_frame(&w->demo, i) <= d.frames; i++)
         put_second(&u, &d, demo_row_frame(&w->demo, i) - u.frames, demo_row(&w->demo, i));
-    d.frames += how->ticking;
-    if (d.seconds && d.frames > u.frames)
+    d.frames += request->ticking;
+    if (d.n_rows && d.frames > u.frames)
         put_second(&u, &d, d.frames - u.frames, hashed ? w->hashes : NULL);
-    if (!is_complete || (!hashed && !how->fault))
+    if (!is_complete || (!hashed && !request->fault))
         return;
     demo_put_end(&u.sink, &d, &u.crc);
     flush(&u);

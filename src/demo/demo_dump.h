@@ -12,16 +12,16 @@ struct demo_dump {
     uint32_t frames;             /* the current frame; frames recorded after it are left out */
     bool ticking;                /* a tick has started at that frame and not returned; its pads are included */
     enum board_fault_kind fault; /* fault of the last frame, or of power-on */
-    void (*out)(void *user, const uint8_t *bytes, size_t n);
+    void (*write)(void *user, const uint8_t *bytes, size_t n);
     void *user;
 };
 
 /* Returns the bytes of memory that demo_dump needs. */
 size_t demo_dump_size(const struct demo_writer *w);
 
-/* Passes the recording to how->out, record by record. Reads w and uses how->memory only: no allocation, no file. A dump
- * that ends in a tick that has not returned, or before the recording's end, has no end mark; demo_read reads it as far
- * as possible. */
-void demo_dump(const struct demo_writer *w, const struct demo_dump *how);
+/* Passes the recording to request->write, record by record. Reads w and uses request->memory only: no allocation, no
+ * file. A dump that ends in a tick that has not returned, or before the recording's end, has no end mark; demo_read
+ * reads it as far as possible. */
+void demo_dump(const struct demo_writer *w, const struct demo_dump *request);
 
 #endif

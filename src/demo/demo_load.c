@@ -12,7 +12,7 @@
 
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 {
-    char why[256], shown[FILES_PATH];
+    char reason[256], shown[FILES_PATH];
     uint8_t *data;
     size_t size;
 
@@ -20,12 +20,12 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
     if (!files_read(path, path, DEMO_MAX_BYTES, &data, &size, err, err_size))
         return false;
     if (size < 4 || memcmp(data, DEMO_MAGIC, 4) != 0) { /* may be a text report that contains a demo */
-        files_drop_mark(data, &size);
+        files_strip_bom(data, &size);
         demo_text_decode(data, &size);
     }
-    bool ok = demo_read(d, data, size, why, sizeof why);
+    bool ok = demo_read(d, data, size, reason, sizeof reason);
     if (!ok)
-        snprintf(err, err_size, "%s: %s", files_shown(path, shown), why);
+        snprintf(err, err_size, "%s: %s", files_display_name(path, shown), reason);
     free(data);
     return ok;
 }

@@ -7,17 +7,17 @@
 #include "../base/hash.h"
 #include "demo_parts.h"
 
-static uint8_t *put(struct demo_sink *s, size_t n)
+static uint8_t *reserve_bytes(struct demo_sink *s, size_t n)
 {
-    if (s->n + n > s->room) {
-        size_t room = s->room * 2 + n + 1024;
-        uint8_t *grown = s->bad || s->fixed ? NULL : realloc(s->p, room);
+    if (s->n + n > s->cap) {
+        size_t cap = s->cap * 2 + n + 1024;
+        uint8_t *grown = s->failed || s->fixed ? NULL : realloc(s->p, cap);
         if (!grown) {
-            s->bad = true;
+            s->failed = true;
             return s->waste;
         }
         s->p = grown;
-        s->room = room;
+        s->cap = cap;
     }
     s->n += n;
     return s->p + s->n - n;
@@ -25,22 +25,22 @@ static uint8_t *put(struct demo_sink *s, size_t n)
 
 static void write8(struct demo_sink *s, uint32_t v)
 {
-    *put(s, 1) = (uint8_t)v;
+    *reserve_bytes(s, 1) = (uint8_t)v;
 }
 
 static void write16(struct demo_sink *s, uint32_t v)
 {
-    bytes_put16(put(s, 2), (uint16_t)v);
+    bytes_put16(reserve_bytes(s, 2), (uint16_t)v);
 }
 
 static void write32(struct demo_sink *s, uint32_t v)
 {
-    bytes_put32(put(s, 4), v);
+    bytes_put32(reserve_bytes(s, 4), v);
 }
 
 static void write64(struct demo_sink *s, uint64_t v)
 {
-    bytes_put64(put(s, 8), v);
+    bytes_put64(reserve_bytes(s, 8), v);
 }
 
 static void write_str(struct demo_sink *s, const char *str)
@@ -48,7 +48,7 @@ static void write_str(struct demo_sink *s, const char *str)
     size_t n = strlen(str);
 
     write8(s, (uint32_t)n);
-    memcpy(put(s, n), str, n);
+    memcpy(reserve_bytes(s, n), str, n);
 }
 
 static void open_record(struct demo_sink *s, uint32_t kind)
@@ -60,7 +60,7 @@ static void open_record(struct demo_sink *s, uint32_t kind)
 
 static void close_record(struct demo_sink *s, uint32_t *crc)
 {
-    if (!s->bad) {
+    if (!s->failed) {
         size_t n = s->n - s->record;
         bytes_put32(s->p + s->record + 4, (uint32_t)(n - RECORD_HEAD));
         *crc = hash_crc32_add(*crc, s->p + s->record, n);
@@ -69,7 +69,7 @@ static void close_record(struct demo_sink *s, uint32_t *crc)
 }
 
 /* Returns how many of the n bytes at p, starting with the first, equal p[0]; at most 130. */
-static size_t run_of(const uint8_t *p, size_t n)
+static size_t count_run(const uint8_t *p, size_t n)
 {
     size_t run = 1;
 
@@ -81,18 +81,18 @@ static size_t run_of(const uint8_t *p, size_t n)
 static void write_nvram(struct demo_sink *s, const uint8_t *p, size_t n)
 {
     for (size_t i = 0; i < n;) {
-        size_t run = run_of(p + i, n - i), plain = 0;
+        size_t run = count_run(p + i, n - i), literal = 0;
         if (run >= 3) {
             write8(s, (uint32_t)run + 125);
             write8(s, p[i]);
             i += run;
             continue;
         }
-        while (i + plain < n && plain < 128 && run_of(p + i + plain, n - i - plain) < 3)
-            plain++;
-        write8(s, (uint32_t)plain - 1);
-        memcpy(put(s, plain), p + i, plain);
-        i += plain;
+        while (i + literal < n && literal < 128 && count_run(p + i + literal, n - i - literal) < 3)
+            literal++;
+        write8(s, (uint32_t)literal - 1);
+        memcpy(reserve_bytes(s, literal), p + i, literal);
+        i += literal;
     }
 }
 
@@ -110,7 +110,7 @@ static void write_practice(struct demo_sink *s, const struct practice *p)
 
 void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
 {
-    memcpy(put(s, 4), DEMO_MAGIC, 4);
+    memcpy(reserve_bytes(s, 4), DEMO_MAGIC, 4);
     write32(s, DEMO_FORMAT);
     open_record(s, KIND_HEADER);
     write32(s, d->core);
@@ -133,7 +133,7 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     close_record(s, crc);
 }
 
-static uint32_t pads_run(const struct demo *d, uint32_t f, uint32_t end)
+static uint32_t count_pads_run(const struct demo *d, uint32_t f, uint32_t end)
 {
     uint32_t run = 1;
 
@@ -152,32 +152,33 @@ static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t 
 static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
 {
     static const uint16_t none[PADS];
-    const uint16_t *before = first ? d->pads[first - 1] : none;
+    const uint16_t *previous = first ? d->pads[first - 1] : none;
 
     for (uint32_t f = first, run; f < end; f += run) {
         uint8_t head = 0;
-        run = pads_run(d, f, end);
+        run = count_pads_run(d, f, end);
         for (int p = 0; p < PADS; p++)
-            head |= d->pads[f][p] != before[p] ? RUN_FIRST << p : 0;
+            head |= d->pads[f][p] != previous[p] ? RUN_FIRST << p : 0;
         write8(s, head | (run - 1));
         for (int p = 0; p < PADS; p++)
             if (head & RUN_FIRST << p)
                 write16(s, d->pads[f][p]);
-        before = d->pads[f];
+        previous = d->pads[f];
     }
 }
 
 /* Writes the set of parts whose checksum differs from the previous row's, then the checksums of these parts. */
-static void write_prints(struct demo_sink *s, const struct demo *d, const uint64_t *before, const uint64_t *row)
+static void write_row_checksums(struct demo_sink *s, const struct demo *d, const uint64_t *previous,
+                                const uint64_t *row)
 {
-    uint64_t other = 0;
+    uint64_t changed_mask = 0;
 
     for (int i = 0; i < d->parts; i++)
-        other |= (uint64_t)((uint16_t)before[i] != (uint16_t)row[i]) << i;
+        changed_mask |= (uint64_t)((uint16_t)previous[i] != (uint16_t)row[i]) << i;
     for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
-        write8(s, other >> 8 * i & 0xff);
+        write8(s, changed_mask >> 8 * i & 0xff);
     for (int i = 0; i < d->parts; i++)
-        if (other >> i & 1)
+        if (changed_mask >> i & 1)
             write16(s, (uint16_t)row[i]);
 }
 
@@ -187,14 +188,14 @@ static void write_sparse(struct demo_sink *s, const struct demo *d, uint32_t fir
     const uint32_t i = (end + DEMO_SECOND - 1) / DEMO_SECOND;
 
     write_runs(s, d, first, end);
-    if (row && demo_second_hashed(first, end) == HASHED_PRINTS)
-        write_prints(s, d, demo_row(d, i - 1), row);
+    if (row && demo_second_hash_kind(first, end) == HASHED_CHECKSUMS)
+        write_row_checksums(s, d, demo_row(d, i - 1), row);
     else
         write_row(s, d, row);
 }
 
 /* Returns the checksum of a part after frame f; for frame 0, the checksum in the first row. */
-static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
+static uint16_t checksum_after(const struct demo *d, uint32_t f, int part)
 {
     const uint16_t *checksums = demo_checksums(d, f);
 
@@ -203,22 +204,22 @@ static uint16_t checksum_of(const struct demo *d, uint32_t f, int part)
 
 static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t f)
 {
-    uint64_t other = 0;
+    uint64_t changed_mask = 0;
 
     for (int i = 0; i < d->parts; i++)
-        other |= (uint64_t)(checksum_of(d, f, i) != checksum_of(d, f - 1, i)) << i;
+        changed_mask |= (uint64_t)(checksum_after(d, f, i) != checksum_after(d, f - 1, i)) << i;
     for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
-        write8(s, other >> 8 * i & 0xff);
+        write8(s, changed_mask >> 8 * i & 0xff);
     for (int i = 0; i < d->parts; i++)
-        if (other >> i & 1)
-            write16(s, checksum_of(d, f, i));
+        if (changed_mask >> i & 1)
+            write16(s, checksum_after(d, f, i));
 }
 
 /* Writes frames [first, end), the checksums of each except the last, and the hashes after them. */
 static void write_dense(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end, const uint64_t *row)
 {
     for (uint32_t f = first, run; f < end; f += run) {
-        run = pads_run(d, f, end);
+        run = count_pads_run(d, f, end);
         write16(s, run);
         write16(s, d->pads[f][0]);
         write16(s, d->pads[f][1]);
@@ -233,22 +234,22 @@ void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, 
 {
     uint32_t runs = 0, end = first + n;
 
-    for (uint32_t f = first; f < end; f += pads_run(d, f, end))
+    for (uint32_t f = first; f < end; f += count_pads_run(d, f, end))
         runs++;
     open_record(s, KIND_SECOND);
     write32(s, first);
     write8(s, n);
     write8(s, runs);
-    write8(s, (uint32_t)(!row ? HASHED_NO : d->sparse ? demo_second_hashed(first, end) : HASHED_WHOLE));
+    write8(s, (uint32_t)(!row ? HASHED_NONE : d->sparse ? demo_second_hash_kind(first, end) : HASHED_FULL));
     write8(s, 0);
     (d->sparse ? write_sparse : write_dense)(s, d, first, end, row);
     close_record(s, crc);
 }
 
-void demo_put_markers(struct demo_sink *s, const struct demo *d, uint32_t *told, uint32_t frame, uint32_t *crc)
+void demo_put_markers(struct demo_sink *s, const struct demo *d, uint32_t *next_marker, uint32_t frame, uint32_t *crc)
 {
-    for (; *told < d->n_markers && d->markers[*told].frame <= frame; ++*told) {
-        const struct demo_marker *m = &d->markers[*told];
+    for (; *next_marker < d->n_markers && d->markers[*next_marker].frame <= frame; ++*next_marker) {
+        const struct demo_marker *m = &d->markers[*next_marker];
         open_record(s, KIND_MARKER);
         write32(s, m->frame);
         write8(s, (uint32_t)m->marker.kind);
@@ -272,20 +273,20 @@ void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     write32(s, d->frames);
     write32(s, (uint32_t)d->fault);
     if (demo_end_has_row(d))
-        write_row(s, d, demo_row(d, d->seconds - 1));
+        write_row(s, d, demo_row(d, d->n_rows - 1));
     close_record(s, crc);
 }
 
-void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *told, uint32_t *crc)
+void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *n_markers, uint32_t *crc)
 {
-    *crc = *frames = *told = 0;
+    *crc = *frames = *n_markers = 0;
     demo_put_header(s, d, crc);
     if (d->flags)
         demo_put_flags(s, d->flags, crc);
-    for (uint32_t i = 0; i < d->seconds; i++) {
+    for (uint32_t i = 0; i < d->n_rows; i++) {
         uint32_t f = demo_row_frame(d, i);
         demo_put_second(s, d, *frames, f - *frames, demo_row(d, i), crc);
-        demo_put_markers(s, d, told, f, crc);
+        demo_put_markers(s, d, n_markers, f, crc);
         *frames = f;
     }
 }

@@ -13,9 +13,9 @@
 #include "demo_parts.h"
 
 enum {
-    MAX_HEADER = (64 << 10) + NVRAM_MOST + NVRAM_MOST / 128,
-    OLD_NVRAM = 32768, /* maximum before format 4 */
-    OLD_PARTS = 32,    /* maximum before format 4 */
+    MAX_HEADER = (64 << 10) + MAX_NVRAM + MAX_NVRAM / 128,
+    MAX_OLD_NVRAM = 32768, /* maximum before format 4 */
+    MAX_OLD_PARTS = 32,    /* maximum before format 4 */
     MAX_SECOND = 8 + DEMO_SECOND * 6 + (DEMO_SECOND - 1) * (MAX_PARTS / 8 + 2 * MAX_PARTS) + MAX_PARTS * 8,
     MAX_MARKER = 5 + 1 + sizeof((struct board_marker *)0)->name + 4
 };
@@ -30,11 +30,11 @@ struct parse {
     struct demo *d;
     char *err;
     size_t err_size;
-    size_t at;     /* offset of the current record in the file */
-    uint32_t crc;  /* of the previous record */
-    bool header;   /* has been read */
-    bool last;     /* the last second has been read; another is an error */
-    bool unhashed; /* the last second has no hashes */
+    size_t offset;   /* offset of the current record in the file */
+    uint32_t crc;    /* of the previous record */
+    bool has_header; /* has been read */
+    bool has_last;   /* the last second has been read; another is an error */
+    bool unhashed;   /* the last second has no hashes */
 };
 
 static const uint8_t zeroes[256];
@@ -89,12 +89,12 @@ static void take_str(struct source *s, char *out, size_t size)
     out[n] = 0;
 }
 
-static bool damaged(struct parse *p, const char *what)
+static bool set_damaged_error(struct parse *p, const char *reason)
 {
-    return err_set(p->err, p->err_size, "damaged record at byte %zu (%s)", p->at, what);
+    return err_set(p->err, p->err_size, "damaged record at byte %zu (%s)", p->offset, reason);
 }
 
-static bool good_id(const char *id)
+static bool is_valid_id(const char *id)
 {
     return id[0] && id[strspn(id, "abcdefghijklmnopqrstuvwxyz0123456789_")] == 0;
 }
@@ -144,7 +144,7 @@ static void take_practice(struct source *s, struct practice *p)
 }
 
 /* Returns the index of the script part, which alone has checksums in format 2, or -1. */
-static int script_of(const struct demo *d)
+static int find_script_part(const struct demo *d)
 {
     for (int i = 0; i < d->parts; i++)
         if (strcmp(d->part[i], "script") == 0)
@@ -156,9 +156,9 @@ static bool read_header(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
 
-    if (p->header)
-        return damaged(p, "second header");
-    p->header = true;
+    if (p->has_header)
+        return set_damaged_error(p, "second header");
+    p->has_header = true;
     d->core = take32(s);
     d->game_hash = take64(s);
     d->rom_hash = take64(s);
@@ -176,25 +176,25 @@ static bool read_header(struct parse *p, struct source *s)
     }
     d->parts = take8(s);
     if (s->bad)
-        return damaged(p, "header");
-    if (d->parts < 1 || d->parts > (d->format > 3 ? MAX_PARTS : OLD_PARTS))
-        return damaged(p, "the number of parts");
+        return set_damaged_error(p, "header");
+    if (d->parts < 1 || d->parts > (d->format > 3 ? MAX_PARTS : MAX_OLD_PARTS))
+        return set_damaged_error(p, "the number of parts");
     for (int i = 0; i < d->parts; i++)
         take_str(s, d->part[i], sizeof d->part[i]);
     d->start.nvram_size = take32(s);
-    if (s->bad || !good_id(d->id))
-        return damaged(p, "header");
-    int script = script_of(d);
+    if (s->bad || !is_valid_id(d->id))
+        return set_damaged_error(p, "header");
+    int script = find_script_part(d);
     if (script < 0)
-        return damaged(p, "no script part");
+        return set_damaged_error(p, "no script part");
     d->checksum_parts = d->format > 2 ? UINT64_MAX : (uint64_t)1 << script;
-    if (d->start.nvram_size > (d->format > 3 ? NVRAM_MOST : OLD_NVRAM))
-        return damaged(p, "nvram");
+    if (d->start.nvram_size > (d->format > 3 ? MAX_NVRAM : MAX_OLD_NVRAM))
+        return set_damaged_error(p, "nvram");
     d->nvram = malloc(d->start.nvram_size + 1);
     if (!d->nvram)
         return err_set(p->err, p->err_size, "too large for the available memory");
     if (!take_nvram(s, d->nvram, d->start.nvram_size))
-        return damaged(p, "nvram");
+        return set_damaged_error(p, "nvram");
     d->start.nvram = d->start.nvram_size ? d->nvram : NULL;
     return true;
 }
@@ -207,19 +207,19 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 
     for (int i = 0; i < runs; i++) {
         uint32_t run = take16(s);
-        uint16_t one = take16(s), two = take16(s);
-        if (run < 1 || run > end - f || ((one | two) & ~PAD_ALL) != 0)
+        uint16_t pad1 = take16(s), pad2 = take16(s);
+        if (run < 1 || run > end - f || ((pad1 | pad2) & ~PAD_ALL) != 0)
             return false;
         for (; run > 0; run--, f++) {
-            d->pads[f][0] = one;
-            d->pads[f][1] = two;
+            d->pads[f][0] = pad1;
+            d->pads[f][1] = pad2;
         }
     }
     return f == end;
 }
 
 /* Reads the pads of n frames of a sparse second, like take_runs. */
-static bool take_short_runs(struct source *s, struct demo *d, uint32_t n, int runs)
+static bool take_sparse_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
     uint16_t pads[PADS] = { 0 };
@@ -254,12 +254,12 @@ static uint64_t take_mask(struct source *s, const struct demo *d)
 /* Reads the checksums of frame f; the file has only the checksums that differ from the previous frame's. */
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
-    uint16_t *to = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
+    uint16_t *checksums = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
     uint64_t changed_mask = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
 
     for (int i = 0; i < d->parts; i++) {
-        uint16_t before = f > 1 ? to[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
-        to[i] = changed_mask >> i & 1 ? take16(s) : before;
+        uint16_t previous = f > 1 ? checksums[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
+        checksums[i] = changed_mask >> i & 1 ? take16(s) : previous;
     }
 }
 
@@ -274,7 +274,7 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
     d->checksum_frames = hashed ? end : end - 1;
     if (!hashed)
         return;
-    uint64_t *row = demo_row(d, d->seconds++);
+    uint64_t *row = demo_row(d, d->n_rows++);
     for (int i = 0; i < d->parts; i++)
         row[i] = take64(s);
     for (int i = 0; n > 0 && i < d->parts; i++)
@@ -282,53 +282,53 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
 }
 
 /* Reads the hashes after a sparse second, if hashed. */
-static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hashed)
+static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hash_kind)
 {
     d->frames += n;
-    d->checksum_frames = hashed ? d->frames : d->frames - 1;
-    if (!hashed)
+    d->checksum_frames = hash_kind ? d->frames : d->frames - 1;
+    if (!hash_kind)
         return;
-    uint64_t *row = demo_row(d, d->seconds);
-    const uint64_t changed_mask = hashed == HASHED_PRINTS ? take_mask(s, d) : 0;
+    uint64_t *row = demo_row(d, d->n_rows);
+    const uint64_t changed_mask = hash_kind == HASHED_CHECKSUMS ? take_mask(s, d) : 0;
     for (int i = 0; i < d->parts; i++) {
-        if (hashed == HASHED_WHOLE)
+        if (hash_kind == HASHED_FULL)
             row[i] = take64(s);
         else
-            row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->seconds - 1)[i];
+            row[i] = changed_mask >> i & 1 ? take16(s) : (uint16_t)demo_row(d, d->n_rows - 1)[i];
     }
-    d->seconds++;
+    d->n_rows++;
 }
 
-static bool good_hashed(const struct demo *d, uint32_t n, int hashed)
+static bool is_valid_hash_kind(const struct demo *d, uint32_t n, int hash_kind)
 {
-    if (!d->sparse || !hashed)
-        return hashed <= HASHED_WHOLE;
-    return hashed == (n ? demo_second_hashed(d->frames, d->frames + n) : HASHED_WHOLE);
+    if (!d->sparse || !hash_kind)
+        return hash_kind <= HASHED_FULL;
+    return hash_kind == (n ? demo_second_hash_kind(d->frames, d->frames + n) : HASHED_FULL);
 }
 
 static bool read_second(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
     uint32_t first = take32(s), n = take8(s);
-    int runs = take8(s), hashed = take8(s), zero = take8(s);
+    int runs = take8(s), hash_kind = take8(s), zero = take8(s);
 
-    if (first != d->frames || p->last || !good_hashed(d, n, hashed) || zero != 0)
-        return damaged(p, "frames out of order");
-    bool start = first == 0 && n == 0 && d->seconds == 0;
-    if (start ? !hashed : n < 1 || n > DEMO_SECOND || d->seconds == 0)
-        return damaged(p, "number of frames");
+    if (first != d->frames || p->has_last || !is_valid_hash_kind(d, n, hash_kind) || zero != 0)
+        return set_damaged_error(p, "frames out of order");
+    bool is_start = first == 0 && n == 0 && d->n_rows == 0;
+    if (is_start ? !hash_kind : n < 1 || n > DEMO_SECOND || d->n_rows == 0)
+        return set_damaged_error(p, "number of frames");
     if (d->frames + n > DEMO_MAX_FRAMES)
         return err_set(p->err, p->err_size, "longer than %d frames", DEMO_MAX_FRAMES);
-    if (!demo_reserve_frames(d, n) || !demo_reserve_second(d))
+    if (!demo_reserve_frames(d, n) || !demo_reserve_row(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
-    if (!(d->sparse ? take_short_runs : take_runs)(s, d, n, runs))
-        return damaged(p, "pads");
+    if (!(d->sparse ? take_sparse_runs : take_runs)(s, d, n, runs))
+        return set_damaged_error(p, "pads");
     if (d->sparse)
-        take_sparse(s, d, n, hashed);
+        take_sparse(s, d, n, hash_kind);
     else
-        take_hashes(s, d, n, hashed);
-    p->unhashed = !hashed;
-    p->last = p->unhashed || (n < DEMO_SECOND && !start);
+        take_hashes(s, d, n, hash_kind);
+    p->unhashed = !hash_kind;
+    p->has_last = p->unhashed || (n < DEMO_SECOND && !is_start);
     return true;
 }
 
@@ -336,8 +336,8 @@ static bool read_flags(struct parse *p, struct source *s)
 {
     uint32_t flags = take32(s);
 
-    if (flags & ~(uint32_t)DEMO_FLAGS)
-        return damaged(p, "flags");
+    if (flags & ~(uint32_t)DEMO_ALL_FLAGS)
+        return set_damaged_error(p, "flags");
     p->d->flags |= flags;
     return true;
 }
@@ -346,17 +346,17 @@ static bool read_marker(struct parse *p, struct source *s)
 {
     struct demo *d = p->d;
     struct demo_marker m = { .frame = take32(s) };
-    uint32_t before = d->n_markers ? d->markers[d->n_markers - 1].frame : 0;
+    uint32_t previous_frame = d->n_markers ? d->markers[d->n_markers - 1].frame : 0;
 
     m.marker.kind = (enum board_marker_kind)take8(s);
     take_str(s, m.marker.name, sizeof m.marker.name);
-    bool known = d->format > 3 ? m.marker.kind < MARKER_KINDS : d->format == 3 && m.marker.kind <= MARKER_LISTED;
+    bool is_valid = d->format > 3 ? m.marker.kind < MARKER_KINDS : d->format == 3 && m.marker.kind <= MARKER_LISTED;
     if (d->format > 3 && s->left > 0) {
         m.marker.value = (int32_t)take32(s);
-        known = known && m.marker.value != 0;
+        is_valid = is_valid && m.marker.value != 0;
     }
-    if (!known || d->seconds == 0 || m.frame < before || m.frame > d->frames)
-        return damaged(p, "moment");
+    if (!is_valid || d->n_rows == 0 || m.frame < previous_frame || m.frame > d->frames)
+        return set_damaged_error(p, "moment");
     if (!demo_reserve_marker(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
     d->markers[d->n_markers++] = m;
@@ -366,15 +366,15 @@ static bool read_marker(struct parse *p, struct source *s)
 /* Reads the last row as full hashes; returns whether they match the checksums read before. */
 static bool take_last_row(struct source *s, struct demo *d)
 {
-    uint64_t *row = demo_row(d, d->seconds - 1);
-    bool same = true;
+    uint64_t *row = demo_row(d, d->n_rows - 1);
+    bool matches = true;
 
     for (int i = 0; i < d->parts; i++) {
-        const uint64_t whole = take64(s);
-        same = same && (uint16_t)whole == (uint16_t)row[i];
-        row[i] = whole;
+        const uint64_t full = take64(s);
+        matches = matches && (uint16_t)full == (uint16_t)row[i];
+        row[i] = full;
     }
-    return same;
+    return matches;
 }
 
 static bool read_end(struct parse *p, struct source *s)
@@ -383,12 +383,12 @@ static bool read_end(struct parse *p, struct source *s)
     uint32_t frames = take32(s), fault = take32(s);
 
     if (frames != d->frames || fault > FAULT_LOOP)
-        return damaged(p, "end mark");
-    if (fault == FAULT_NONE ? p->unhashed || d->seconds == 0 : frames ? !p->unhashed : d->seconds != 0)
-        return damaged(p, "the end mark does not match the frames");
+        return set_damaged_error(p, "end mark");
+    if (fault == FAULT_NONE ? p->unhashed || d->n_rows == 0 : frames ? !p->unhashed : d->n_rows != 0)
+        return set_damaged_error(p, "the end mark does not match the frames");
     d->fault = (enum board_fault_kind)fault;
     if (demo_end_has_row(d) && !take_last_row(s, d))
-        return damaged(p, "the end mark does not match the frames");
+        return set_damaged_error(p, "the end mark does not match the frames");
     d->complete = true;
     return true;
 }
@@ -397,8 +397,8 @@ static bool read_record(struct parse *p, uint32_t kind, struct source s)
 {
     bool ok;
 
-    if (!p->header && kind != KIND_HEADER)
-        return damaged(p, "no header");
+    if (!p->has_header && kind != KIND_HEADER)
+        return set_damaged_error(p, "no header");
     switch (kind) {
     case KIND_HEADER:
         ok = read_header(p, &s);
@@ -418,11 +418,11 @@ static bool read_record(struct parse *p, uint32_t kind, struct source s)
     }
     if (!ok)
         return false;
-    return (s.bad || s.left) ? damaged(p, "size") : true;
+    return (s.bad || s.left) ? set_damaged_error(p, "size") : true;
 }
 
 /* Returns the maximum size of a record's content in bytes, or 0 for an unknown kind. */
-static size_t most_bytes(uint32_t kind)
+static size_t max_content_bytes(uint32_t kind)
 {
     switch (kind) {
     case KIND_HEADER:
@@ -442,37 +442,38 @@ static size_t most_bytes(uint32_t kind)
 
 static bool read_records(struct parse *p, const uint8_t *data, size_t size)
 {
-    while (size - p->at >= RECORD_HEAD && !p->d->complete) {
-        const uint8_t *r = data + p->at;
+    while (size - p->offset >= RECORD_HEAD && !p->d->complete) {
+        const uint8_t *r = data + p->offset;
         uint32_t kind = bytes_get32(r), n = bytes_get32(r + 4);
-        if (n > most_bytes(kind))
-            return damaged(p, "kind or size");
-        if (size - p->at < RECORD_OVER + (size_t)n)
+        if (n > max_content_bytes(kind))
+            return set_damaged_error(p, "kind or size");
+        if (size - p->offset < RECORD_OVERHEAD + (size_t)n)
             break;
         p->crc = hash_crc32_add(p->crc, r, RECORD_HEAD + n);
         if (bytes_get32(r + RECORD_HEAD + n) != p->crc)
-            return damaged(p, "CRC");
+            return set_damaged_error(p, "CRC");
         if (!read_record(p, kind, (struct source){ .p = r + RECORD_HEAD, .left = n }))
             return false;
-        p->at += RECORD_OVER + n;
+        p->offset += RECORD_OVERHEAD + n;
     }
-    if (!p->header)
+    if (!p->has_header)
         return err_set(p->err, p->err_size, "truncated header");
-    return p->d->complete && p->at < size ? err_set(p->err, p->err_size, "%zu extra bytes after its end", size - p->at)
-                                          : true;
+    return p->d->complete && p->offset < size
+               ? err_set(p->err, p->err_size, "%zu extra bytes after its end", size - p->offset)
+               : true;
 }
 
 bool demo_read(struct demo *d, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    struct parse p = { .d = d, .err = err, .err_size = err_size, .at = FILE_HEAD };
+    struct parse p = { .d = d, .err = err, .err_size = err_size, .offset = FILE_HEAD };
 
     memset(d, 0, sizeof *d);
     if (size < FILE_HEAD || memcmp(data, DEMO_MAGIC, 4) != 0)
         return err_set(err, err_size, "not a demo");
     d->format = bytes_get32(data + 4);
-    if (d->format < DEMO_OLDEST || d->format > DEMO_FORMAT)
-        return err_set(err, err_size, "demo format %u; this build reads %d to %d", (unsigned)d->format, DEMO_OLDEST,
-                       DEMO_FORMAT);
+    if (d->format < DEMO_OLDEST_FORMAT || d->format > DEMO_FORMAT)
+        return err_set(err, err_size, "demo format %u; this build reads %d to %d", (unsigned)d->format,
+                       DEMO_OLDEST_FORMAT, DEMO_FORMAT);
     if (size > DEMO_MAX_BYTES)
         return err_set(err, err_size, "larger than %d MiB", DEMO_MAX_BYTES >> 20);
     if (read_records(&p, data, size))

@@ -12,17 +12,17 @@
 #include "demo_parts.h"
 #include "../common/files.h"
 
-static void stop(struct demo_writer *w)
+static void stop_recording(struct demo_writer *w)
 {
-    w->on = false;
+    w->recording = false;
     free(w->hash_cache);
     w->hash_cache = NULL;
 }
 
-static bool out_of_memory(struct demo_writer *w)
+static bool stop_out_of_memory(struct demo_writer *w)
 {
     snprintf(w->err, sizeof w->err, "out of memory: recording stopped");
-    stop(w);
+    stop_recording(w);
     return false;
 }
 
@@ -34,29 +34,29 @@ static bool is_ours(const struct demo_file *f)
 }
 
 /* Marks a file as lost after a failed write, which may have written some of the bytes. */
-static void lose(struct demo_file *f)
+static void mark_failed(struct demo_file *f)
 {
     const long size = plat_size(f->path);
 
-    f->lost = true;
+    f->write_failed = true;
     f->size = size > 0 ? (size_t)size : 0;
 }
 
-/* Writes bytes to a file; whole: replaces its content, otherwise appends. */
-static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, char *err)
+/* Writes bytes to a file; replaces: replaces its content, otherwise appends. */
+static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool replaces, char *err)
 {
     char shown[FILES_PATH];
     const bool ours = is_ours(f);
     bool good = ours;
 
     if (good)
-        good = (whole ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
+        good = (replaces ? files_save : files_append)(f->path, s->p, s->n, err, DEMO_ERR);
     else
-        snprintf(err, DEMO_ERR, "%s: another program has changed the file", files_shown(f->path, shown));
+        snprintf(err, DEMO_ERR, "%s: another program has changed the file", files_display_name(f->path, shown));
     if (good)
-        f->size = (whole ? 0 : f->size) + s->n;
+        f->size = (replaces ? 0 : f->size) + s->n;
     else if (ours)
-        lose(f);
+        mark_failed(f);
     else
         f->path[0] = 0;
     return good;
@@ -66,42 +66,43 @@ static bool deliver(struct demo_file *f, const struct demo_sink *s, bool whole, 
 typedef void put_bytes(struct demo_writer *w, struct demo_file *f, struct demo_sink *s);
 
 /* Makes the bytes for one file and writes them. */
-static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *bytes, bool whole, char *err)
+static bool write_one(struct demo_writer *w, struct demo_file *f, put_bytes *put, bool replaces, char *err)
 {
     struct demo_sink s = { 0 };
 
-    if (!f->path[0] || f->lost)
+    if (!f->path[0] || f->write_failed)
         return true;
-    bytes(w, f, &s);
-    bool bad = s.bad, good = !bad && deliver(f, &s, whole, err);
+    put(w, f, &s);
+    bool bad = s.failed, good = !bad && write_to_file(f, &s, replaces, err);
     free(s.p);
-    return bad ? out_of_memory(w) : good;
+    return bad ? stop_out_of_memory(w) : good;
 }
 
 /* Makes the bytes for the file and for the spare file, and writes them. Failing to write the spare file does not fail
  * the recording. */
-static bool write_both(struct demo_writer *w, put_bytes *bytes, bool whole)
+static bool write_both(struct demo_writer *w, put_bytes *put, bool replaces)
 {
-    bool good = write_one(w, &w->file, bytes, whole, w->err);
+    bool good = write_one(w, &w->file, put, replaces, w->err);
 
-    write_one(w, &w->spare, bytes, whole, w->spare_err);
+    write_one(w, &w->spare, put, replaces, w->spare_err);
     return good;
 }
 
 static void put_all(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_put_rows(s, &w->demo, &f->written, &f->told, &f->crc);
+    demo_put_rows(s, &w->demo, &f->frames_written, &f->markers_written, &f->crc);
 }
 
 /* Puts the frames that are not in the file yet, and the newest row if it is of the last frame. */
 static void put_second(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
     struct demo *d = &w->demo;
-    bool hashed = d->seconds > 0 && demo_row_frame(d, d->seconds - 1) == d->frames;
+    bool hashed = d->n_rows > 0 && demo_row_frame(d, d->n_rows - 1) == d->frames;
 
-    demo_put_second(s, d, f->written, d->frames - f->written, hashed ? demo_row(d, d->seconds - 1) : NULL, &f->crc);
-    f->written = d->frames;
-    demo_put_markers(s, d, &f->told, d->frames, &f->crc);
+    demo_put_second(s, d, f->frames_written, d->frames - f->frames_written, hashed ? demo_row(d, d->n_rows - 1) : NULL,
+                    &f->crc);
+    f->frames_written = d->frames;
+    demo_put_markers(s, d, &f->markers_written, d->frames, &f->crc);
 }
 
 static void put_flags(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
@@ -111,7 +112,7 @@ static void put_flags(struct demo_writer *w, struct demo_file *f, struct demo_si
 
 static void put_end(struct demo_writer *w, struct demo_file *f, struct demo_sink *s)
 {
-    demo_put_markers(s, &w->demo, &f->told, w->demo.frames, &f->crc);
+    demo_put_markers(s, &w->demo, &f->markers_written, w->demo.frames, &f->crc);
     demo_put_end(s, &w->demo, &f->crc);
 }
 
@@ -119,33 +120,33 @@ static bool add_row(struct demo_writer *w)
 {
     struct demo *d = &w->demo;
 
-    if (!demo_reserve_second(d))
+    if (!demo_reserve_row(d))
         return false;
-    memcpy(demo_row(d, d->seconds++), w->hashes, sizeof w->hashes[0] * (size_t)d->parts);
+    memcpy(demo_row(d, d->n_rows++), w->hashes, sizeof w->hashes[0] * (size_t)d->parts);
     return true;
 }
 
-static void take_parts(struct demo *d, const struct board *b)
+static void set_parts(struct demo *d, const struct board *b)
 {
     d->parts = board_parts(b);
     for (int i = 0; i < d->parts; i++)
-        snprintf(d->part[i], sizeof d->part[i], "%s", board_part(b, i));
+        snprintf(d->part[i], sizeof d->part[i], "%s", board_part_name(b, i));
     d->checksum_parts = UINT64_MAX;
 }
 
-static void take_identity(struct demo *d, const struct cart *cart)
+static void set_identity(struct demo *d, const struct cart *cart)
 {
     d->core = CORE_VERSION;
     d->game_hash = rom_game_hash(cart->rom);
     d->rom_hash = rom_hash(cart->rom);
-    snprintf(d->id, sizeof d->id, "%s", cart->m.id);
+    snprintf(d->id, sizeof d->id, "%s", cart->manifest.id);
     snprintf(d->lua, sizeof d->lua, "%s", board_lua_release());
 }
 
 /* Adds the markers of the last tick. */
-static bool take_markers(struct demo *d, const struct board *b)
+static bool add_markers(struct demo *d, const struct board *b)
 {
-    const struct board_out *out = board_last(b);
+    const struct board_out *out = board_last_output(b);
 
     for (int i = 0; i < out->markers; i++) {
         if (!demo_reserve_marker(d))
@@ -155,7 +156,7 @@ static bool take_markers(struct demo *d, const struct board *b)
     return true;
 }
 
-static bool take_given_start(struct demo *d, const struct board_start *start)
+static bool copy_start(struct demo *d, const struct board_start *start)
 {
     size_t n = start->nvram ? start->nvram_size : 0;
 
@@ -168,7 +169,7 @@ static bool take_given_start(struct demo *d, const struct board_start *start)
     return d->nvram != NULL;
 }
 
-bool demo_keep(struct demo_writer *w, const char *path)
+bool demo_record_to(struct demo_writer *w, const char *path)
 {
     if (snprintf(w->file.path, sizeof w->file.path, "%s", path) < (int)sizeof w->file.path)
         return write_one(w, &w->file, put_all, true, w->err);
@@ -181,29 +182,29 @@ bool demo_retry(struct demo_writer *w)
 {
     struct demo_file *f = &w->file;
 
-    if (!f->lost)
+    if (!f->write_failed)
         return true;
     if (plat_size(f->path) == 0)
         return false;
-    f->lost = false;
+    f->write_failed = false;
     f->size = 0;
     return write_one(w, f, put_all, true, w->err);
 }
 
-void demo_spare(struct demo_writer *w, const char *path)
+void demo_record_spare(struct demo_writer *w, const char *path)
 {
     w->spare_err[0] = 0;
-    w->spare.lost = false;
-    snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->on ? path : "");
+    w->spare.write_failed = false;
+    snprintf(w->spare.path, sizeof w->spare.path, "%s", path && w->recording ? path : "");
     w->spare.size = 0;
     write_one(w, &w->spare, put_all, true, w->spare_err);
 }
 
-void demo_spare_remove(struct demo_writer *w)
+void demo_remove_spare(struct demo_writer *w)
 {
     if (w->spare.path[0] && is_ours(&w->spare))
         plat_remove(w->spare.path);
-    demo_spare(w, NULL);
+    demo_record_spare(w, NULL);
 }
 
 bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart, const struct board *b,
@@ -213,22 +214,22 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 
     demo_free(d);
     memset(w, 0, sizeof *w);
-    w->on = true;
+    w->recording = true;
     d->format = DEMO_FORMAT;
-    take_identity(d, cart);
-    if (!take_given_start(d, start))
-        return out_of_memory(w);
-    take_parts(d, b);
+    set_identity(d, cart);
+    if (!copy_start(d, start))
+        return stop_out_of_memory(w);
+    set_parts(d, b);
     d->flags = flags;
     w->hash_cache = calloc(1, board_hash_cache_size(b));
     if (!w->hash_cache)
-        return out_of_memory(w);
-    if (!board_last(b)->fault) {
+        return stop_out_of_memory(w);
+    if (!board_last_output(b)->fault) {
         board_hashes_cached(b, w->hash_cache, w->hashes);
-        if (!add_row(w) || !take_markers(d, b))
-            return out_of_memory(w);
+        if (!add_row(w) || !add_markers(d, b))
+            return stop_out_of_memory(w);
     }
-    return !path || demo_keep(w, path);
+    return !path || demo_record_to(w, path);
 }
 
 /* Adds the checksums of the newest frame, unless it faulted. */
@@ -237,7 +238,7 @@ static void add_checksums(struct demo_writer *w, const struct board *b)
     struct demo *d = &w->demo;
     uint16_t *checksums = d->sparse ? NULL : d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
 
-    if (board_last(b)->fault)
+    if (board_last_output(b)->fault)
         return;
     board_hashes_cached(b, w->hash_cache, w->hashes);
     for (int i = 0; i < d->parts && !d->sparse; i++)
@@ -245,67 +246,67 @@ static void add_checksums(struct demo_writer *w, const struct board *b)
     d->checksum_frames = d->frames;
 }
 
-static void go_sparse(struct demo *d)
+static void make_sparse(struct demo *d)
 {
     free(d->checksums);
     d->checksums = NULL;
-    d->room_checksums = 0;
+    d->checksums_cap = 0;
     d->sparse = true;
 }
 
-bool demo_prints(struct demo_writer *w, enum demo_prints prints)
+bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate)
 {
-    w->prints = prints;
-    if (!w->on || prints != DEMO_PRINTS_SECONDS || w->demo.sparse)
+    w->checksum_rate = rate;
+    if (!w->recording || rate != DEMO_CHECKSUMS_EVERY_SECOND || w->demo.sparse)
         return true;
-    go_sparse(&w->demo);
+    make_sparse(&w->demo);
     return write_both(w, put_all, true);
 }
 
 /* Returns whether the recording has just become too long to have checksums of every frame. */
-static bool grows_long(const struct demo_writer *w)
+static bool is_too_long(const struct demo_writer *w)
 {
-    return w->prints == DEMO_PRINTS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE;
+    return w->checksum_rate == DEMO_CHECKSUMS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE_FRAMES;
 }
 
-bool demo_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
+bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
 {
     struct demo *d = &w->demo;
 
-    if (!w->on)
+    if (!w->recording)
         return true;
     if (d->frames >= DEMO_MAX_FRAMES) {
         snprintf(w->err, sizeof w->err, "recording stopped: a demo can have at most %d frames", DEMO_MAX_FRAMES);
-        stop(w);
+        stop_recording(w);
         return false;
     }
     if (!demo_reserve_frames(d, 1))
-        return out_of_memory(w);
+        return stop_out_of_memory(w);
     memcpy(d->pads[d->frames++], pads, sizeof d->pads[0]);
     add_checksums(w, b);
-    if (!take_markers(d, b))
-        return out_of_memory(w);
-    if (d->frames % DEMO_SECOND != 0 || board_last(b)->fault)
+    if (!add_markers(d, b))
+        return stop_out_of_memory(w);
+    if (d->frames % DEMO_SECOND != 0 || board_last_output(b)->fault)
         return true;
     if (!add_row(w))
-        return out_of_memory(w);
-    if (!grows_long(w))
+        return stop_out_of_memory(w);
+    if (!is_too_long(w))
         return write_both(w, put_second, false);
-    go_sparse(d);
+    make_sparse(d);
     return write_both(w, put_all, true);
 }
 
-void demo_tick_begins(struct demo_writer *w, const uint16_t pads[PADS])
+void demo_begin_tick(struct demo_writer *w, const uint16_t pads[PADS])
 {
     struct demo *d = &w->demo;
 
-    if (w->on && d->frames < DEMO_MAX_FRAMES && demo_reserve_frames(d, 1))
+    if (w->recording && d->frames < DEMO_MAX_FRAMES && demo_reserve_frames(d, 1))
         memcpy(d->pads[d->frames], pads, sizeof d->pads[0]);
 }
 
-bool demo_flag(struct demo_writer *w, unsigned flags)
+bool demo_add_flags(struct demo_writer *w, unsigned flags)
 {
-    if (!w->on || (w->demo.flags | flags) == w->demo.flags)
+    if (!w->recording || (w->demo.flags | flags) == w->demo.flags)
         return true;
     w->demo.flags |= flags;
     return write_both(w, put_flags, false);
@@ -315,27 +316,27 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
 {
     struct demo *d = &w->demo;
 
-    if (!w->on)
+    if (!w->recording)
         return true;
     d->frames = frame < d->frames ? frame : d->frames;
     d->checksum_frames = d->checksum_frames < d->frames ? d->checksum_frames : d->frames;
     while (d->n_markers && d->markers[d->n_markers - 1].frame > d->frames)
         d->n_markers--;
     uint32_t rows = d->frames / DEMO_SECOND + 1;
-    d->seconds = rows < d->seconds ? rows : d->seconds;
+    d->n_rows = rows < d->n_rows ? rows : d->n_rows;
     d->flags |= DEMO_BRANCHED;
     return write_both(w, put_all, true);
 }
 
 /* Adds all players' final points as markers, so that they are known even where another core version replays the run
  * differently. */
-static bool take_points(struct demo *d, const struct board *b)
+static bool add_points(struct demo *d, const struct board *b)
 {
-    for (int p = 0; p < PADS && d->seconds; p++) {
+    for (int p = 0; p < PADS && d->n_rows; p++) {
         struct demo_marker m = { .frame = d->frames, .marker.kind = MARKER_LISTED };
         if (!demo_reserve_marker(d))
             return false;
-        snprintf(m.marker.name, sizeof m.marker.name, DEMO_POINTS "%" PRId64, p + 1, board_points(b, p));
+        snprintf(m.marker.name, sizeof m.marker.name, DEMO_POINTS_FORMAT "%" PRId64, p + 1, board_points(b, p));
         d->markers[d->n_markers++] = m;
     }
     return true;
@@ -344,19 +345,19 @@ static bool take_points(struct demo *d, const struct board *b)
 bool demo_end(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
-    const struct board_fault *fault = board_last(b)->fault;
+    const struct board_fault *fault = board_last_output(b)->fault;
 
-    if (!w->on)
+    if (!w->recording)
         return true;
     const bool good = demo_retry(w);
     if (!fault)
         board_hashes_cached(b, w->hash_cache, w->hashes);
-    stop(w);
-    if (!take_points(d, b))
-        return out_of_memory(w);
-    if (d->frames > demo_row_frame(d, d->seconds ? d->seconds - 1 : 0)) {
+    stop_recording(w);
+    if (!add_points(d, b))
+        return stop_out_of_memory(w);
+    if (d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0)) {
         if (!fault && !add_row(w))
-            return out_of_memory(w);
+            return stop_out_of_memory(w);
         if (!write_both(w, put_second, false))
             return false;
     }
@@ -366,7 +367,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
 }
 
 /* Returns a copy of n bytes of an array, with capacity for `more` bytes after them, or NULL when out of memory. */
-static void *copy_of(const void *from, size_t n, size_t more)
+static void *copy_array(const void *from, size_t n, size_t more)
 {
     char *p = malloc(n + more + 1);
 
@@ -376,40 +377,40 @@ static void *copy_of(const void *from, size_t n, size_t more)
 }
 
 /* Completes a copy of a recording at the current frame; hashes: the hashes of that frame. */
-static bool end_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
+static bool finish_copy(struct demo *d, const struct board *b, const uint64_t hashes[MAX_PARTS])
 {
-    const struct board_fault *fault = board_last(b)->fault;
+    const struct board_fault *fault = board_last_output(b)->fault;
 
-    if (!take_points(d, b))
+    if (!add_points(d, b))
         return false;
-    if (!fault && d->frames > demo_row_frame(d, d->seconds ? d->seconds - 1 : 0))
-        memcpy(demo_row(d, d->seconds++), hashes, sizeof hashes[0] * (size_t)d->parts);
+    if (!fault && d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0))
+        memcpy(demo_row(d, d->n_rows++), hashes, sizeof hashes[0] * (size_t)d->parts);
     d->complete = true;
     d->fault = fault ? fault->kind : FAULT_NONE;
     return true;
 }
 
-uint8_t *demo_bytes_now(const struct demo_writer *w, const struct board *b, size_t *size)
+uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size)
 {
     struct demo d = w->demo;
-    const size_t row = sizeof d.track[0] * (size_t)d.parts;
+    const size_t row_size = sizeof d.rows[0] * (size_t)d.parts;
     uint64_t hashes[MAX_PARTS];
 
-    if (!w->on)
+    if (!w->recording)
         return NULL;
-    if (!board_last(b)->fault)
+    if (!board_last_output(b)->fault)
         board_hashes(b, hashes);
-    d.track = copy_of(d.track, d.seconds * row, row);
-    d.markers = copy_of(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
-    d.room_markers = d.n_markers + PADS;
-    uint8_t *bytes = d.track && d.markers && end_copy(&d, b, hashes) ? demo_bytes(&d, size) : NULL;
-    free(d.track);
+    d.rows = copy_array(d.rows, d.n_rows * row_size, row_size);
+    d.markers = copy_array(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
+    d.markers_cap = d.n_markers + PADS;
+    uint8_t *bytes = d.rows && d.markers && finish_copy(&d, b, hashes) ? demo_encode(&d, size) : NULL;
+    free(d.rows);
     free(d.markers);
     return bytes;
 }
 
-void demo_drop(struct demo_writer *w)
+void demo_writer_free(struct demo_writer *w)
 {
-    stop(w);
+    stop_recording(w);
     demo_free(&w->demo);
 }

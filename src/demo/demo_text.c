@@ -12,32 +12,32 @@ static const char digits[65] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuv
 
 static void end_line(struct demo_text *t)
 {
-    if (t->at == 0)
+    if (t->line_length == 0)
         return;
-    t->line[t->at++] = '\n';
-    t->out(t->to, t->line, (size_t)t->at);
-    t->at = 0;
+    t->line[t->line_length++] = '\n';
+    t->write(t->context, t->line, (size_t)t->line_length);
+    t->line_length = 0;
 }
 
 /* Writes the held bytes as four characters. */
-static void write_held(struct demo_text *t)
+static void write_pending(struct demo_text *t)
 {
-    const uint32_t v = (uint32_t)t->held[0] << 16 | (uint32_t)t->held[1] << 8 | t->held[2];
+    const uint32_t v = (uint32_t)t->pending[0] << 16 | (uint32_t)t->pending[1] << 8 | t->pending[2];
 
     for (int i = 0; i < 4; i++)
-        t->line[t->at++] = i <= t->n ? digits[v >> (18 - 6 * i) & 63] : '=';
-    memset(t->held, 0, sizeof t->held);
-    t->n = 0;
-    if (t->at == DEMO_TEXT_LINE)
+        t->line[t->line_length++] = i <= t->n_pending ? digits[v >> (18 - 6 * i) & 63] : '=';
+    memset(t->pending, 0, sizeof t->pending);
+    t->n_pending = 0;
+    if (t->line_length == DEMO_TEXT_LINE)
         end_line(t);
 }
 
-void demo_text_begin(struct demo_text *t, void (*out)(void *to, const void *bytes, size_t n), void *to)
+void demo_text_begin(struct demo_text *t, void (*write)(void *context, const void *bytes, size_t n), void *context)
 {
     static const char first[] = DEMO_TEXT_BEGIN "\n";
 
-    *t = (struct demo_text){ .out = out, .to = to };
-    out(to, first, sizeof first - 1);
+    *t = (struct demo_text){ .write = write, .context = context };
+    write(context, first, sizeof first - 1);
 }
 
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n)
@@ -45,9 +45,9 @@ void demo_text_add(struct demo_text *t, const void *bytes, size_t n)
     const uint8_t *p = bytes;
 
     for (size_t i = 0; i < n; i++) {
-        t->held[t->n++] = p[i];
-        if (t->n == 3)
-            write_held(t);
+        t->pending[t->n_pending++] = p[i];
+        if (t->n_pending == 3)
+            write_pending(t);
     }
 }
 
@@ -55,10 +55,10 @@ void demo_text_end(struct demo_text *t)
 {
     static const char last[] = DEMO_TEXT_END "\n";
 
-    if (t->n > 0)
-        write_held(t);
+    if (t->n_pending > 0)
+        write_pending(t);
     end_line(t);
-    t->out(t->to, last, sizeof last - 1);
+    t->write(t->context, last, sizeof last - 1);
 }
 
 /* ---- reading ---- */
@@ -90,9 +90,9 @@ bool demo_text_decode(uint8_t *data, size_t *size)
     for (; i < *size; i++) {
         if (data[i] == '\n' || data[i] == '\r' || data[i] == ' ' || data[i] == '\t')
             continue;
-        if (bytes_digit64(data[i]) < 0)
+        if (bytes_base64_digit(data[i]) < 0)
             break;
-        v = (v << 6 | (uint32_t)bytes_digit64(data[i])) & 0xffffff;
+        v = (v << 6 | (uint32_t)bytes_base64_digit(data[i])) & 0xffffff;
         bits += 6;
         if (bits >= 8) {
             bits -= 8;

@@ -18,15 +18,15 @@ enum { DEMO_TEXT_LINE = 72 };
 
 /* A writer that takes bytes in chunks. It allocates no memory, so a crash handler can use it. */
 struct demo_text {
-    void (*out)(void *to, const void *bytes, size_t n);
-    void *to;
-    uint8_t held[3];
-    int n;                         /* bytes in held */
+    void (*write)(void *context, const void *bytes, size_t n);
+    void *context;
+    uint8_t pending[3];
+    int n_pending;                 /* bytes in held */
     char line[DEMO_TEXT_LINE + 1]; /* plus a \n */
-    int at;                        /* characters in line */
+    int line_length;               /* characters in line */
 };
 
-void demo_text_begin(struct demo_text *t, void (*out)(void *to, const void *bytes, size_t n), void *to);
+void demo_text_begin(struct demo_text *t, void (*write)(void *context, const void *bytes, size_t n), void *context);
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n);
 void demo_text_end(struct demo_text *t);
 

@@ -8,20 +8,20 @@
 #include "demo_parts.h"
 #include "../common/files.h"
 
-uint8_t *demo_bytes(const struct demo *d, size_t *size)
+uint8_t *demo_encode(const struct demo *d, size_t *size)
 {
     struct demo_sink s = { 0 };
-    uint32_t frames, told, crc;
+    uint32_t frames, n_markers, crc;
 
-    demo_put_rows(&s, d, &frames, &told, &crc);
+    demo_put_rows(&s, d, &frames, &n_markers, &crc);
     if (d->complete && d->frames > frames) { /* a frame that faulted has no row */
         demo_put_second(&s, d, frames, d->frames - frames, NULL, &crc);
-        demo_put_markers(&s, d, &told, d->frames, &crc);
+        demo_put_markers(&s, d, &n_markers, d->frames, &crc);
     }
     if (d->complete)
         demo_put_end(&s, d, &crc);
     *size = s.n;
-    if (!s.bad)
+    if (!s.failed)
         return s.p;
     free(s.p);
     return NULL;
@@ -35,7 +35,7 @@ bool demo_save(const struct demo *d, const char *path, char *err, size_t err_siz
         snprintf(err, err_size, "%s: the demo has no per-part checksums to write", path);
         return false;
     }
-    uint8_t *bytes = demo_bytes(d, &size);
+    uint8_t *bytes = demo_encode(d, &size);
     bool ok = bytes && files_save(path, bytes, size, err, err_size);
     if (!bytes)
         snprintf(err, err_size, "%s: out of memory", path);

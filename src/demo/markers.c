@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int by_name(const struct demo_marker *a, const struct demo_marker *b)
+static int compare_kind_and_name(const struct demo_marker *a, const struct demo_marker *b)
 {
     if (a->marker.kind != b->marker.kind)
         return a->marker.kind < b->marker.kind ? -1 : 1;
@@ -16,73 +16,73 @@ static int by_name(const struct demo_marker *a, const struct demo_marker *b)
 }
 
 /* Orders by kind and name, then by position in the demo. */
-static int by_name_and_order(const void *left, const void *right)
+static int compare_kind_name_and_order(const void *left, const void *right)
 {
     const struct demo_marker *a = *(const struct demo_marker *const *)left;
     const struct demo_marker *b = *(const struct demo_marker *const *)right;
-    int order = by_name(a, b);
+    int order = compare_kind_and_name(a, b);
 
     return order ? order : (a > b) - (a < b);
 }
 
 /* Returns pointers to the markers of a run, sorted by kind and name, or NULL when out of memory. */
-static const struct demo_marker **sorted(const struct demo *d, uint32_t *n)
+static const struct demo_marker **sort_markers(const struct demo *d, uint32_t *n)
 {
     const struct demo_marker **list = malloc(((size_t)d->n_markers + 1) * sizeof *list);
 
     *n = 0;
     for (uint32_t i = 0; list && i < d->n_markers; i++)
-        if (board_marks_run(d->markers[i].marker.kind))
+        if (board_is_run_marker(d->markers[i].marker.kind))
             list[(*n)++] = &d->markers[i];
     if (list)
-        qsort(list, *n, sizeof *list, by_name_and_order);
+        qsort(list, *n, sizeof *list, compare_kind_name_and_order);
     return list;
 }
 
-static uint32_t frame_of(const struct marker_change *c)
+static uint32_t change_frame(const struct marker_change *c)
 {
-    return c->was ? c->was->frame : c->is->frame;
+    return c->before ? c->before->frame : c->after->frame;
 }
 
-static int by_frame(const void *left, const void *right)
+static int compare_frames(const void *left, const void *right)
 {
     const struct marker_change *a = left, *b = right;
-    uint32_t f = frame_of(a), g = frame_of(b);
+    uint32_t f = change_frame(a), g = change_frame(b);
 
     if (f != g)
         return f < g ? -1 : 1;
-    int order = by_name(a->was ? a->was : a->is, b->was ? b->was : b->is);
-    return order ? order : (a->was == NULL) - (b->was == NULL);
+    int order = compare_kind_and_name(a->before ? a->before : a->after, b->before ? b->before : b->after);
+    return order ? order : (a->before == NULL) - (b->before == NULL);
 }
 
-static void walk(struct marker_changes *c, const struct demo_marker **was, uint32_t n, const struct demo_marker **is,
-                 uint32_t m)
+static void merge_markers(struct marker_changes *c, const struct demo_marker **before, uint32_t n,
+                          const struct demo_marker **after, uint32_t m)
 {
     for (uint32_t i = 0, k = 0; i < n || k < m;) {
-        int order = i == n ? 1 : k == m ? -1 : by_name(was[i], is[k]);
-        struct marker_change change = { order <= 0 ? was[i++] : NULL, order >= 0 ? is[k++] : NULL };
-        if (!change.was || !change.is || change.was->frame != change.is->frame)
+        int order = i == n ? 1 : k == m ? -1 : compare_kind_and_name(before[i], after[k]);
+        struct marker_change change = { order <= 0 ? before[i++] : NULL, order >= 0 ? after[k++] : NULL };
+        if (!change.before || !change.after || change.before->frame != change.after->frame)
             c->list[c->n++] = change;
     }
-    qsort(c->list, c->n, sizeof *c->list, by_frame);
+    qsort(c->list, c->n, sizeof *c->list, compare_frames);
 }
 
-bool markers_compare(struct marker_changes *c, const struct demo *was, const struct demo *is)
+bool markers_compare(struct marker_changes *c, const struct demo *before, const struct demo *after)
 {
     uint32_t n = 0, m = 0;
-    const struct demo_marker **a = sorted(was, &n), **b = sorted(is, &m);
+    const struct demo_marker **a = sort_markers(before, &n), **b = sort_markers(after, &m);
 
     c->n = 0;
     c->list = malloc(((size_t)n + m + 1) * sizeof *c->list);
     bool ok = a && b && c->list;
     if (ok)
-        walk(c, a, n, b, m);
+        merge_markers(c, a, n, b, m);
     free(a);
     free(b);
     return ok;
 }
 
-void markers_text(const struct marker_change *c, char *out, size_t size)
+void markers_format_change(const struct marker_change *c, char *out, size_t size)
 {
     static const char *const kinds[MARKER_KINDS] = {
         [MARKER_STAGE] = "stage",      [MARKER_MARK] = "mark",        [MARKER_WAVE] = "wave",
@@ -91,12 +91,12 @@ void markers_text(const struct marker_change *c, char *out, size_t size)
         [MARKER_START] = "start",      [MARKER_GAME] = "game",        [MARKER_OVER] = "end of game:",
         [MARKER_ROW] = "row in table",
     };
-    const struct board_marker *m = &(c->was ? c->was : c->is)->marker;
-    char was[16] = "never", is[16] = "never";
+    const struct board_marker *m = &(c->before ? c->before : c->after)->marker;
+    char before[16] = "never", after[16] = "never";
 
-    if (c->was)
-        snprintf(was, sizeof was, "%u", (unsigned)c->was->frame);
-    if (c->is)
-        snprintf(is, sizeof is, "%u", (unsigned)c->is->frame);
-    snprintf(out, size, "%s%s%s %s -> %s", kinds[m->kind], m->name[0] ? " " : "", m->name, was, is);
+    if (c->before)
+        snprintf(before, sizeof before, "%u", (unsigned)c->before->frame);
+    if (c->after)
+        snprintf(after, sizeof after, "%u", (unsigned)c->after->frame);
+    snprintf(out, size, "%s%s%s %s -> %s", kinds[m->kind], m->name[0] ? " " : "", m->name, before, after);
 }

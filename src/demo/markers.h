@@ -8,7 +8,7 @@
 
 /* A marker whose frame differs, or that only one recording has; the missing one is NULL. */
 struct marker_change {
-    const struct demo_marker *was, *is;
+    const struct demo_marker *before, *after;
 };
 
 struct marker_changes {
@@ -19,9 +19,9 @@ struct marker_changes {
 /* Compares two demos: the n-th markers with the same kind and name correspond. Markers that do not describe the run
  * (those of PRACTICE_LIST) are left out. Returns false when out of memory. The result is valid as long as both demos
  * are; free c->list. */
-bool markers_compare(struct marker_changes *c, const struct demo *was, const struct demo *is);
+bool markers_compare(struct marker_changes *c, const struct demo *before, const struct demo *after);
 
 /* Writes a change as text: "phase held 3030 -> 3041", "death of player 1 3100 -> never". */
-void markers_text(const struct marker_change *c, char *out, size_t size);
+void markers_format_change(const struct marker_change *c, char *out, size_t size);
 
 #endif

@@ -7,19 +7,19 @@
 #include <string.h>
 
 enum {
-    LINE = 16384,
-    MOST = 128 /* maximum bytes of one value with its column name */
+    LINE_SIZE = 16384,
+    MAX_VALUE_SIZE = 128 /* maximum bytes of one value with its column name */
 };
 
 struct trace {
     FILE *out;
     uint32_t frame;
     const char *part;
-    int64_t slot; /* slot of the current line */
-    bool open;    /* a line is in progress */
-    bool wanted;  /* the line is not an all-zero list entry */
+    int64_t slot;   /* slot of the current line */
+    bool line_open; /* a line is in progress */
+    bool wanted;    /* the line is not an all-zero list entry */
     size_t n;
-    char line[LINE];
+    char line[LINE_SIZE];
 };
 
 static void put_str(struct trace *t, const char *s)
@@ -55,7 +55,7 @@ static void put_value(struct trace *t, uint64_t v, int width)
     put_str(t, ")");
 }
 
-static void spill(struct trace *t)
+static void flush_line(struct trace *t)
 {
     fwrite(t->line, 1, t->n, t->out);
     t->n = 0;
@@ -63,17 +63,17 @@ static void spill(struct trace *t)
 
 static void close_line(struct trace *t)
 {
-    if (t->open && t->wanted) {
+    if (t->line_open && t->wanted) {
         put_str(t, "\n");
-        spill(t);
+        flush_line(t);
     }
     t->n = 0;
-    t->open = false;
+    t->line_open = false;
 }
 
 static void open_line(struct trace *t, const struct slots_value *v)
 {
-    t->open = true;
+    t->line_open = true;
     t->slot = v->slot;
     t->wanted = v->slot == NO_SLOT || v->gen;
     put_decimal(t, t->frame);
@@ -91,17 +91,17 @@ static void open_line(struct trace *t, const struct slots_value *v)
         put_str(t, "-");
 }
 
-static void visit(void *context, const struct slots_value *v)
+static void trace_value(void *context, const struct slots_value *v)
 {
     struct trace *t = context;
 
-    if (t->open && t->slot != v->slot)
+    if (t->line_open && t->slot != v->slot)
         close_line(t);
-    if (!t->open)
+    if (!t->line_open)
         open_line(t, v);
-    if (t->n > LINE - MOST) {
+    if (t->n > LINE_SIZE - MAX_VALUE_SIZE) {
         t->wanted = true;
-        spill(t);
+        flush_line(t);
     }
     t->wanted |= v->value != 0;
     put_str(t, v->i == 0 ? " " : ",");
@@ -119,8 +119,8 @@ void trace_frame(FILE *out, const struct board *b, uint64_t parts)
     for (int i = 0; i < board_parts(b); i++) {
         if (!(parts >> i & 1))
             continue;
-        t.part = board_part(b, i);
-        board_trace(b, i, visit, &t);
+        t.part = board_part_name(b, i);
+        board_trace(b, i, trace_value, &t);
         close_line(&t);
     }
 }

@@ -6,14 +6,15 @@
 #include "../base/trig.h"
 
 static const struct column columns[] = {
-    COLUMN(bg, map),   COLUMN(bg, flags), COLUMN(bg, bank),    COLUMN(bg, x),      COLUMN(bg, y),
-    COLUMN(bg, vx),    COLUMN(bg, vy),    COLUMN(bg, wave),    COLUMN(bg, every),  COLUMN(bg, speed),
-    COLUMN(bg, phase), COLUMN(bg, lines), COLUMN(bg, horizon), COLUMN(bg, height), COLUMN(bg, dir),
-    COLUMN(bg, fog),   COLUMN(bg, far),   COLUMN(bg, shown),   COLUMN(bg, at),     COLUMN(bg, over),
+    COLUMN(bg, map),         COLUMN(bg, flags),      COLUMN(bg, bank),         COLUMN(bg, x),
+    COLUMN(bg, y),           COLUMN(bg, vx),         COLUMN(bg, vy),           COLUMN(bg, wave),
+    COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, lines),
+    COLUMN(bg, horizon),     COLUMN(bg, height),     COLUMN(bg, dir),          COLUMN(bg, fog),
+    COLUMN(bg, fog_end),     COLUMN(bg, shown_id),   COLUMN(bg, fade_elapsed), COLUMN(bg, fade_length),
 };
-static const struct column line_columns[] = { COLUMN(bg_lines, px) };
+static const struct column line_columns[] = { COLUMN(bg_lines, offset) };
 static const struct column shade_columns[] = {
-    DERIVED(bg_shades, to, "computed from the ROM's palette and the plane's fog"),
+    DERIVED(bg_shades, table, "computed from the ROM's palette and the plane's fog"),
 };
 
 const struct chip bg_chip = { "bg", columns, sizeof columns / sizeof *columns, true, false };
@@ -27,14 +28,14 @@ static void clear_slot(struct bg *b, uint32_t i)
     b->map[i] = b->lines[i] = 0;
     b->flags[i] = BG_WRAP;
     b->bank[i] = 0;
-    b->shown[i] = 0;
+    b->shown_id[i] = 0;
     b->x[i] = b->y[i] = b->phase[i] = 0;
-    b->vx[i] = b->vy[i] = b->wave[i] = b->every[i] = b->speed[i] = 0;
+    b->vx[i] = b->vy[i] = b->wave[i] = b->wave_period[i] = b->wave_speed[i] = 0;
     b->horizon[i] = 0;
     b->height[i] = 64 << 16;
     b->dir[i] = up;
     b->fog[i] = BG_NO_FOG;
-    b->far[i] = 0;
+    b->fog_end[i] = 0;
 }
 
 void bg_clear(struct bg *b, struct bg_lines *l)
@@ -45,46 +46,46 @@ void bg_clear(struct bg *b, struct bg_lines *l)
     l->s.live = 0;
 }
 
-uint32_t bg_dark(const struct bg *b)
+uint32_t bg_darkness(const struct bg *b)
 {
-    if (!b->s.live || !b->over[0])
+    if (!b->s.live || !b->fade_length[0])
         return 0;
-    uint32_t k = b->at[0], n = b->over[0];
+    uint32_t k = b->fade_elapsed[0], n = b->fade_length[0];
     return 2 * BG_SHADES * (2 * k < n ? k : n - k) / n;
 }
 
 uint32_t bg_fade(struct bg *b, uint32_t n)
 {
-    const uint32_t dark = bg_dark(b);
+    const uint32_t dark = bg_darkness(b);
 
     if (!b->s.live)
         return 0;
-    b->over[0] = (uint16_t)n;
-    b->at[0] = (uint16_t)(dark * n / (2 * BG_SHADES));
-    return n / 2 - b->at[0];
+    b->fade_length[0] = (uint16_t)n;
+    b->fade_elapsed[0] = (uint16_t)(dark * n / (2 * BG_SHADES));
+    return n / 2 - b->fade_elapsed[0];
 }
 
 void bg_step(struct bg *b)
 {
-    if (b->s.live && b->over[0] && ++b->at[0] >= b->over[0])
-        b->over[0] = b->at[0] = 0;
+    if (b->s.live && b->fade_length[0] && ++b->fade_elapsed[0] >= b->fade_length[0])
+        b->fade_length[0] = b->fade_elapsed[0] = 0;
     for (uint32_t i = 0; i < b->s.live; i++) {
         b->x[i] += b->vx[i];
         b->y[i] += b->vy[i];
-        b->phase[i] += b->speed[i];
+        b->phase[i] += b->wave_speed[i];
     }
 }
 
-void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *px, uint32_t n)
+void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *offsets, uint32_t n)
 {
-    uint32_t room = l->s.cap / BG_LAYERS;
+    uint32_t capacity = l->s.cap / BG_LAYERS;
 
     if (n && !l->s.live) {
         l->s.live = l->s.cap;
-        memset(l->px, 0, l->s.cap * sizeof *l->px);
+        memset(l->offset, 0, l->s.cap * sizeof *l->offset);
     }
-    for (uint32_t k = 0; l->s.live && k < room; k++)
-        l->px[i * room + k] = k < n ? px[k] : 0;
+    for (uint32_t k = 0; l->s.live && k < capacity; k++)
+        l->offset[i * capacity + k] = k < n ? offsets[k] : 0;
     b->lines[i] = (uint16_t)n;
 }
 
@@ -100,49 +101,49 @@ static int64_t modulo(int64_t a, int64_t n)
  * floating point. */
 static fx wave_at(const struct bg *b, uint32_t i, int y)
 {
-    if (!b->wave[i] || b->every[i] <= 0)
+    if (!b->wave[i] || b->wave_period[i] <= 0)
         return 0;
-    int64_t at = modulo((int64_t)y * 65536 - b->phase[i], b->every[i]);
-    int32_t sine = trig_sin30((ang)(((uint64_t)at << 32) / (uint64_t)b->every[i]));
+    int64_t at = modulo((int64_t)y * 65536 - b->phase[i], b->wave_period[i]);
+    int32_t sine = trig_sin30((ang)(((uint64_t)at << 32) / (uint64_t)b->wave_period[i]));
     return (fx)(((int64_t)b->wave[i] * sine + (1 << 29)) >> 30);
 }
 
-fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
+fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int y)
 {
     int64_t sum = wave_at(b, i, y);
 
     if (b->lines[i])
-        sum += l->px[i * (l->s.cap / BG_LAYERS) + (uint32_t)y % b->lines[i]];
+        sum += l->offset[i * (l->s.cap / BG_LAYERS) + (uint32_t)y % b->lines[i]];
     return (fx)sum;
 }
 
 /* Returns the index of the palette entry nearest to `want`, a colour in units of 1/BG_SHADES. */
 static uint8_t nearest(const uint8_t *rgb, const int32_t want[3])
 {
-    int32_t best = INT32_MAX;
-    int at = 0;
+    int32_t best_distance = INT32_MAX;
+    int best_entry = 0;
 
     for (int i = 0; i < 256; i++, rgb += 3) {
-        int32_t off = 0;
+        int32_t distance = 0;
         for (int c = 0; c < 3; c++) {
             int32_t d = rgb[c] * BG_SHADES - want[c];
-            off += d * d;
+            distance += d * d;
         }
-        if (off < best) {
-            best = off;
-            at = i;
+        if (distance < best_distance) {
+            best_distance = distance;
+            best_entry = i;
         }
     }
-    return (uint8_t)at;
+    return (uint8_t)best_entry;
 }
 
-void bg_shade(uint8_t *tables, const uint8_t *rgb, uint32_t to)
+void bg_fill_shades(uint8_t *tables, const uint8_t *rgb, uint32_t target)
 {
     for (int k = 1; k <= BG_SHADES; k++)
         for (int i = 0; i < 256; i++) {
             int32_t want[3];
             for (int c = 0; c < 3; c++)
-                want[c] = rgb[3 * i + c] * (BG_SHADES - k) + (int32_t)(to >> (16 - 8 * c) & 255) * k;
+                want[c] = rgb[3 * i + c] * (BG_SHADES - k) + (int32_t)(target >> (16 - 8 * c) & 255) * k;
             *tables++ = nearest(rgb, want);
         }
 }

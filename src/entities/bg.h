@@ -30,38 +30,39 @@ enum {
 /* A list of BG_SLOTS entries: the layers, then the plane. */
 struct bg {
     struct slots s;
-    uint16_t *map;       /* index of the map in the ROM + 1; 0: off */
-    uint8_t *flags;      /* BG_ */
-    uint8_t *bank;       /* added to the tiles' bank */
-    int64_t *x, *y;      /* Q16 px; layer: the map's corner in the field; plane: the position of the eye */
-    fx *vx, *vy;         /* px/frame */
-    fx *wave;            /* amplitude in px, to each side; 0: no wave */
-    fx *every;           /* vertical period in px; positive if there is a wave */
-    fx *speed;           /* px/frame at which the wave moves down */
-    int64_t *phase;      /* Q16 px the wave has moved */
-    uint16_t *lines;     /* layer: number of its offsets in struct bg_lines; 0: none */
-    int16_t *horizon;    /* px from the field's top */
-    fx *height;          /* px above the plane */
-    ang *dir;            /* direction the eye looks */
-    uint32_t *fog;       /* 0xRRGGBB, or BG_NO_FOG */
-    fx *far;             /* distance in px at which fog hides everything */
-    uint16_t *shown;     /* number of the background shown, set and read by scripts; shown, at and over use only
+    uint16_t *map;      /* index of the map in the ROM + 1; 0: off */
+    uint8_t *flags;     /* BG_ */
+    uint8_t *bank;      /* added to the tiles' bank */
+    int64_t *x, *y;     /* Q16 px; layer: the map's corner in the field; plane: the position of the eye */
+    fx *vx, *vy;        /* px/frame */
+    fx *wave;           /* amplitude in px, to each side; 0: no wave */
+    fx *wave_period;    /* vertical period in px; positive if there is a wave */
+    fx *wave_speed;     /* px/frame at which the wave moves down */
+    int64_t *phase;     /* Q16 px the wave has moved */
+    uint16_t *lines;    /* layer: number of its offsets in struct bg_lines; 0: none */
+    int16_t *horizon;   /* px from the field's top */
+    fx *height;         /* px above the plane */
+    ang *dir;           /* direction the eye looks */
+    uint32_t *fog;      /* 0xRRGGBB, or BG_NO_FOG */
+    fx *fog_end;        /* distance in px at which fog hides everything */
+    uint16_t *shown_id; /* number of the background shown, set and read by scripts; shown, at and over use only
                           * slot 0 */
-    uint16_t *at, *over; /* fade: frames elapsed, and total frames (0: no fade). Halfway, the picture is black */
+    uint16_t *fade_elapsed,
+        *fade_length; /* fade: frames elapsed, and total frames (0: no fade). Halfway, the picture is black */
 };
 
 /* Line scroll offsets: BG_LAYERS lists, each with s.cap / BG_LAYERS entries. Empty until a script sets a list. */
 struct bg_lines {
     struct slots s;
-    fx *px;
+    fx *offset;
 };
 
 /* Tables that map each colour to the one to show: BG_SHADES tables of fog, then BG_SHADES towards black. */
 struct bg_shades {
     struct slots s;
-    uint8_t *to;
+    uint8_t *table;
 };
-enum { BG_FOG_TABLES = 0, BG_BLACK_TABLES = BG_SHADES * 256, BG_TABLES = 2 * BG_SHADES * 256 };
+enum { BG_FOG_TABLES = 0, BG_BLACK_TABLES = BG_SHADES * 256, BG_TABLES_SIZE = 2 * BG_SHADES * 256 };
 
 extern const struct chip bg_chip, bg_lines_chip, bg_shades_chip;
 
@@ -73,20 +74,20 @@ void bg_clear(struct bg *b, struct bg_lines *l);
 uint32_t bg_fade(struct bg *b, uint32_t n);
 
 /* Returns the darkness of the fade: 0 (as drawn) to BG_SHADES (black). */
-uint32_t bg_dark(const struct bg *b);
+uint32_t bg_darkness(const struct bg *b);
 
 /* Advances scrolling, waves and the fade by one frame. */
 void bg_step(struct bg *b);
 
 /* Sets layer i's line scroll offsets to n values in px. n is at most the capacity per layer; 0 removes the offsets. */
-void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *px, uint32_t n);
+void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *offsets, uint32_t n);
 
 /* Returns the horizontal offset of layer i in line y of the field: the line scroll offset (the list repeats) plus the
  * wave's offset. */
-fx bg_line(const struct bg *b, const struct bg_lines *l, uint32_t i, int y);
+fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int y);
 
 /* Fills BG_SHADES tables of 256 entries for the palette rgb (256 x R G B). Table k maps each colour to the palette
- * entry nearest to (k + 1) / BG_SHADES of the way from that colour to `to`; of equally near entries, the lowest. */
-void bg_shade(uint8_t *tables, const uint8_t *rgb, uint32_t to);
+ * entry nearest to (k + 1) / BG_SHADES of the way from that colour to `table`; of equally near entries, the lowest. */
+void bg_fill_shades(uint8_t *tables, const uint8_t *rgb, uint32_t target);
 
 #endif

@@ -3,7 +3,7 @@
  * Every live bullet does x += vx, y += vy once a frame; a bullet flying straight costs nothing more. If a bullet has a
  * motion program (motion.h), the program runs too; a program that only waits costs nothing. Dead slots below top are
  * parked at (0, 0), inside the field, with velocity 0, so loops need not test for dead slots.
- * A fine bullet runs a program marked fine and has 16 more fraction bits: x_more and y_more extend its position (x and
+ * A fine bullet runs a program marked fine and has 16 more fraction bits: x_low and y_low extend its position (x and
  * y are the nearest fx), and speed_q32 is its exact speed. Each frame the bullet moves by speed_q32 along dir. Its vx
  * and vy are that move in whole units of fx, so the common loop and the hit tests treat fine bullets like all others.
  */
@@ -38,9 +38,9 @@ enum {
     /* flags of the column `step_flags` */
     OVERRIDE_DIR = 1 << 0,   /* a script wrote dir (or vx, vy) during this step: the step no longer changes dir */
     OVERRIDE_SPEED = 1 << 1, /* a script wrote speed (or vx, vy) during this step: the step no longer changes speed */
-    OVERRIDE_PLACE = 1 << 2, /* a script wrote the position during this step: the step no longer leads the bullet */
-    STEP_SIGNALLED = 1 << 6, /* the signal that the step at pc waits for has arrived */
-    STEP_BEGUN = 1 << 7,     /* the step at pc has begun */
+    OVERRIDE_POSITION = 1 << 2, /* a script wrote the position during this step: the step no longer leads the bullet */
+    STEP_SIGNALLED = 1 << 6,    /* the signal that the step at pc waits for has arrived */
+    STEP_BEGUN = 1 << 7,        /* the step at pc has begun */
 
     /* flags of a pair of tags: which bullets despawn when two with these tags collide */
     MEET_FIRST = 1 << 0,
@@ -49,7 +49,7 @@ enum {
     MAX_MEETS = 16,
 
     PIERCE_FOREVER = -1,
-    PIERCED = 8, /* most targets that a piercing shot remembers as hit */
+    MAX_PIERCED_TARGETS = 8, /* most targets that a piercing shot remembers as hit */
 
     MAX_KINDS = 1024
 };
@@ -62,17 +62,18 @@ struct bullet_kinds {
     fx *a, *b, *x, *y; /* parameters of `shape` (motion.h) */
     uint16_t *flags;
     uint8_t *bank;
-    int32_t *damage;  /* shots only */
-    ang *spin;        /* rotation of the sprite, ang per frame */
-    int8_t *order;    /* drawing order: higher values are drawn over lower ones */
-    uint16_t *vanish; /* kind + 1 of the spark left by a clear, 0: none */
-    int32_t *hp;      /* hp of a new bullet; hp, score and spark are NULL if the game has no hp for bullets */
-    int64_t *score;   /* awarded when a player's shot takes the last hp */
-    uint16_t *spark;  /* kind + 1 of the spark left when hp runs out, 0: none */
-    int32_t *pierce;  /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce and every are NULL if
+    int32_t *damage;        /* shots only */
+    ang *spin;              /* rotation of the sprite, ang per frame */
+    int8_t *draw_order;     /* drawing order: higher values are drawn over lower ones */
+    uint16_t *vanish_spark; /* kind + 1 of the spark left by a clear, 0: none */
+    int32_t *hp;            /* hp of a new bullet; hp, score and spark are NULL if the game has no hp for bullets */
+    int64_t *score;         /* awarded when a player's shot takes the last hp */
+    uint16_t *spark;        /* kind + 1 of the spark left when hp runs out, 0: none */
+    int32_t *pierce; /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce and every are NULL if
                        * the game doesn't enable piercing */
-    int32_t *every;   /* frames between two hits on the same target; PIERCE_FOREVER: each target is hit only once */
-    uint32_t *live;   /* number of live bullets whose column `kind` is this row */
+    int32_t
+        *rehit_interval;  /* frames between two hits on the same target; PIERCE_FOREVER: each target is hit only once */
+    uint32_t *live_count; /* number of live bullets whose column `kind` is this row */
 };
 
 struct bullets {
@@ -84,34 +85,35 @@ struct bullets {
     uint8_t *bank;
     uint16_t *tag; /* 0: none */
     uint8_t *flags;
-    uint32_t *born;       /* clock of the bullet's first move; while delayed: clock when it was fired */
-    uint32_t *owner_task; /* serial of the task that fired the bullet, 0: none */
-    uint8_t *player;      /* shots only: player 1 or 2, 0: none */
-    uint16_t *motion;     /* program + 1, 0: none */
-    uint16_t *pc;         /* current step, relative to the program's first */
-    uint32_t *step_end;   /* clock at which the timed step, or the delay, ends */
-    int64_t *step_start;  /* Q32 speed when the step began; for a step that leads or awaits, x << 32 | y instead: the
+    uint32_t *born;         /* clock of the bullet's first move; while delayed: clock when it was fired */
+    uint32_t *owner_task;   /* serial of the task that fired the bullet, 0: none */
+    uint8_t *player;        /* shots only: player 1 or 2, 0: none */
+    uint16_t *motion;       /* program + 1, 0: none */
+    uint16_t *pc;           /* current step, relative to the program's first */
+    uint32_t *step_end;     /* clock at which the timed step, or the delay, ends */
+    int64_t *step_start;    /* Q32 speed when the step began; for a step that leads or awaits, x << 32 | y instead: the
                            * bullet's position when the step began, or the centre of its path */
-    uint8_t *step_flags;  /* OVERRIDE_ and STEP_ flags of the step at pc */
-    uint16_t *rounds;     /* MOTION_DEPTH values per bullet: rounds left in each open loop */
-    int64_t *speed_q32;   /* fine bullets: exact speed (`speed` is the nearest fx); others: 1 + the clock when the
+    uint8_t *step_flags;    /* OVERRIDE_ and STEP_ flags of the step at pc */
+    uint16_t *rounds;       /* MOTION_DEPTH values per bullet: rounds left in each open loop */
+    int64_t *speed_q32;     /* fine bullets: exact speed (`speed` is the nearest fx); others: 1 + the clock when the
                            * program's latest `bounce` began, 0: none */
-    int64_t *travel_q32;  /* fine bullets: distance flown since becoming fine, modulo 2^48, from -2^47 to 2^47 - 1;
+    int64_t *travel_q32;    /* fine bullets: distance flown since becoming fine, modulo 2^48, from -2^47 to 2^47 - 1;
                            * others: state of a step that leads or bounces, 0: none */
-    int16_t *x_more, *y_more;              /* fine bullets: exact position minus x, y, in Q32 */
+    int16_t *x_low, *y_low; /* fine bullets: exact position minus x, y, in Q32 */
     fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
-    fx *begun1, *begun2, *begun3, *begun4; /* the values when the step at pc began; valid if it is DOES_NAMED */
-    int64_t *orbit_target;                 /* the board's handle of the orbit centre, 0: none; NULL: not enabled */
-    fx value_start[MAX_VALUES];            /* initial values of a new bullet */
-    int32_t *hp;                           /* or HP_FOREVER; 0: shots pass through; NULL: not enabled */
-    int32_t *frozen;       /* frames left frozen, or FROZEN_FOREVER; this and the next three: NULL if not enabled */
-    uint8_t *stands;       /* STANDS and STOOD flags */
-    fx *kept_vx, *kept_vy; /* velocity saved while the bullet is frozen and its vx, vy are 0 */
+    fx *step_value1, *step_value2, *step_value3,
+        *step_value4;             /* the values when the step at pc began; valid if it is DOES_NAMED */
+    int64_t *orbit_target;        /* the board's handle of the orbit centre, 0: none; NULL: not enabled */
+    fx initial_value[MAX_VALUES]; /* initial values of a new bullet */
+    int32_t *hp;                  /* or HP_FOREVER; 0: shots pass through; NULL: not enabled */
+    int32_t *frozen_left;    /* frames left frozen, or FROZEN_FOREVER; this and the next three: NULL if not enabled */
+    uint8_t *freeze_flags;   /* FREEZE_ACTIVE and FREEZE_LAST_MOVE flags */
+    fx *saved_vx, *saved_vy; /* velocity saved while the bullet is frozen and its vx, vy are 0 */
 
-    int32_t *pierce;       /* shots only: hits left that don't use the shot up, or PIERCE_FOREVER; this and the next
+    int32_t *pierce_left;  /* shots only: hits left that don't use the shot up, or PIERCE_FOREVER; this and the next
                             * two: NULL if not enabled */
-    int64_t *pierced;      /* PIERCED values per shot: handles of the targets hit, 0: none */
-    uint32_t *rehit_clock; /* PIERCED values per shot: clock when each target in `pierced` can be hit again,
+    int64_t *pierced;      /* MAX_PIERCED_TARGETS values per shot: handles of the targets hit, 0: none */
+    uint32_t *rehit_clock; /* MAX_PIERCED_TARGETS values per shot: clock when each target in `pierced` can be hit again,
                             * UINT32_MAX: never */
 
     /* Bit sets: one word per block of 64 slots, one bit per slot. The last move set `near`. */
@@ -121,23 +123,23 @@ struct bullets {
                      * the player */
     uint64_t *leaving; /* storage of s.held: left the field in this move, but may have touched an entity on the way */
     uint64_t *solid;   /* can be hit by shots this frame; NULL if `hp` is NULL */
-    uint8_t *due;      /* idle bullets: the low byte of `step_end` */
+    uint8_t *step_end_low; /* idle bullets: the low byte of `step_end` */
 
     /* The pairs of tags whose bullets collide; next, met and taken are NULL if the game doesn't enable them. */
-    uint32_t meets;                                         /* number of pairs */
+    uint32_t n_meets;                                       /* number of pairs */
     uint16_t meet_first[MAX_MEETS], meet_second[MAX_MEETS]; /* tags */
     uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 of the spark left; 0: the bullet kind's spark */
     uint8_t meet_flags[MAX_MEETS];                          /* MEET_ flags */
     uint32_t *next;                                         /* next slot in the same list (hit_meets.c) */
     uint64_t *met;                                          /* bit set: collided this frame as first of a pair */
-    uint64_t *taken;                                        /* bit set: bullets that a pair removes this frame */
-    fx fastest;                                             /* upper bound of all |vx| and |vy| */
-    uint32_t standing;                                      /* number of bullets whose `stands` is not 0 */
-    uint32_t moved;                                         /* bullets moved this frame */
-    bool holds_all;    /* whether the last move held every bullet that left the field, near a player or not */
-    uint64_t ran;      /* work of this frame, in motion steps: the steps run, and the cost of searching for targets */
-    uint32_t *of_kind; /* the kinds' column `live`, updated as bullets spawn and despawn; NULL: laser heads, which are
-                        * not counted */
+    uint64_t *meet_removed;                                 /* bit set: bullets that a pair removes this frame */
+    fx speed_bound;                                         /* upper bound of all |vx| and |vy| */
+    uint32_t n_frozen;                                      /* number of bullets whose `freeze_flags` is not 0 */
+    uint32_t n_moved;                                       /* bullets moved this frame */
+    bool holds_all;     /* whether the last move held every bullet that left the field, near a player or not */
+    uint64_t work_done; /* work of this frame, in motion steps: the steps run, and the cost of searching for targets */
+    uint32_t *kind_counts; /* the kinds' column `live_count`, updated as bullets spawn and despawn; NULL: laser heads,
+                            * which are not counted */
 };
 
 /* A broad-phase query for one player. A move finds each bullet that ends the move at most `reach` plus the bullet's own
@@ -147,12 +149,12 @@ struct bullets_query {
     int64_t reach;
 };
 
-/* The entities that can be aimed at: all entities of a pool or list. If `in` is not NULL, entities whose `in` is 0 are
- * left out. */
+/* The entities that can be aimed at: all entities of a pool or list. If `included` is not NULL, entities whose
+ * `included` is 0 are left out. */
 struct targets {
     const struct slots *s;
     const fx *x, *y;
-    const uint8_t *in;
+    const uint8_t *included;
 };
 
 /* Everything a motion step may read. */
@@ -162,19 +164,20 @@ struct motion_world {
     const struct bullet_kinds *kinds; /* the kinds that steps change to; NULL: steps leave the kind unchanged (shots) */
     struct targets targets;
     uint32_t clock;
-    bool shots; /* the programs run on shots: named values are columns of shots */
-    /* Sets (*x, *y) to the position of the orbit target `around` in this frame or, if `before`, in the previous frame.
-     * Returns false if the target has despawned. Slots below `moved` of the pool that is moving have already moved; a
-     * target in that pool is always found at its position before the move. */
-    bool (*where)(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y);
+    bool is_shots; /* the programs run on shots: named values are columns of shots */
+    /* Sets (*x, *y) to the position of the orbit target `orbit_target` in this frame or, if `previous_frame`, in the
+     * previous frame. Returns false if the target has despawned. Slots below `n_moved` of the pool that is moving have
+     * already moved; a target in that pool is always found at its position before the move. */
+    bool (*get_position)(const struct motion_world *w, int64_t orbit_target, uint32_t moved, bool previous_frame, fx *x,
+                         fx *y);
     const void *context; /* for where and emit */
     struct box field;    /* the edges are the walls of `bounce` */
-    uint64_t most;       /* limit of `ran` in this move; a move that exceeds it stops unfinished */
+    uint64_t work_limit; /* limit of `work_done` in this move; a move that exceeds it stops unfinished */
     /* Queues the bullets that the emit starting at step st fires from bullet i in its present state. */
     void (*emit)(const struct motion_world *w, const struct bullets *b, uint32_t i, uint32_t st);
 };
 
-struct bullet_shape {
+struct bullet_spec {
     fx x, y, speed;
     ang dir;
     uint16_t kind, tag, motion;
@@ -183,8 +186,8 @@ struct bullet_shape {
     bool clouded;   /* the kind has a cloud, and delay is not 0 */
     uint32_t delay; /* frames */
     int32_t hp, pierce;
-    int64_t around;
-    uint32_t by;
+    int64_t orbit_target;
+    uint32_t owner_task;
 };
 
 /* Returns the column that stores value k, 0 <= k < MAX_VALUES, or NULL if value k is not declared. */
@@ -196,11 +199,11 @@ static inline fx *bullets_value(const struct bullets *b, int k)
 }
 
 /* Returns the column that stores value k as it was when the step began, or NULL if value k is not declared. */
-static inline fx *bullets_begun(const struct bullets *b, int k)
+static inline fx *bullets_value_at_step(const struct bullets *b, int k)
 {
-    fx *const begun[MAX_VALUES] = { b->begun1, b->begun2, b->begun3, b->begun4 };
+    fx *const value[MAX_VALUES] = { b->step_value1, b->step_value2, b->step_value3, b->step_value4 };
 
-    return begun[k];
+    return value[k];
 }
 
 extern const struct chip bullets_chip, bullet_kinds_chip, shots_chip, shot_kinds_chip, laser_heads_chip;
@@ -228,7 +231,7 @@ static inline uint32_t bullets_age(const struct bullets *b, uint32_t i, uint32_t
 bool bullets_pierce(struct bullets *b, const struct bullet_kinds *kinds, uint32_t i, int64_t entity, uint32_t clock);
 
 /* Fires a bullet. Returns its slot, the lowest free one, or NO_SLOT if the pool is full. */
-int32_t bullets_fire(struct bullets *b, const struct bullet_shape *shape, uint32_t clock);
+int32_t bullets_fire(struct bullets *b, const struct bullet_spec *spec, uint32_t clock);
 
 /* Removes a live bullet. */
 void bullets_drop(struct bullets *b, uint32_t i);
@@ -244,26 +247,27 @@ void bullets_release_all(struct bullets *b);
  * query must find, and maybe of some others. With query NULL, no bullet is `near`. A bullet that ends outside keep is
  * dropped, or held (slots.h) if one of its `near` bits or hold_all is set; the caller must release held bullets in the
  * same frame. */
-void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
+void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
                   const struct bullets_query query[PADS], bool hold_all);
 
-/* Move bullets one by one, without dropping bullets outside the field: call bullets_begin once a frame, then
- * bullets_go_on for each live bullet. bullets_go_on returns false if bullet i's program has removed the bullet. */
-void bullets_begin(struct bullets *b);
-bool bullets_go_on(struct bullets *b, const struct motion_world *w, uint32_t i);
+/* Move bullets one by one, without dropping bullets outside the field: call bullets_begin_move once a frame, then
+ * bullets_move_one for each live bullet. bullets_move_one returns false if bullet i's program has removed the
+ * bullet. */
+void bullets_begin_move(struct bullets *b);
+bool bullets_move_one(struct bullets *b, const struct motion_world *w, uint32_t i);
 
 /* Sets `solid`. Returns whether any bullet is solid. */
-bool bullets_find_solid(struct bullets *b);
+bool bullets_update_solid(struct bullets *b);
 
 /* Returns, as bits, the live or held bullets of a block that ended the last move at most `reach` plus their own speed
  * away from (x, y), on both axes, and maybe some others. */
-uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach);
+uint64_t bullets_find_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach);
 
 /* Recomputes vx, vy from dir and speed, unless bullet i is fine or delayed. */
-void bullets_steer(struct bullets *b, uint32_t i);
+void bullets_update_velocity(struct bullets *b, uint32_t i);
 
 /* Sets vx, vy without changing dir and speed. */
-void bullets_set_flight(struct bullets *b, uint32_t i, fx vx, fx vy);
+void bullets_set_velocity_only(struct bullets *b, uint32_t i, fx vx, fx vy);
 
 /* Changes live bullet i's kind, and sets its bank and hp to the kind's. A delayed bullet shows the kind's cloud, if the
  * kind has one. */
@@ -273,11 +277,11 @@ void bullets_set_kind(struct bullets *b, const struct bullet_kinds *kinds, uint3
 void bullets_freeze(struct bullets *b, uint32_t i, int32_t frames);
 
 /* Keeps frozen bullets from ageing. Call it at the end of each frame in which the clock advances. */
-void bullets_stay(struct bullets *b);
+void bullets_postpone_frozen(struct bullets *b);
 
 /* Starts a program (motion: index + 1, 0: none) on bullet i at the program's first step; `fine` is the program's column
  * `fine`. */
-void bullets_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
+void bullets_start_program(struct bullets *b, uint32_t i, uint16_t motion, bool fine);
 
 /* Signals bullet i. If the current step of its program waits for a signal of `tag` (0: of any tag), the wait ends. */
 void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i, uint16_t tag);
@@ -287,20 +291,20 @@ void bullets_signal(struct bullets *b, const struct motion_world *w, uint32_t i,
  */
 static inline int64_t bullets_speed(const struct bullets *b, uint32_t i)
 {
-    return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << PACE_BITS);
+    return b->flags[i] & BULLET_FINE ? b->speed_q32[i] : (int64_t)b->speed[i] * (1 << Q32_EXTRA_BITS);
 }
 void bullets_velocity(const struct bullets *b, uint32_t i, int64_t *vx, int64_t *vy);
-static inline void bullets_place(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
+static inline void bullets_position(const struct bullets *b, uint32_t i, int64_t *x, int64_t *y)
 {
-    *x = (int64_t)b->x[i] * (1 << PACE_BITS) + b->x_more[i];
-    *y = (int64_t)b->y[i] * (1 << PACE_BITS) + b->y_more[i];
+    *x = (int64_t)b->x[i] * (1 << Q32_EXTRA_BITS) + b->x_low[i];
+    *y = (int64_t)b->y[i] * (1 << Q32_EXTRA_BITS) + b->y_low[i];
 }
 void bullets_set_speed(struct bullets *b, uint32_t i, int64_t speed);
 void bullets_set_velocity(struct bullets *b, uint32_t i, int64_t vx, int64_t vy);
-void bullets_set_place(struct bullets *b, uint32_t i, int64_t x, int64_t y);
+void bullets_set_position(struct bullets *b, uint32_t i, int64_t x, int64_t y);
 
-/* Returns the direction from (x, y) to the nearest target, or `none` if there is no target or it is at (x, y). */
-ang targets_aim(const struct targets *t, fx x, fx y, ang none);
+/* Returns the direction from (x, y) to the nearest target, or `fallback` if there is no target or it is at (x, y). */
+ang targets_aim(const struct targets *t, fx x, fx y, ang fallback);
 
 /* Returns the slot of the target nearest to (x, y), or NO_SLOT if there is none. The lower slot wins a tie. */
 int32_t targets_nearest(const struct targets *t, fx x, fx y);

@@ -12,12 +12,12 @@
 #include <string.h>
 
 enum {
-    AHEAD = 4,           /* number of blocks whose woken bullets are found in advance */
-    NEAR_BLOCKS = 1 << 7 /* the columns of this many blocks are mostly in the L1 cache: prefetching would cost more */
+    AHEAD = 4,             /* number of blocks whose woken bullets are found in advance */
+    CACHED_BLOCKS = 1 << 7 /* the columns of this many blocks are mostly in the L1 cache: prefetching would cost more */
 };
 
 /* Transposes a word, taken as a matrix of 8 x 8 bits with a byte per row. */
-static uint64_t transposed(uint64_t v)
+static uint64_t transpose_bits(uint64_t v)
 {
     uint64_t t = (v ^ v >> 7) & 0x00aa00aa00aa00aa;
 
@@ -28,21 +28,21 @@ static uint64_t transposed(uint64_t v)
     return v ^ t ^ t << 28;
 }
 
-/* Returns, as bits, the bullets of a block whose `due` is `now`. The even bits of each byte of `is` represent four
- * slots that are 16 apart. The two words of `is` are interleaved into one, whose transpose is the result. */
-static uint64_t due_block(const uint8_t *restrict due, uint8_t now)
+/* Returns, as bits, the bullets of a block whose `due` is `now`. The even bits of each byte of `packed` represent four
+ * slots that are 16 apart. The two words of `packed` are interleaved into one, whose transpose is the result. */
+static uint64_t due_mask(const uint8_t *restrict due, uint8_t now)
 {
-    uint8_t is[16];
+    uint8_t packed[16];
 
     for (int i = 0; i < 16; i++)
-        is[i] = (uint8_t)((-(due[i] == now) & 1) | (-(due[i + 16] == now) & 4) | (-(due[i + 32] == now) & 16) |
-                          (-(due[i + 48] == now) & 64));
-    return transposed(bytes_get64(is) | bytes_get64(is + 8) << 1);
+        packed[i] = (uint8_t)((-(due[i] == now) & 1) | (-(due[i + 16] == now) & 4) | (-(due[i + 32] == now) & 16) |
+                              (-(due[i + 48] == now) & 64));
+    return transpose_bits(bytes_get64(packed) | bytes_get64(packed + 8) << 1);
 }
 
 /* Prefetches the columns of bullet i that a program reads or writes. This halves the time if the bullets don't fit in
  * the caches. */
-static void prefetch(const struct bullets *b, uint32_t i)
+static void prefetch_program(const struct bullets *b, uint32_t i)
 {
     slots_prefetch(&b->motion[i]);
     slots_prefetch(&b->pc[i]);
@@ -57,13 +57,13 @@ static void prefetch(const struct bullets *b, uint32_t i)
 
 /* Returns, as bits, the idle bullets of a block whose `due` is the clock's low byte, so that their wait may be over,
  * and prefetches their columns if the pool is large. */
-static uint64_t awake(const struct bullets *b, uint32_t block, uint32_t clock)
+static uint64_t find_woken(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     if (!b->idle[block])
         return 0;
-    const uint64_t found = due_block(b->due + block * SLOTS_BLOCK, (uint8_t)clock) & b->idle[block];
-    for (uint64_t m = b->s.top > NEAR_BLOCKS * SLOTS_BLOCK ? found : 0; m; m &= m - 1)
-        prefetch(b, block * SLOTS_BLOCK + bits_lowest(m));
+    const uint64_t found = due_mask(b->step_end_low + block * SLOTS_BLOCK, (uint8_t)clock) & b->idle[block];
+    for (uint64_t m = b->s.top > CACHED_BLOCKS * SLOTS_BLOCK ? found : 0; m; m &= m - 1)
+        prefetch_program(b, block * SLOTS_BLOCK + bits_lowest(m));
     return found;
 }
 
@@ -73,17 +73,17 @@ struct range {
     int32_t w, h;
 };
 
-enum { SIGN = -0x7fffffff - 1 };
+enum { SIGN_BIT = -0x7fffffff - 1 };
 
-static struct range range_of(int64_t x, int64_t y, uint32_t w, uint32_t h)
+static struct range make_range(int64_t x, int64_t y, uint32_t w, uint32_t h)
 {
-    return (struct range){ (uint32_t)x ^ (uint32_t)SIGN, (uint32_t)y ^ (uint32_t)SIGN, (int32_t)(w ^ (uint32_t)SIGN),
-                           (int32_t)(h ^ (uint32_t)SIGN) };
+    return (struct range){ (uint32_t)x ^ (uint32_t)SIGN_BIT, (uint32_t)y ^ (uint32_t)SIGN_BIT,
+                           (int32_t)(w ^ (uint32_t)SIGN_BIT), (int32_t)(h ^ (uint32_t)SIGN_BIT) };
 }
 
 static struct range keep_range(const struct box *k)
 {
-    return range_of(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
+    return make_range(k->x0, k->y0, (uint32_t)k->x1 - (uint32_t)k->x0, (uint32_t)k->y1 - (uint32_t)k->y0);
 }
 
 /* Returns the range of the broad phase for query q: every bullet near the player ends its move in this range. */
@@ -92,10 +92,10 @@ static struct range near_range(const struct bullets_query *q, fx fastest)
     int64_t reach = q->reach + fastest;
 
     if (q->reach < 0) /* a single point, where no bullet is */
-        return range_of(FX_MIN, FX_MIN, 0, 0);
+        return make_range(FX_MIN, FX_MIN, 0, 0);
     if (reach > FX_MAX) /* 2 * reach would wrap: the range is everywhere */
-        return range_of(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
-    return range_of(q->x - reach, q->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
+        return make_range(FX_MIN, FX_MIN, UINT32_MAX, UINT32_MAX);
+    return make_range(q->x - reach, q->y - reach, 2 * (uint32_t)reach, 2 * (uint32_t)reach);
 }
 
 #define OUTSIDE(v, lo, size) -((int32_t)((uint32_t)(v) - (lo)) > (size))
@@ -112,46 +112,47 @@ static const uint32_t HALF_BIT[HALF] = {
 
 /* Returns -1 (all bits set) if a bullet that moves to (x, y) stays inside keep (far is 0) and is outside the range *n,
  * otherwise 0. */
-static inline int32_t is_usual(int32_t far, int32_t x, int32_t y, const struct range *n)
+static inline int32_t usual_mask(int32_t outside, int32_t x, int32_t y, const struct range *n)
 {
-    return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~far;
+    return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~outside;
 }
 
 /* Moves a block, both halves in one loop. Returns, as bits, the slots that are then outside *keep or inside *near. Sets
  * *lost to whether any slot is outside *keep. */
 static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
-                                  const struct range *keep, const struct range *near, bool *restrict lost)
+                                  const struct range *bounds, const struct range *near, bool *restrict any_outside)
 {
-    const struct range k = *keep, n = *near;
+    const struct range k = *bounds, n = *near;
     uint32_t low = 0, high = 0;
-    int32_t out = 0;
+    int32_t outside = 0;
 
     for (int i = 0; i < HALF; i++) {
         const int j = i + HALF;
         const int32_t ax = x[i] + vx[i], ay = y[i] + vy[i], bx = x[j] + vx[j], by = y[j] + vy[j];
-        const int32_t a_far = OUTSIDE(ax, k.x, k.w) | OUTSIDE(ay, k.y, k.h);
-        const int32_t b_far = OUTSIDE(bx, k.x, k.w) | OUTSIDE(by, k.y, k.h);
+        const int32_t a_outside = OUTSIDE(ax, k.x, k.w) | OUTSIDE(ay, k.y, k.h);
+        const int32_t b_outside = OUTSIDE(bx, k.x, k.w) | OUTSIDE(by, k.y, k.h);
         x[i] = ax;
         y[i] = ay;
         x[j] = bx;
         y[j] = by;
-        low |= (uint32_t)is_usual(a_far, ax, ay, &n) & HALF_BIT[i];
-        high |= (uint32_t)is_usual(b_far, bx, by, &n) & HALF_BIT[i];
-        out |= a_far | b_far;
+        low |= (uint32_t)usual_mask(a_outside, ax, ay, &n) & HALF_BIT[i];
+        high |= (uint32_t)usual_mask(b_outside, bx, by, &n) & HALF_BIT[i];
+        outside |= a_outside | b_outside;
     }
-    *lost = out;
+    *any_outside = outside;
     return ~((uint64_t)high << HALF | low);
 }
 
-static int32_t near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out, const struct range *near)
+static int32_t mark_near_block(const fx *restrict x, const fx *restrict y, uint8_t *restrict out,
+                               const struct range *near)
 {
     const struct range n = *near;
     int32_t any = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        int32_t is = ~(OUTSIDE(x[i], n.x, n.w) | OUTSIDE(y[i], n.y, n.h)) & 1;
-        out[i] = (uint8_t)is;
-        any |= is;
+        int32_t is_near = ~(OUTSIDE(x[i], n.x, n.w) | OUTSIDE(y[i], n.y, n.h)) & 1;
+        out[i] = (uint8_t)is_near;
+        any |= is_near;
     }
     return any;
 }
@@ -168,57 +169,60 @@ static void prefetch_near(const struct bullets *b, uint32_t first)
 static uint64_t find_near(const struct bullets *b, const struct bullets_query *q, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
-    const struct range r = near_range(q, b->fastest);
+    const struct range r = near_range(q, b->speed_bound);
     uint8_t out[SLOTS_BLOCK];
 
-    return q->reach >= 0 && near_block(b->x + first, b->y + first, out, &r) ? slots_gather(out) : 0;
+    return q->reach >= 0 && mark_near_block(b->x + first, b->y + first, out, &r) ? slots_pack_flags(out) : 0;
 }
 
-uint64_t bullets_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
+uint64_t bullets_find_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
 {
-    struct range r = near_range(&(struct bullets_query){ .x = x, .y = y, .reach = reach }, b->fastest);
+    struct range r = near_range(&(struct bullets_query){ .x = x, .y = y, .reach = reach }, b->speed_bound);
     uint32_t first = block * SLOTS_BLOCK;
     uint8_t out[SLOTS_BLOCK];
 
-    return near_block(b->x + first, b->y + first, out, &r) ? slots_gather(out) & slots_live_or_held(&b->s, block) : 0;
+    return mark_near_block(b->x + first, b->y + first, out, &r)
+               ? slots_pack_flags(out) & slots_live_or_held(&b->s, block)
+               : 0;
 }
 
-static uint64_t solid_block(const int32_t *restrict hp, const uint8_t *restrict flags)
+static uint64_t solid_mask(const int32_t *restrict hp, const uint8_t *restrict flags)
 {
     uint8_t out[SLOTS_BLOCK];
 
     for (int i = 0; i < SLOTS_BLOCK; i++)
         out[i] = (uint8_t)((hp[i] != 0) & !(flags[i] & BULLET_DELAYED));
-    return slots_gather(out);
+    return slots_pack_flags(out);
 }
 
-bool bullets_find_solid(struct bullets *b)
+bool bullets_update_solid(struct bullets *b)
 {
     uint64_t any = 0;
 
     for (uint32_t block = 0; block < b->s.top / SLOTS_BLOCK; block++) {
         uint32_t first = block * SLOTS_BLOCK;
-        b->solid[block] = solid_block(b->hp + first, b->flags + first) & slots_live_or_held(&b->s, block);
+        b->solid[block] = solid_mask(b->hp + first, b->flags + first) & slots_live_or_held(&b->s, block);
         any |= b->solid[block];
     }
     return any != 0;
 }
 
-/* Removes the bullets in `named` (bits) that are outside *keep: holds bullets near a player, or all if hold_all is set,
- * and drops the others. */
-static void leave(struct bullets *b, uint64_t named, uint32_t first, const struct box *keep, bool hold_all)
+/* Removes the bullets in `candidates` (bits) that are outside *keep_box: holds bullets near a player, or all if
+ * hold_all is set, and drops the others. */
+static void remove_outside(struct bullets *b, uint64_t candidates, uint32_t first, const struct box *keep_box,
+                           bool hold_all)
 {
     const uint64_t *near = &b->near[first / SLOTS_BLOCK * PADS];
     uint64_t hold = hold_all ? UINT64_MAX : 0;
 
     for (uint32_t p = 0; p < PADS; p++)
         hold |= near[p];
-    for (uint64_t m = named & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
+    for (uint64_t m = candidates & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
         uint32_t i = first + bits_lowest(m);
         fx x = b->x[i], y = b->y[i];
-        if (x >= keep->x0 && x <= keep->x1 && y >= keep->y0 && y <= keep->y1)
+        if (x >= keep_box->x0 && x <= keep_box->x1 && y >= keep_box->y0 && y <= keep_box->y1)
             continue;
-        b->moved++;
+        b->n_moved++;
         if (hold & bullets_bit(i))
             bullets_hold(b, i);
         else
@@ -226,73 +230,74 @@ static void leave(struct bullets *b, uint64_t named, uint32_t first, const struc
     }
 }
 
-/* `fastest` is recomputed every FASTEST_AGE frames; in between it only grows. */
-enum { FASTEST_AGE = 64 };
+/* `fastest` is recomputed every SPEED_BOUND_INTERVAL frames; in between it only grows. */
+enum { SPEED_BOUND_INTERVAL = 64 };
 
-static fx fastest_of(const struct bullets *b)
+static fx find_speed_bound(const struct bullets *b)
 {
-    fx most = 0;
+    fx bound = 0;
 
     for (uint32_t i = 0; i < b->s.top; i += SLOTS_BLOCK) {
-        fx v = bullets_fastest_block(b->vx + i, b->vy + i);
-        most = v > most ? v : most;
+        fx v = bullets_block_max_speed(b->vx + i, b->vy + i);
+        bound = v > bound ? v : bound;
     }
-    return most;
+    return bound;
 }
 
-void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep,
+void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
                   const struct bullets_query query[PADS], bool hold_all)
 {
     static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
-    struct range kept = keep_range(keep), near;
+    struct range keep_limits = keep_range(keep_box), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
     uint64_t woken[AHEAD]; /* woken bullets of the present block and the AHEAD - 1 blocks after it */
-    fx fastest = -1;
+    fx near_bound = -1;
 
     if (!query)
         query = none;
-    if (w->clock % FASTEST_AGE == 0)
-        b->fastest = fastest_of(b);
-    b->moved = 0;
+    if (w->clock % SPEED_BOUND_INTERVAL == 0)
+        b->speed_bound = find_speed_bound(b);
+    b->n_moved = 0;
     b->holds_all = hold_all;
-    b->ran = 0;
-    if (b->standing)
-        bullets_stand(b);
+    b->work_done = 0;
+    if (b->n_frozen)
+        bullets_step_freeze(b);
     for (uint32_t block = 0; block < AHEAD && block < blocks; block++)
-        woken[block] = awake(b, block, w->clock);
+        woken[block] = find_woken(b, block, w->clock);
     for (uint32_t block = 0; block < blocks; block++) {
         uint32_t i = block * SLOTS_BLOCK;
-        uint64_t now = woken[block % AHEAD];
+        uint64_t woken_now = woken[block % AHEAD];
 
         if (block + AHEAD < blocks) {
-            woken[block % AHEAD] = awake(b, block + AHEAD, w->clock);
+            woken[block % AHEAD] = find_woken(b, block + AHEAD, w->clock);
             prefetch_near(b, i + AHEAD * SLOTS_BLOCK);
         }
-        if (b->ran > w->most) /* over the limit: the frame ends in a fault */
+        if (b->work_done > w->work_limit) /* over the limit: the frame ends in a fault */
             break;
-        if (b->busy[block] || now)
-            bullets_run_block(b, w, block, now);
-        if (b->fastest != fastest) { /* a program may have raised the bound */
-            fastest = b->fastest;
-            near = near_range(&query[0], fastest);
+        if (b->busy[block] || woken_now)
+            bullets_run_block(b, w, block, woken_now);
+        if (b->speed_bound != near_bound) { /* a program may have raised the bound */
+            near_bound = b->speed_bound;
+            near = near_range(&query[0], near_bound);
         }
-        bool lost;
-        const uint64_t named = move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &kept, &near, &lost);
+        bool any_outside;
+        const uint64_t candidates =
+            move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &keep_limits, &near, &any_outside);
         uint64_t *found = b->near + block * PADS;
-        found[0] = query[0].reach < 0 ? 0 : named & b->s.used[block];
+        found[0] = query[0].reach < 0 ? 0 : candidates & b->s.used[block];
         for (uint32_t p = 1; p < PADS; p++)
             found[p] = find_near(b, &query[p], block) & b->s.used[block];
-        if (lost)
-            leave(b, named, i, keep, hold_all);
+        if (any_outside)
+            remove_outside(b, candidates, i, keep_box, hold_all);
     }
-    b->moved += b->s.live;
+    b->n_moved += b->s.live;
     slots_trim(&b->s);
 }
 
-void bullets_begin(struct bullets *b)
+void bullets_begin_move(struct bullets *b)
 {
-    b->moved = 0;
-    b->ran = 0;
-    if (b->standing)
-        bullets_stand(b);
+    b->n_moved = 0;
+    b->work_done = 0;
+    if (b->n_frozen)
+        bullets_step_freeze(b);
 }

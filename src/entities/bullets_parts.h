@@ -23,11 +23,11 @@ static inline void bullets_set_busy(struct bullets *b, uint32_t i, bool busy)
     b->idle[block] &= ~bullets_bit(i);
 }
 
-/* Adds `by`, 1 or -1, to the number of live bullets of a kind, if the pool counts its kinds. */
-static inline void bullets_count_kind(struct bullets *b, uint16_t kind, int by)
+/* Adds `delta`, 1 or -1, to the number of live bullets of a kind, if the pool counts its kinds. */
+static inline void bullets_count_kind(struct bullets *b, uint16_t kind, int delta)
 {
-    if (b->of_kind)
-        b->of_kind[kind] += (uint32_t)by;
+    if (b->kind_counts)
+        b->kind_counts[kind] += (uint32_t)delta;
 }
 
 /* Changes live bullet i's row in the table of kinds. */
@@ -38,27 +38,27 @@ static inline void bullets_change_kind(struct bullets *b, uint32_t i, unsigned k
     bullets_count_kind(b, b->kind[i], 1);
 }
 
-static inline bool bullets_stands(const struct bullets *b, uint32_t i)
+static inline bool bullets_is_frozen(const struct bullets *b, uint32_t i)
 {
-    return b->stands && b->stands[i];
+    return b->freeze_flags && b->freeze_flags[i];
 }
 
 static inline void bullets_store_velocity(struct bullets *b, uint32_t i, fx vx, fx vy)
 {
     fx a = fx_max(fx_abs(vx), fx_abs(vy));
 
-    if (bullets_stands(b, i)) {
-        b->kept_vx[i] = vx;
-        b->kept_vy[i] = vy;
+    if (bullets_is_frozen(b, i)) {
+        b->saved_vx[i] = vx;
+        b->saved_vy[i] = vy;
         return;
     }
     b->vx[i] = vx;
     b->vy[i] = vy;
-    if (a > b->fastest)
-        b->fastest = a;
+    if (a > b->speed_bound)
+        b->speed_bound = a;
 }
 
-static inline void bullets_velocity_from_dir(struct bullets *b, uint32_t i)
+static inline void bullets_set_velocity_from_dir(struct bullets *b, uint32_t i)
 {
     fx vx, vy;
 
@@ -68,24 +68,24 @@ static inline void bullets_velocity_from_dir(struct bullets *b, uint32_t i)
     bullets_store_velocity(b, i, vx, vy);
 }
 
-static inline int64_t bullets_clamp_pace(int64_t v)
+static inline int64_t bullets_clamp_speed(int64_t v)
 {
-    const int64_t most = (int64_t)MAX_SPEED << 32;
+    const int64_t limit = (int64_t)MAX_SPEED << 32;
 
-    return int64_clamp(v, -most, most);
+    return int64_clamp(v, -limit, limit);
 }
 
 /* Returns the fx nearest to a clamped Q32 speed, ties to even. */
-static inline fx bullets_pace_fx(int64_t pace)
+static inline fx bullets_speed_to_fx(int64_t speed_q32)
 {
-    return (fx)((pace + 0x7fff + (pace >> PACE_BITS & 1)) >> PACE_BITS);
+    return (fx)((speed_q32 + 0x7fff + (speed_q32 >> Q32_EXTRA_BITS & 1)) >> Q32_EXTRA_BITS);
 }
 
-/* Returns the fx nearest to a Q32 coordinate, and sets *more to the rest, in Q32. */
-static inline fx bullets_split(int64_t v, int16_t *more)
+/* Returns the fx nearest to a Q32 coordinate, and sets *low to the rest, in Q32. */
+static inline fx bullets_split(int64_t v, int16_t *low)
 {
-    *more = (int16_t)v;
-    return (fx)((v - *more) >> PACE_BITS);
+    *low = (int16_t)v;
+    return (fx)((v - *low) >> Q32_EXTRA_BITS);
 }
 
 /* Returns the squared distance of target i from (x, y), which is below 2^63 because positions are within the world. */
@@ -101,18 +101,18 @@ void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t
 
 /* Called at the start of a move. Decrements each frozen bullet's remaining frames and unfreezes the bullets that reach
  * 0. */
-void bullets_stand(struct bullets *b);
+void bullets_step_freeze(struct bullets *b);
 
-static inline fx bullets_fastest_block(const fx *restrict vx, const fx *restrict vy)
+static inline fx bullets_block_max_speed(const fx *restrict vx, const fx *restrict vy)
 {
-    fx most = 0;
+    fx max_speed = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
         fx ax = vx[i] < 0 ? -vx[i] : vx[i], ay = vy[i] < 0 ? -vy[i] : vy[i];
-        most = ax > most ? ax : most;
-        most = ay > most ? ay : most;
+        max_speed = ax > max_speed ? ax : max_speed;
+        max_speed = ay > max_speed ? ay : max_speed;
     }
-    return most;
+    return max_speed;
 }
 
 #endif

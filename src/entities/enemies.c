@@ -14,13 +14,13 @@ static const struct column kind_columns[] = {
 static const struct column columns[] = {
     COLUMN(enemies, x),
     COLUMN(enemies, y),
-    DERIVED(enemies, was_x, "written by every move before hit tests read it"),
-    DERIVED(enemies, was_y, "written by every move before hit tests read it"),
+    DERIVED(enemies, prev_x, "written by every move before hit tests read it"),
+    DERIVED(enemies, prev_y, "written by every move before hit tests read it"),
     COLUMN(enemies, hp),
     COLUMN(enemies, kind),
     COLUMN(enemies, bank),
     COLUMN(enemies, tag),
-    COLUMN(enemies, safe),
+    COLUMN(enemies, safe_left),
     COLUMN(enemies, born),
     COLUMN(enemies, owner_task),
     COLUMN(enemies, owner),
@@ -29,22 +29,22 @@ static const struct column columns[] = {
     COLUMN(enemies, y0),
     COLUMN(enemies, x1),
     COLUMN(enemies, y1),
-    COLUMN(enemies, made),
-    COLUMN(enemies, over),
+    COLUMN(enemies, move_elapsed),
+    COLUMN(enemies, move_duration),
     COLUMN(enemies, ease),
     GROUP_COLUMN(enemies, value1, GROUP_VALUE + 0),
     GROUP_COLUMN(enemies, value2, GROUP_VALUE + 1),
     GROUP_COLUMN(enemies, value3, GROUP_VALUE + 2),
     GROUP_COLUMN(enemies, value4, GROUP_VALUE + 3),
-    DERIVED_REGISTERS(enemies, value_start, "set only while scripts load, like names"),
-    GROUP_COLUMN(enemies, frozen, GROUP_FROZEN),
-    GROUP_COLUMN(enemies, stands, GROUP_FROZEN),
-    DERIVED_REGISTER(enemies, standing, "the number of standing enemies, counted from the column `stands`"),
-    DERIVED_REGISTER(enemies, leaving, "rewritten by every move before hit tests read it"),
+    DERIVED_REGISTERS(enemies, initial_value, "set only while scripts load, like names"),
+    GROUP_COLUMN(enemies, frozen_left, GROUP_FROZEN),
+    GROUP_COLUMN(enemies, freeze_flags, GROUP_FROZEN),
+    DERIVED_REGISTER(enemies, n_frozen, "the number of standing enemies, counted from the column `stands`"),
+    DERIVED_REGISTER(enemies, n_leaving, "rewritten by every move before hit tests read it"),
     GROUP_COLUMN(enemies, rate, GROUP_BODIES),
-    GROUP_COLUMN(enemies, wound, GROUP_BODIES),
+    GROUP_COLUMN(enemies, hp_deficit, GROUP_BODIES),
     GROUP_COLUMN(enemies, body, GROUP_BODIES),
-    GROUP_COLUMN(enemies, parts, GROUP_BODIES),
+    GROUP_COLUMN(enemies, n_parts, GROUP_BODIES),
     GROUP_COLUMN(enemies, dx, GROUP_BODIES),
     GROUP_COLUMN(enemies, dy, GROUP_BODIES),
     GROUP_COLUMN(enemies, share, GROUP_BODIES),
@@ -53,13 +53,13 @@ static const struct column columns[] = {
     GROUP_COLUMN(enemies, cy, GROUP_BODIES),
     GROUP_COLUMN(enemies, reach_x, GROUP_BODIES),
     GROUP_COLUMN(enemies, reach_y, GROUP_BODIES),
-    GROUP_COLUMN(enemies, around, GROUP_BODIES),
+    GROUP_COLUMN(enemies, orbit_target, GROUP_BODIES),
     GROUP_COLUMN(enemies, angle, GROUP_BODIES),
     GROUP_COLUMN(enemies, spin, GROUP_BODIES),
-    GROUP_COLUMN(enemies, every, GROUP_BODIES),
-    GROUP_COLUMN(enemies, due, GROUP_BODIES),
-    GROUP_COLUMN(enemies, leg, GROUP_BODIES),
-    GROUP_DERIVED(enemies, settled, GROUP_BODIES, "rewritten by every move"),
+    GROUP_COLUMN(enemies, leg_interval, GROUP_BODIES),
+    GROUP_COLUMN(enemies, leg_wait, GROUP_BODIES),
+    GROUP_COLUMN(enemies, leg_duration, GROUP_BODIES),
+    GROUP_DERIVED(enemies, move_begun, GROUP_BODIES, "rewritten by every move"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
@@ -69,21 +69,21 @@ const struct chip enemy_kinds_chip = { "enemy_kinds", kind_columns, COUNT(kind_c
 static void park(struct enemies *e, uint32_t i)
 {
     e->x[i] = e->y[i] = PARK;
-    e->over[i] = 0;
+    e->move_duration[i] = 0;
 }
 
 /* Initialises the GROUP_BODIES columns of new enemy i with its kind's rate. The enemy is not a part and has none. */
-static void begin_body(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+static void init_body(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     e->rate[i] = kinds->rate[e->kind[i]];
-    e->wound[i] = 0;
-    e->body[i] = e->parts[i] = 0;
+    e->hp_deficit[i] = 0;
+    e->body[i] = e->n_parts[i] = 0;
     e->dx[i] = e->dy[i] = e->cx[i] = e->cy[i] = e->reach_x[i] = e->reach_y[i] = 0;
     e->share[i] = e->spin[i] = 0;
     e->angle[i] = 0;
-    e->every[i] = e->due[i] = e->leg[i] = 0;
+    e->leg_interval[i] = e->leg_wait[i] = e->leg_duration[i] = 0;
     e->lead[i] = 0;
-    e->around[i] = 0;
+    e->orbit_target[i] = 0;
 }
 
 int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16_t kind, fx x, fx y, uint32_t clock)
@@ -95,32 +95,32 @@ int32_t enemies_spawn(struct enemies *e, const struct enemy_kinds *kinds, uint16
         return i;
     for (uint32_t k = top; k < e->s.top; k++)
         park(e, k);
-    e->x[i] = e->was_x[i] = e->x0[i] = e->x1[i] = x;
-    e->y[i] = e->was_y[i] = e->y0[i] = e->y1[i] = y;
+    e->x[i] = e->prev_x[i] = e->x0[i] = e->x1[i] = x;
+    e->y[i] = e->prev_y[i] = e->y0[i] = e->y1[i] = y;
     e->hp[i] = kinds->hp[kind];
     e->kind[i] = kind;
     e->bank[i] = kinds->bank[kind] & ENEMY_BANK;
     e->tag[i] = 0;
-    e->safe[i] = 0;
+    e->safe_left[i] = 0;
     e->born[i] = clock;
     e->owner_task[i] = 0;
     e->owner[i] = 0;
     e->flags[i] = 0;
-    e->made[i] = 0;
-    e->over[i] = 0;
+    e->move_elapsed[i] = 0;
+    e->move_duration[i] = 0;
     e->ease[i] = EASE_LINEAR;
     for (int k = 0; k < MAX_VALUES && enemies_value(e, k); k++)
-        enemies_value(e, k)[i] = e->value_start[k];
-    if (e->frozen)
-        e->frozen[i] = e->stands[i] = 0;
+        enemies_value(e, k)[i] = e->initial_value[k];
+    if (e->frozen_left)
+        e->frozen_left[i] = e->freeze_flags[i] = 0;
     if (e->rate)
-        begin_body(e, kinds, (uint32_t)i);
+        init_body(e, kinds, (uint32_t)i);
     return i;
 }
 
 static void detach(struct enemies *e, uint32_t i)
 {
-    e->parts[e->body[i] - 1]--;
+    e->n_parts[e->body[i] - 1]--;
     e->body[i] = 0;
 }
 
@@ -140,13 +140,13 @@ void enemies_drop(struct enemies *e, uint32_t i)
 {
     if (e->body && e->body[i])
         detach(e, i);
-    if (e->parts && e->parts[i])
+    if (e->n_parts && e->n_parts[i])
         drop_parts(e, i);
     slots_drop(&e->s, i);
     park(e, i);
 }
 
-void enemies_drop_of(struct enemies *e, int64_t owner)
+void enemies_drop_owned(struct enemies *e, int64_t owner)
 {
     EACH_LIVE (i, &e->s)
         if (e->owner[i] == owner && !(e->flags[i] & ENEMY_DYING))
@@ -160,18 +160,18 @@ static bool is_part(const struct enemies *e, uint32_t i)
 
 /* Return a pointer to the coordinate that enemy i's moves change: of the position or, if the enemy is a part, of the
  * offset from its body. */
-static fx *led_x(const struct enemies *e, uint32_t i)
+static fx *local_x(const struct enemies *e, uint32_t i)
 {
     return is_part(e, i) ? &e->dx[i] : &e->x[i];
 }
 
-static fx *led_y(const struct enemies *e, uint32_t i)
+static fx *local_y(const struct enemies *e, uint32_t i)
 {
     return is_part(e, i) ? &e->dy[i] : &e->y[i];
 }
 
-/* Converts (*x, *y) from a position in the field to the coordinates that enemy i's moves change (led_x, led_y). */
-static void led(const struct enemies *e, uint32_t i, fx *x, fx *y)
+/* Converts (*x, *y) from a position in the field to the coordinates that enemy i's moves change (local_x, local_y). */
+static void to_local(const struct enemies *e, uint32_t i, fx *x, fx *y)
 {
     if (!is_part(e, i))
         return;
@@ -179,47 +179,48 @@ static void led(const struct enemies *e, uint32_t i, fx *x, fx *y)
     *y = fx_sub(*y, e->y[e->body[i] - 1]);
 }
 
-static void set_out(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease)
+static void begin_move(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease)
 {
-    e->x0[i] = *led_x(e, i);
-    e->y0[i] = *led_y(e, i);
+    e->x0[i] = *local_x(e, i);
+    e->y0[i] = *local_y(e, i);
     e->x1[i] = x;
     e->y1[i] = y;
-    e->made[i] = 0;
-    e->over[i] = over;
+    e->move_elapsed[i] = 0;
+    e->move_duration[i] = duration;
     e->ease[i] = (uint8_t)ease;
 }
 
 void enemies_halt(struct enemies *e, uint32_t i)
 {
-    e->over[i] = 0;
+    e->move_duration[i] = 0;
     if (e->lead) {
         e->lead[i] = 0;
-        e->around[i] = 0;
+        e->orbit_target[i] = 0;
     }
 }
 
-void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease)
+void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease)
 {
     enemies_halt(e, i);
-    led(e, i, &x, &y);
-    set_out(e, i, x, y, over, ease);
+    to_local(e, i, &x, &y);
+    begin_move(e, i, x, y, duration, ease);
 }
 
-static fx shifted(fx at, fx by)
+static fx shift_in_world(fx at, fx delta)
 {
-    const fx edge = (fx)WORLD << 16;
-    fx to = fx_add(at, by);
+    const fx edge = (fx)WORLD_EDGE << 16;
+    fx to = fx_add(at, delta);
 
     return to > edge ? edge : to < -edge ? -edge : to;
 }
 
-void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease)
+void enemies_move_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t duration, enum ease ease)
 {
-    const bool part = is_part(e, i);
+    const bool is_relative = is_part(e, i);
 
     enemies_halt(e, i);
-    set_out(e, i, part ? dx : shifted(e->x[i], dx), part ? dy : shifted(e->y[i], dy), over, ease);
+    begin_move(e, i, is_relative ? dx : shift_in_world(e->x[i], dx), is_relative ? dy : shift_in_world(e->y[i], dy),
+               duration, ease);
 }
 
 void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y)
@@ -227,91 +228,91 @@ void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y)
     enemies_halt(e, i);
     e->x[i] = x;
     e->y[i] = y;
-    led(e, i, &x, &y);
-    *led_x(e, i) = x;
-    *led_y(e, i) = y;
+    to_local(e, i, &x, &y);
+    *local_x(e, i) = x;
+    *local_y(e, i) = y;
 }
 
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
 {
-    e->x[i] = shifted(e->x[i], dx);
-    e->y[i] = shifted(e->y[i], dy);
+    e->x[i] = shift_in_world(e->x[i], dx);
+    e->y[i] = shift_in_world(e->y[i], dy);
     if (is_part(e, i)) {
-        e->dx[i] = shifted(e->dx[i], dx);
-        e->dy[i] = shifted(e->dy[i], dy);
+        e->dx[i] = shift_in_world(e->dx[i], dx);
+        e->dy[i] = shift_in_world(e->dy[i], dy);
     }
     if (e->lead && e->lead[i]) {
-        e->cx[i] = shifted(e->cx[i], dx);
-        e->cy[i] = shifted(e->cy[i], dy);
+        e->cx[i] = shift_in_world(e->cx[i], dx);
+        e->cy[i] = shift_in_world(e->cy[i], dy);
     }
-    if (!e->over[i])
+    if (!e->move_duration[i])
         return;
-    e->x0[i] = shifted(e->x0[i], dx);
-    e->y0[i] = shifted(e->y0[i], dy);
-    e->x1[i] = shifted(e->x1[i], dx);
-    e->y1[i] = shifted(e->y1[i], dy);
+    e->x0[i] = shift_in_world(e->x0[i], dx);
+    e->y0[i] = shift_in_world(e->y0[i], dy);
+    e->x1[i] = shift_in_world(e->x1[i], dx);
+    e->y1[i] = shift_in_world(e->y1[i], dy);
 }
 
-static bool far(fx a, fx b)
+static bool is_far(fx a, fx b)
 {
-    const int64_t most = (int64_t)MAX_SPEED << 16;
+    const int64_t limit = (int64_t)MAX_SPEED << 16;
 
-    return (int64_t)a - b > most || (int64_t)b - a > most;
+    return (int64_t)a - b > limit || (int64_t)b - a > limit;
 }
 
 /* Counts down enemy i's frozen frames at the start of its move. Returns whether the enemy is frozen in this move. */
-static bool stands(struct enemies *e, uint32_t i)
+static bool step_freeze(struct enemies *e, uint32_t i)
 {
-    if (!e->frozen)
+    if (!e->frozen_left)
         return false;
-    bool is = e->frozen[i] != 0;
-    e->frozen[i] -= e->frozen[i] > 0;
-    e->stands[i] = is ? STOOD : 0;
-    e->standing += is;
-    return is;
+    bool is_frozen = e->frozen_left[i] != 0;
+    e->frozen_left[i] -= e->frozen_left[i] > 0;
+    e->freeze_flags[i] = is_frozen ? FREEZE_LAST_MOVE : 0;
+    e->n_frozen += is_frozen;
+    return is_frozen;
 }
 
-void enemies_stay(struct enemies *e)
+void enemies_postpone_frozen(struct enemies *e)
 {
-    if (!e->standing)
+    if (!e->n_frozen)
         return;
     EACH_LIVE (i, &e->s)
-        e->born[i] += e->stands[i] != 0;
+        e->born[i] += e->freeze_flags[i] != 0;
 }
 
 /* Advances enemy i's move by a frame, and sets (*x, *y) to the result. */
-static void go_on(struct enemies *e, uint32_t i, fx *x, fx *y)
+static void step_move(struct enemies *e, uint32_t i, fx *x, fx *y)
 {
-    struct motion_share s = motion_eased((enum ease)e->ease[i], ++e->made[i], e->over[i]);
+    struct motion_share s = motion_ease((enum ease)e->ease[i], ++e->move_elapsed[i], e->move_duration[i]);
 
     *x = motion_between(e->x0[i], e->x1[i], s);
     *y = motion_between(e->y0[i], e->y1[i], s);
-    if (e->made[i] == e->over[i])
-        e->over[i] = 0;
+    if (e->move_elapsed[i] == e->move_duration[i])
+        e->move_duration[i] = 0;
 }
 
-static void keep_was(struct enemies *e, uint32_t i, fx x, fx y)
+static void save_previous(struct enemies *e, uint32_t i, fx x, fx y)
 {
-    bool jump = far(e->x[i], x) || far(e->y[i], y);
+    bool is_jump = is_far(e->x[i], x) || is_far(e->y[i], y);
 
-    e->was_x[i] = jump ? e->x[i] : x;
-    e->was_y[i] = jump ? e->y[i] : y;
+    e->prev_x[i] = is_jump ? e->x[i] : x;
+    e->prev_y[i] = is_jump ? e->y[i] : y;
 }
 
-static void step(struct enemies *e, uint32_t i)
+static void step_enemy(struct enemies *e, uint32_t i)
 {
     fx x = e->x[i], y = e->y[i];
 
-    if (!stands(e, i) && e->over[i])
-        go_on(e, i, &e->x[i], &e->y[i]);
-    keep_was(e, i, x, y);
+    if (!step_freeze(e, i) && e->move_duration[i])
+        step_move(e, i, &e->x[i], &e->y[i]);
+    save_previous(e, i, x, y);
 }
 
-void enemies_count_down(struct enemies *e)
+void enemies_step_timers(struct enemies *e)
 {
     EACH_LIVE (i, &e->s) {
-        if (e->safe[i] > 0)
-            e->safe[i]--;
+        if (e->safe_left[i] > 0)
+            e->safe_left[i]--;
         if (e->bank[i] >= ENEMY_BLINK_ONE)
             e->bank[i] -= ENEMY_BLINK_ONE;
     }
@@ -328,11 +329,11 @@ bool enemies_is_flashing(const struct enemies *e, const struct enemy_kinds *kind
     return 4 * (e->bank[i] / ENEMY_BLINK_ONE) > 3 * (kinds->bank[e->kind[i]] / ENEMY_BLINK_ONE);
 }
 
-uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
+uint16_t enemies_sprite(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i)
 {
     uint32_t kind = e->kind[i], n = e->flags[i] / ENEMY_PICTURE_ONE;
 
-    if (n == 0 && e->bank[i] >= ENEMY_BLINK_ONE && kinds->flags[kind] & ENEMY_HURT)
+    if (n == 0 && e->bank[i] >= ENEMY_BLINK_ONE && kinds->flags[kind] & ENEMY_HURT_PICTURE)
         n = 1;
     return kinds->sprite[kind - n];
 }
@@ -342,12 +343,12 @@ uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kind
 void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, int32_t share)
 {
     e->body[i] = (uint16_t)(body + 1);
-    e->parts[body]++;
+    e->n_parts[body]++;
     e->dx[i] = dx;
     e->dy[i] = dy;
     e->share[i] = share;
-    e->x[i] = e->was_x[i] = shifted(e->x[body], dx);
-    e->y[i] = e->was_y[i] = shifted(e->y[body], dy);
+    e->x[i] = e->prev_x[i] = shift_in_world(e->x[body], dx);
+    e->y[i] = e->prev_y[i] = shift_in_world(e->y[body], dy);
 }
 
 int enemies_depth(const struct enemies *e, uint32_t i)
@@ -359,41 +360,42 @@ int enemies_depth(const struct enemies *e, uint32_t i)
     return n;
 }
 
-uint64_t enemies_share(uint64_t amount, int32_t share)
+uint64_t enemies_scale_damage(uint64_t amount, int32_t share)
 {
-    const uint64_t s = (uint64_t)share, high = amount >> 16, most = UINT64_MAX >> 1;
+    const uint64_t s = (uint64_t)share, high = amount >> 16, limit = UINT64_MAX >> 1;
 
-    if (s && high > most / s)
-        return most;
+    if (s && high > limit / s)
+        return limit;
     return high * s + ((amount & 0xffff) * s >> 16);
 }
 
 uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount)
 {
-    const uint64_t had = ((uint64_t)e->hp[i] << 32) - e->wound[i], n = enemies_share(amount, e->rate[i]);
-    const uint64_t left = n < had ? had - n : 0;
+    const uint64_t exact_hp = ((uint64_t)e->hp[i] << 32) - e->hp_deficit[i],
+                   n = enemies_scale_damage(amount, e->rate[i]);
+    const uint64_t left = n < exact_hp ? exact_hp - n : 0;
 
     e->hp[i] = (int32_t)((left + UINT32_MAX) >> 32);
-    e->wound[i] = (uint32_t)(((uint64_t)e->hp[i] << 32) - left);
-    return had - left;
+    e->hp_deficit[i] = (uint32_t)(((uint64_t)e->hp[i] << 32) - left);
+    return exact_hp - left;
 }
 
-void enemies_circle(struct enemies *e, uint32_t i, const struct enemies_orbit *o)
+void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orbit *o)
 {
     enemies_halt(e, i);
     e->lead[i] = LEAD_ORBIT;
-    e->around[i] = o->around;
+    e->orbit_target[i] = o->orbit_target;
     e->cx[i] = o->x;
     e->cy[i] = o->y;
     e->reach_x[i] = o->radius;
     e->reach_y[i] = o->radius_to;
     e->angle[i] = o->angle;
     e->spin[i] = o->spin;
-    e->made[i] = 0;
-    e->over[i] = o->over;
+    e->move_elapsed[i] = 0;
+    e->move_duration[i] = o->duration;
 }
 
-void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *g)
+void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *g)
 {
     enemies_halt(e, i);
     e->lead[i] = LEAD_WANDER;
@@ -401,104 +403,105 @@ void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *
     e->cy[i] = g->y;
     e->reach_x[i] = g->reach_x;
     e->reach_y[i] = g->reach_y;
-    e->every[i] = g->every;
-    e->leg[i] = g->leg;
-    e->due[i] = 0;
+    e->leg_interval[i] = g->leg_interval;
+    e->leg_duration[i] = g->leg_duration;
+    e->leg_wait[i] = 0;
     e->ease[i] = (uint8_t)g->ease;
 }
 
-static fx within(const struct enemies_world *w, fx middle, fx reach)
+static fx random_within(const struct enemies_world *w, fx middle, fx reach)
 {
-    return shifted(middle, (fx)((int64_t)w->draw(w->context, 2 * (uint64_t)reach + 1) - reach));
+    return shift_in_world(middle, (fx)((int64_t)w->random_below(w->context, 2 * (uint64_t)reach + 1) - reach));
 }
 
-/* Starts the legs of the unfrozen wanderers that are due, and clears `settled` of all enemies. */
+/* Starts the legs of the unfrozen wanderers that are due, and clears `move_begun` of all enemies. */
 static void begin_legs(struct enemies *e, const struct enemies_world *w)
 {
     EACH_LIVE (i, &e->s) {
-        e->settled[i] = 0;
-        if (e->lead[i] != LEAD_WANDER || (e->frozen && e->frozen[i]))
+        e->move_begun[i] = 0;
+        if (e->lead[i] != LEAD_WANDER || (e->frozen_left && e->frozen_left[i]))
             continue;
-        if (!e->due[i]) {
-            fx x = within(w, e->cx[i], e->reach_x[i]), y = within(w, e->cy[i], e->reach_y[i]);
-            led(e, i, &x, &y);
-            set_out(e, i, x, y, e->leg[i], (enum ease)e->ease[i]);
-            e->due[i] = e->every[i];
+        if (!e->leg_wait[i]) {
+            fx x = random_within(w, e->cx[i], e->reach_x[i]), y = random_within(w, e->cy[i], e->reach_y[i]);
+            to_local(e, i, &x, &y);
+            begin_move(e, i, x, y, e->leg_duration[i], (enum ease)e->ease[i]);
+            e->leg_wait[i] = e->leg_interval[i];
         }
-        e->due[i]--;
+        e->leg_wait[i]--;
     }
 }
 
 /* Advances enemy i's orbit by a frame, and sets (*x, *y) to the result. If the entity at the centre has despawned, the
  * orbit continues around that entity's last position. */
-static void orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x, fx *y)
+static void step_orbit(struct enemies *e, uint32_t i, struct enemies_world *w, fx *x, fx *y)
 {
-    const int64_t from = (int64_t)e->reach_x[i] * (1 << PACE_BITS), to = (int64_t)e->reach_y[i] * (1 << PACE_BITS);
-    const uint32_t k = ++e->made[i], n = e->over[i];
+    const int64_t from = (int64_t)e->reach_x[i] * (1 << Q32_EXTRA_BITS),
+                  to = (int64_t)e->reach_y[i] * (1 << Q32_EXTRA_BITS);
+    const uint32_t k = ++e->move_elapsed[i], n = e->move_duration[i];
 
-    if (e->around[i] && !w->where(w, e->around[i], &e->cx[i], &e->cy[i]))
-        e->around[i] = 0;
-    motion_round(e->cx[i], e->cy[i], n ? motion_part_way(from, to, k, n) : from, e->angle[i] + (ang)e->spin[i] * k, x,
-                 y);
-    led(e, i, x, y);
+    if (e->orbit_target[i] && !w->get_position(w, e->orbit_target[i], &e->cx[i], &e->cy[i]))
+        e->orbit_target[i] = 0;
+    motion_offset_polar(e->cx[i], e->cy[i], n ? motion_lerp(from, to, k, n) : from, e->angle[i] + (ang)e->spin[i] * k,
+                        x, y);
+    to_local(e, i, x, y);
     if (k == n)
         enemies_halt(e, i);
 }
 
-/* Sets part i's position now and before this frame's move from the body's and from the part's offsets; (was_dx, was_dy)
- * is the offset before the move. Hit tests thus sweep the body and the part along the same path. */
-static void follow(struct enemies *e, uint32_t i, fx was_dx, fx was_dy)
+/* Sets part i's current and previous position: the body's, plus the part's offset now and before the move (prev_dx,
+ * prev_dy). Hit tests thus sweep the body and the part along the same path. */
+static void follow_body(struct enemies *e, uint32_t i, fx prev_dx, fx prev_dy)
 {
     const uint32_t body = e->body[i] - 1u;
 
-    e->x[i] = shifted(e->x[body], e->dx[i]);
-    e->y[i] = shifted(e->y[body], e->dy[i]);
-    keep_was(e, i, shifted(e->was_x[body], was_dx), shifted(e->was_y[body], was_dy));
+    e->x[i] = shift_in_world(e->x[body], e->dx[i]);
+    e->y[i] = shift_in_world(e->y[body], e->dy[i]);
+    save_previous(e, i, shift_in_world(e->prev_x[body], prev_dx), shift_in_world(e->prev_y[body], prev_dy));
 }
 
-void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w)
+void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w)
 {
-    if (e->settled[i])
+    if (e->move_begun[i])
         return;
-    e->settled[i] = 1;
+    e->move_begun[i] = 1;
     if (is_part(e, i))
-        enemies_settle(e, e->body[i] - 1u, w);
-    fx *x = led_x(e, i), *y = led_y(e, i), was_x = *x, was_y = *y;
-    if (!stands(e, i)) {
+        enemies_ensure_moved(e, e->body[i] - 1u, w);
+    fx *x = local_x(e, i), *y = local_y(e, i), prev_x = *x, prev_y = *y;
+    if (!step_freeze(e, i)) {
         if (e->lead[i] == LEAD_ORBIT)
-            orbit(e, i, w, x, y);
-        else if (e->over[i])
-            go_on(e, i, x, y);
+            step_orbit(e, i, w, x, y);
+        else if (e->move_duration[i])
+            step_move(e, i, x, y);
     }
     if (is_part(e, i))
-        follow(e, i, was_x, was_y);
+        follow_body(e, i, prev_x, prev_y);
     else
-        keep_was(e, i, was_x, was_y);
+        save_previous(e, i, prev_x, prev_y);
 }
 
 /* ---- the move of all enemies ---- */
 
-static bool inside(const struct enemies *e, uint32_t i, const struct box *keep)
+static bool is_inside(const struct enemies *e, uint32_t i, const struct box *keep_box)
 {
-    return e->x[i] >= keep->x0 && e->x[i] <= keep->x1 && e->y[i] >= keep->y0 && e->y[i] <= keep->y1;
+    return e->x[i] >= keep_box->x0 && e->x[i] <= keep_box->x1 && e->y[i] >= keep_box->y0 && e->y[i] <= keep_box->y1;
 }
 
-void enemies_move(struct enemies *e, const struct box *keep, struct enemies_world *w)
+void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_world *w)
 {
-    e->leaving = 0;
-    e->standing = 0;
+    e->n_leaving = 0;
+    e->n_frozen = 0;
     if (e->rate)
         begin_legs(e, w);
     EACH_LIVE (i, &e->s) {
         if (e->rate)
-            enemies_settle(e, i, w);
+            enemies_ensure_moved(e, i, w);
         else
-            step(e, i);
+            step_enemy(e, i);
         /* a boss may enter from outside *keep, and a part may reach outside *keep */
-        if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || inside(e, i, keep))
+        if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || is_inside(e, i, keep_box))
             continue;
         e->flags[i] |= ENEMY_LEAVING;
-        e->leaving++;
+        e->n_leaving++;
     }
     slots_trim(&e->s);
 }

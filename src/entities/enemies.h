@@ -13,9 +13,9 @@ enum {
     ENEMY_SWEPT = 1 << 1, /* kinds: uses swept collision against players: hit tests cover the whole path of a frame */
     ENEMY_BLEND = 3 << 2, /* kinds: blend mode + 1, or 0: drawn opaque; in units of ENEMY_BLEND_ONE */
     ENEMY_BLEND_ONE = 1 << 2,
-    ENEMY_BLOCKS = 1 << 4, /* kinds: the enemy removes bullets that touch it */
-    ENEMY_HURT = 1 << 5,   /* kinds: picture 1 replaces picture 0 while the enemy blinks */
-    ENEMY_SOFT = 1 << 6,   /* kinds: only a rim around the sprite blinks white */
+    ENEMY_BLOCKS = 1 << 4,       /* kinds: the enemy removes bullets that touch it */
+    ENEMY_HURT_PICTURE = 1 << 5, /* kinds: picture 1 replaces picture 0 while the enemy blinks */
+    ENEMY_SOFT = 1 << 6,         /* kinds: only a rim around the sprite blinks white */
 
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
@@ -38,9 +38,9 @@ enum {
     LEAD_ORBIT = 1,  /* in the column `lead`: the enemy orbits; 0: the enemy neither orbits nor wanders */
     LEAD_WANDER = 2, /* in the column `lead`: the enemy wanders */
 
-    PARTS_DEEP = 8,              /* limit of the depth of nested parts (enemies_depth) */
-    ENEMY_WHOLE = 1 << 16,       /* the value 1 in rates and shares */
-    ENEMY_MOST_RATE = 100 << 16, /* limit of `rate` */
+    MAX_PART_DEPTH = 8,         /* limit of the depth of nested parts (enemies_depth) */
+    ENEMY_RATE_ONE = 1 << 16,   /* the value 1 in rates and shares */
+    ENEMY_MAX_RATE = 100 << 16, /* limit of `rate` */
 
     MAX_ENEMIES = 4096
 };
@@ -56,71 +56,73 @@ struct enemy_kinds {
     uint8_t *bank; /* ENEMY_BANK and ENEMY_BLINK */
     uint8_t *flags;
     uint16_t *spark; /* kind + 1, 0: none */
-    int32_t *rate;   /* factor of the damage taken, ENEMY_WHOLE: 1; NULL: not enabled */
+    int32_t *rate;   /* factor of the damage taken, ENEMY_RATE_ONE: 1; NULL: not enabled */
 };
 
 struct enemies {
     struct slots s;
     fx *x, *y;
-    fx *was_x, *was_y; /* position before this frame's move; after a jump (more than MAX_SPEED): present position */
+    fx *prev_x, *prev_y; /* position before this frame's move; after a jump (more than MAX_SPEED): present position */
     int32_t *hp;
     uint16_t *kind;
     uint8_t *bank; /* ENEMY_BANK and ENEMY_BLINK */
     uint16_t *tag;
-    int32_t *safe;  /* frames left in which the enemy takes no damage, or SAFE_FOREVER */
-    uint32_t *born; /* clock when the enemy was spawned */
+    int32_t *safe_left; /* frames left in which the enemy takes no damage, or SAFE_FOREVER */
+    uint32_t *born;     /* clock when the enemy was spawned */
     uint32_t *owner_task;
     int64_t *owner; /* the enemy despawns when this owner ends, 0: none; the board defines the value */
     uint8_t *flags;
-    fx *x0, *y0, *x1, *y1; /* start and end of the move in progress */
-    uint32_t *made, *over; /* the move's frames done, and its total frames; over 0: no move */
+    fx *x0, *y0, *x1, *y1;                  /* start and end of the move in progress */
+    uint32_t *move_elapsed, *move_duration; /* the move's frames done, and its total frames; duration 0: no move */
     uint8_t *ease;
     fx *value1, *value2, *value3, *value4; /* numbers declared by the game; NULL: not declared */
-    fx value_start[MAX_VALUES];            /* initial values of a new enemy */
-    int32_t *frozen;   /* frames left frozen, or FROZEN_FOREVER; this and `stands`: NULL if not enabled */
-    uint8_t *stands;   /* STOOD: frozen in the last move */
-    uint32_t standing; /* number of enemies frozen in the last move */
-    uint32_t leaving;  /* number of enemies that left the keep box in this frame's move */
+    fx initial_value[MAX_VALUES];          /* initial values of a new enemy */
+    int32_t *frozen_left;  /* frames left frozen, or FROZEN_FOREVER; this and `freeze_flags`: NULL if not enabled */
+    uint8_t *freeze_flags; /* FREEZE_LAST_MOVE: frozen in the last move */
+    uint32_t n_frozen;     /* number of enemies frozen in the last move */
+    uint32_t n_leaving;    /* number of enemies that left the keep box in this frame's move */
 
     /* Bodies and their parts; all NULL if not enabled. A part stays at its body's position plus (dx, dy). Moves of a
      * part, and their ends (x0 to y1), are in terms of dx and dy. */
-    int32_t *rate;               /* factor of the damage taken, ENEMY_WHOLE: 1 */
-    uint32_t *wound;             /* hp, which is rounded up, minus the exact hp, in 2^-32 hp */
-    uint16_t *body;              /* slot + 1 of the part's body; 0: not a part */
-    uint16_t *parts;             /* number of the enemy's direct parts */
-    fx *dx, *dy;                 /* a part's offset from its body */
-    int32_t *share;              /* share of the damage to a part that its body takes too */
-    uint8_t *lead;               /* LEAD_ORBIT, LEAD_WANDER or 0 */
-    fx *cx, *cy;                 /* centre of the orbit, or of the area to wander in */
-    fx *reach_x, *reach_y;       /* radii at the start and end of the orbit; or half the area's width and height */
-    int64_t *around;             /* the board's handle of the orbit centre; 0: (cx, cy) is fixed */
-    ang *angle;                  /* angle at the orbit's start */
-    int32_t *spin;               /* ang per frame */
-    uint32_t *every, *due, *leg; /* wanderers: frames between the starts of two legs; until the next start; per leg */
-    uint8_t *settled;            /* 1: the enemy's move of this frame is done or in progress */
+    int32_t *rate;         /* factor of the damage taken, ENEMY_RATE_ONE: 1 */
+    uint32_t *hp_deficit;  /* hp, which is rounded up, minus the exact hp, in 2^-32 hp */
+    uint16_t *body;        /* slot + 1 of the part's body; 0: not a part */
+    uint16_t *n_parts;     /* number of the enemy's direct parts */
+    fx *dx, *dy;           /* a part's offset from its body */
+    int32_t *share;        /* share of the damage to a part that its body takes too */
+    uint8_t *lead;         /* LEAD_ORBIT, LEAD_WANDER or 0 */
+    fx *cx, *cy;           /* centre of the orbit, or of the area to wander in */
+    fx *reach_x, *reach_y; /* radii at the start and end of the orbit; or half the area's width and height */
+    int64_t *orbit_target; /* the board's handle of the orbit centre; 0: (cx, cy) is fixed */
+    ang *angle;            /* angle at the orbit's start */
+    int32_t *spin;         /* ang per frame */
+    uint32_t *leg_interval, *leg_wait,
+        *leg_duration;   /* wanderers: frames between the starts of two legs; until the next start; per leg */
+    uint8_t *move_begun; /* 1: the enemy's move of this frame is done or in progress */
 };
 
-/* The board's callbacks for the moves of bodies. where sets (*x, *y) to the position of an entity, for an enemy after
- * its move of this frame (enemies_settle), and returns false if the entity has despawned. draw returns a random number,
- * 0 <= n < below, from the game's generator. */
+/* The board's callbacks for the moves of bodies. get_position sets (*x, *y) to the position of an entity, for an enemy
+ * after its move of this frame (enemies_ensure_moved), and returns false if the entity has despawned. random_below
+ * returns a random number, 0 <= n < below, from the game's generator. */
 struct enemies_world {
     void *context;
-    bool (*where)(struct enemies_world *w, int64_t entity, fx *x, fx *y);
-    uint64_t (*draw)(void *context, uint64_t below);
-    int deep; /* depth of nested calls: number of enemies that wait for another one's position */
+    bool (*get_position)(struct enemies_world *w, int64_t entity, fx *x, fx *y);
+    uint64_t (*random_below)(void *context, uint64_t below);
+    int depth; /* depth of nested calls: number of enemies that wait for another one's position */
 };
 
 struct enemies_orbit {
-    int64_t around; /* handle of the centre; 0: (x, y) is the centre */
+    int64_t orbit_target; /* handle of the centre; 0: (x, y) is the centre */
     fx x, y, radius, radius_to;
     ang angle;
-    int32_t spin;  /* ang per frame */
-    uint32_t over; /* frames; 0: forever */
+    int32_t spin;      /* ang per frame */
+    uint32_t duration; /* frames; 0: forever */
 };
 
-struct enemies_ground {
+struct enemies_wander_area {
     fx x, y, reach_x, reach_y;
-    uint32_t every, leg; /* frames from one leg to the next, and frames a leg takes; 1 <= leg <= every */
+    uint32_t leg_interval,
+        leg_duration; /* frames from one leg to the next, and frames a leg takes; 1 <= leg <= every */
     enum ease ease;
 };
 
@@ -151,27 +153,28 @@ int enemies_depth(const struct enemies *e, uint32_t i);
  * are in 2^-32 hp. Sets hp to the rest, rounded up. */
 uint64_t enemies_damage(struct enemies *e, uint32_t i, uint64_t amount);
 
-/* Returns amount * share / ENEMY_WHOLE, rounded down, at most INT64_MAX. */
-uint64_t enemies_share(uint64_t amount, int32_t share);
+/* Returns amount * share / ENEMY_RATE_ONE, rounded down, at most INT64_MAX. */
+uint64_t enemies_scale_damage(uint64_t amount, int32_t share);
 
 /* Removes all enemies of `owner`, except dying ones, which despawn after their handlers have run. */
-void enemies_drop_of(struct enemies *e, int64_t owner);
+void enemies_drop_owned(struct enemies *e, int64_t owner);
 
-/* Moves enemy i to (x, y) over the next `over` calls of enemies_move, 1 <= over < 2^31, arriving exactly. After k of n
- * frames the enemy has covered motion_eased(ease, k, n) of the distance; each coordinate is rounded to the nearest fx,
- * ties to even. A part moves to the offset of (x, y) from its body's present position. */
-void enemies_go(struct enemies *e, uint32_t i, fx x, fx y, uint32_t over, enum ease ease);
+/* Moves enemy i to (x, y) over the next `duration` calls of enemies_move, 1 <= over < 2^31, arriving exactly. After k
+ * of n frames the enemy has covered motion_ease(ease, k, n) of the distance; each coordinate is rounded to the nearest
+ * fx, ties to even. A part moves to the offset of (x, y) from its body's present position. */
+void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease);
 
-/* Like enemies_go, but moves enemy i to its present position plus (dx, dy), or a part to the offset (dx, dy). */
-void enemies_go_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t over, enum ease ease);
+/* Like enemies_move_to, but moves enemy i to its present position plus (dx, dy), or a part to the offset (dx, dy). */
+void enemies_move_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t duration, enum ease ease);
 
 /* Places enemy i at (x, y), for a part by setting its offset, and ends its move, orbit or wandering. */
 void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y);
 
 /* Make enemy i orbit or wander from the next call of enemies_move on. Each leg of a wanderer is a move as in
- * enemies_go, to a random point of the area. enemies_move draws the points in slot order, before any enemy moves. */
-void enemies_circle(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
-void enemies_wander(struct enemies *e, uint32_t i, const struct enemies_ground *g);
+ * enemies_move_to, to a random point of the area. enemies_move draws the points in slot order, before any enemy
+ * moves. */
+void enemies_start_orbit(struct enemies *e, uint32_t i, const struct enemies_orbit *o);
+void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies_wander_area *g);
 
 /* Ends enemy i's move, orbit or wandering. The enemy stays where it is. */
 void enemies_halt(struct enemies *e, uint32_t i);
@@ -180,7 +183,7 @@ void enemies_halt(struct enemies *e, uint32_t i);
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy);
 
 /* Keeps frozen enemies from ageing. Call it at the end of each frame in which the clock advances. */
-void enemies_stay(struct enemies *e);
+void enemies_postpone_frozen(struct enemies *e);
 
 /* Makes enemy i blink after a hit, if its kind blinks and the enemy is not blinking already. */
 void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
@@ -190,18 +193,18 @@ void enemies_blink(struct enemies *e, const struct enemy_kinds *kinds, uint32_t 
 bool enemies_is_flashing(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
 /* Returns the sprite that enemy i shows. */
-uint16_t enemies_picture(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
+uint16_t enemies_sprite(const struct enemies *e, const struct enemy_kinds *kinds, uint32_t i);
 
-/* Counts down the frames of `safe` and blinking. Call it at the start of each frame, so that `safe = n` lasts n
+/* Counts down the frames of `safe_left` and blinking. Call it at the start of each frame, so that `safe = n` lasts n
  * frames, including the present one. */
-void enemies_count_down(struct enemies *e);
+void enemies_step_timers(struct enemies *e);
 
 /* Advances all moves by a frame, and marks enemies outside keep as ENEMY_LEAVING, except parts and undying or dying
  * enemies. w may be NULL if bodies are not enabled. Enemies move in slot order, except that a part moves after its
  * body, and an orbiting enemy after the enemy at its centre, unless the two wait for each other. */
-void enemies_move(struct enemies *e, const struct box *keep, struct enemies_world *w);
+void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_world *w);
 
 /* Makes enemy i's move of this frame, unless that move is done or in progress. */
-void enemies_settle(struct enemies *e, uint32_t i, struct enemies_world *w);
+void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w);
 
 #endif

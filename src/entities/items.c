@@ -13,12 +13,12 @@ static const struct column kind_columns[] = {
     COLUMN(item_kinds, flags),
     COLUMN(item_kinds, radius),
     COLUMN(item_kinds, gravity),
-    COLUMN(item_kinds, top),
-    COLUMN(item_kinds, low),
-    COLUMN(item_kinds, high),
+    COLUMN(item_kinds, max_fall_speed),
+    COLUMN(item_kinds, low_points),
+    COLUMN(item_kinds, high_points),
     COLUMN(item_kinds, lives),
     COLUMN(item_kinds, full_register),
-    COLUMNS(item_kinds, gives, ITEM_REGISTERS),
+    COLUMNS(item_kinds, register_amounts, ITEM_REGISTERS),
 };
 
 static const struct column columns[] = {
@@ -26,37 +26,37 @@ static const struct column columns[] = {
     COLUMN(items, y),
     COLUMN(items, vx),
     COLUMN(items, vy),
-    DERIVED(items, was_x, "written by every move before hit tests read it"),
-    DERIVED(items, was_y, "written by every move before hit tests read it"),
+    DERIVED(items, prev_x, "written by every move before hit tests read it"),
+    DERIVED(items, prev_y, "written by every move before hit tests read it"),
     COLUMN(items, kind),
     COLUMN(items, tag),
     COLUMN(items, born),
-    COLUMN(items, pull),
-    GROUP_COLUMN(items, frozen, GROUP_FROZEN),
-    GROUP_COLUMN(items, stands, GROUP_FROZEN),
-    DERIVED_BLOCKS(items, taken, 1, "empty between frames"),
-    DERIVED_REGISTER(items, standing, "the number of standing items, counted from the column `stands`"),
+    COLUMN(items, pulled_by),
+    GROUP_COLUMN(items, frozen_left, GROUP_FROZEN),
+    GROUP_COLUMN(items, freeze_flags, GROUP_FROZEN),
+    DERIVED_BLOCKS(items, collected, 1, "empty between frames"),
+    DERIVED_REGISTER(items, n_frozen, "the number of standing items, counted from the column `stands`"),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
 const struct chip items_chip = { "items", columns, COUNT(columns), false, false };
 const struct chip item_kinds_chip = { "item_kinds", kind_columns, COUNT(kind_columns), true, false };
 
-int32_t items_put(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock)
+int32_t items_spawn(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock)
 {
     int32_t i = slots_take(&s->s);
 
     if (i == NO_SLOT)
         return i;
-    s->x[i] = s->was_x[i] = x;
-    s->y[i] = s->was_y[i] = y;
+    s->x[i] = s->prev_x[i] = x;
+    s->y[i] = s->prev_y[i] = y;
     s->vx[i] = s->vy[i] = 0;
     s->kind[i] = kind;
     s->tag[i] = 0;
     s->born[i] = clock;
-    s->pull[i] = 0;
-    if (s->frozen)
-        s->frozen[i] = s->stands[i] = 0;
+    s->pulled_by[i] = 0;
+    if (s->frozen_left)
+        s->frozen_left[i] = s->freeze_flags[i] = 0;
     return i;
 }
 
@@ -67,43 +67,43 @@ ang items_direction(ang dir, uint64_t spread, uint32_t k, uint32_t n)
 
 void items_pull(struct items *s, uint32_t i, uint32_t p)
 {
-    s->pull[i] = (uint8_t)(p + 1);
+    s->pulled_by[i] = (uint8_t)(p + 1);
 }
 
-static void fall_again(struct items *s, uint32_t i)
+static void resume_fall(struct items *s, uint32_t i)
 {
-    s->pull[i] = 0;
+    s->pulled_by[i] = 0;
     s->vx[i] = s->vy[i] = 0;
 }
 
-void items_let_go(struct items *s, uint32_t p)
+void items_release(struct items *s, uint32_t p)
 {
     EACH_LIVE (i, &s->s)
-        if (s->pull[i] == p + 1)
-            fall_again(s, i);
+        if (s->pulled_by[i] == p + 1)
+            resume_fall(s, i);
 }
 
 /* Returns whether the item is frozen in this move, and counts down its frozen frames. */
-static bool stands(struct items *s, uint32_t i)
+static bool step_freeze(struct items *s, uint32_t i)
 {
-    if (!s->frozen)
+    if (!s->frozen_left)
         return false;
-    bool is = s->frozen[i] != 0;
-    s->frozen[i] -= s->frozen[i] > 0;
-    s->stands[i] = is ? STOOD : 0;
-    s->standing += is;
-    return is;
+    bool is_frozen = s->frozen_left[i] != 0;
+    s->frozen_left[i] -= s->frozen_left[i] > 0;
+    s->freeze_flags[i] = is_frozen ? FREEZE_LAST_MOVE : 0;
+    s->n_frozen += is_frozen;
+    return is_frozen;
 }
 
-void items_stay(struct items *s)
+void items_postpone_frozen(struct items *s)
 {
-    if (!s->standing)
+    if (!s->n_frozen)
         return;
     EACH_LIVE (i, &s->s)
-        s->born[i] += s->stands[i] != 0;
+        s->born[i] += s->freeze_flags[i] != 0;
 }
 
-static uint64_t apart(const struct items *s, uint32_t i, const struct item_pull *p)
+static uint64_t distance_squared(const struct items *s, uint32_t i, const struct item_pull *p)
 {
     uint64_t dx = geom_gap(s->x[i], p->x), dy = geom_gap(s->y[i], p->y);
 
@@ -112,16 +112,16 @@ static uint64_t apart(const struct items *s, uint32_t i, const struct item_pull 
 
 /* Returns the index + 1 of the nearest player that attracts the item, or 0 when none does. Of equally near players,
  * returns the first. */
-static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
+static uint8_t find_attractor(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
 {
     uint64_t nearest = UINT64_MAX;
     uint8_t found = 0;
 
     for (uint32_t p = 0; p < PADS; p++) {
         const struct item_pull *q = &pull[p];
-        if (!q->in || !(q->all || geom_circles(s->x[i], s->y[i], q->x, q->y, q->radius)))
+        if (!q->active || !(q->pulls_all || geom_circles(s->x[i], s->y[i], q->x, q->y, q->radius)))
             continue;
-        uint64_t d = apart(s, i, q);
+        uint64_t d = distance_squared(s, i, q);
         if (d < nearest) {
             nearest = d;
             found = (uint8_t)(p + 1);
@@ -132,14 +132,14 @@ static uint8_t attracted(const struct items *s, uint32_t i, const struct item_pu
 
 /* Sets the velocity towards the player. Invariant: if the distance is greater than the speed, the offset is divided by
  * at least the distance, so the step is at most `speed` long and overshoots the player on neither axis. */
-static void fly(struct items *s, uint32_t i, const struct item_pull *p)
+static void fly_to_player(struct items *s, uint32_t i, const struct item_pull *p)
 {
     int64_t dx = (int64_t)p->x - s->x[i], dy = (int64_t)p->y - s->y[i];
-    uint64_t way = apart(s, i, p);
+    uint64_t squared = distance_squared(s, i, p);
 
-    if (way > (uint64_t)p->speed * (uint64_t)p->speed) {
-        uint64_t length = fx_root(way);
-        length += length * length < way;
+    if (squared > (uint64_t)p->speed * (uint64_t)p->speed) {
+        uint64_t length = fx_root(squared);
+        length += length * length < squared;
         dx = dx * p->speed / (int64_t)length;
         dy = dy * p->speed / (int64_t)length;
     }
@@ -147,33 +147,33 @@ static void fly(struct items *s, uint32_t i, const struct item_pull *p)
     s->vy[i] = (fx)dy;
 }
 
-/* Returns v moved towards `to` by at most `by`. */
-static fx nearer(fx v, fx to, fx by)
+/* Returns v moved towards `to` by at most `max_step`. */
+static fx approach(fx v, fx to, fx max_step)
 {
-    return fx_clamp(to, fx_sub(v, by), fx_add(v, by));
+    return fx_clamp(to, fx_sub(v, max_step), fx_add(v, max_step));
 }
 
 static void fall(struct items *s, uint32_t i, const struct item_kinds *kinds)
 {
     const fx gravity = kinds->gravity[s->kind[i]];
 
-    s->vy[i] = nearer(s->vy[i], kinds->top[s->kind[i]], gravity);
+    s->vy[i] = approach(s->vy[i], kinds->max_fall_speed[s->kind[i]], gravity);
     if (s->vy[i] >= 0)
-        s->vx[i] = nearer(s->vx[i], 0, gravity);
+        s->vx[i] = approach(s->vx[i], 0, gravity);
 }
 
-static void step(struct items *s, uint32_t i, const struct item_kinds *kinds, const struct item_pull pull[PADS])
+static void step_item(struct items *s, uint32_t i, const struct item_kinds *kinds, const struct item_pull pull[PADS])
 {
-    s->was_x[i] = s->x[i];
-    s->was_y[i] = s->y[i];
-    if (s->pull[i] && !pull[s->pull[i] - 1].in)
-        fall_again(s, i);
-    if (stands(s, i))
+    s->prev_x[i] = s->x[i];
+    s->prev_y[i] = s->y[i];
+    if (s->pulled_by[i] && !pull[s->pulled_by[i] - 1].active)
+        resume_fall(s, i);
+    if (step_freeze(s, i))
         return;
-    if (!s->pull[i] && kinds->flags[s->kind[i]] & ITEM_MAGNET)
-        s->pull[i] = attracted(s, i, pull);
-    if (s->pull[i])
-        fly(s, i, &pull[s->pull[i] - 1]);
+    if (!s->pulled_by[i] && kinds->flags[s->kind[i]] & ITEM_MAGNET)
+        s->pulled_by[i] = find_attractor(s, i, pull);
+    if (s->pulled_by[i])
+        fly_to_player(s, i, &pull[s->pulled_by[i] - 1]);
     else
         fall(s, i, kinds);
     s->x[i] = fx_add(s->x[i], s->vx[i]);
@@ -182,15 +182,15 @@ static void step(struct items *s, uint32_t i, const struct item_kinds *kinds, co
 
 void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS])
 {
-    s->standing = 0;
+    s->n_frozen = 0;
     EACH_LIVE (i, &s->s)
-        step(s, i, kinds, pull);
+        step_item(s, i, kinds, pull);
     slots_trim(&s->s);
 }
 
 int64_t items_points(const struct item_kinds *kinds, uint16_t kind, fx y, fx line, fx bottom)
 {
-    const int64_t low = kinds->low[kind], high = kinds->high[kind];
+    const int64_t low = kinds->low_points[kind], high = kinds->high_points[kind];
 
     if (y <= line)
         return high;

@@ -9,9 +9,10 @@
 #include "../base/int.h"
 
 static const struct column kind_columns[] = {
-    COLUMN(laser_kinds, strip), COLUMN(laser_kinds, head),   COLUMN(laser_kinds, tail),   COLUMN(laser_kinds, width),
-    COLUMN(laser_kinds, share), COLUMN(laser_kinds, bank),   COLUMN(laser_kinds, flags),  COLUMN(laser_kinds, graze),
-    COLUMN(laser_kinds, every), COLUMN(laser_kinds, damage), COLUMN(laser_kinds, vanish),
+    COLUMN(laser_kinds, strip),  COLUMN(laser_kinds, head),           COLUMN(laser_kinds, tail),
+    COLUMN(laser_kinds, width),  COLUMN(laser_kinds, hit_share),      COLUMN(laser_kinds, bank),
+    COLUMN(laser_kinds, flags),  COLUMN(laser_kinds, graze_interval), COLUMN(laser_kinds, hit_interval),
+    COLUMN(laser_kinds, damage), COLUMN(laser_kinds, vanish_spark),
 };
 
 static const struct column columns[] = {
@@ -19,56 +20,57 @@ static const struct column columns[] = {
     COLUMN(lasers, flags),
     COLUMN(lasers, x0),
     COLUMN(lasers, y0),
-    COLUMN(lasers, was_x),
-    COLUMN(lasers, was_y),
-    COLUMN(lasers, was_x0),
-    COLUMN(lasers, was_y0),
+    COLUMN(lasers, prev_x),
+    COLUMN(lasers, prev_y),
+    COLUMN(lasers, prev_x0),
+    COLUMN(lasers, prev_y0),
     COLUMN(lasers, length),
-    COLUMN(lasers, grown),
+    COLUMN(lasers, grown_length),
     COLUMN(lasers, width),
     COLUMN(lasers, spin),
     COLUMN(lasers, warn),
     COLUMN(lasers, grow),
     COLUMN(lasers, fade),
-    COLUMN(lasers, until),
-    COLUMN(lasers, follow),
+    COLUMN(lasers, fade_age),
+    COLUMN(lasers, follow_target),
     COLUMN(lasers, dx),
     COLUMN(lasers, dy),
-    COLUMN(lasers, followed),
-    COLUMNS(lasers, again, PADS),
-    COLUMN(lasers, points),
-    COLUMN(lasers, count),
+    COLUMN(lasers, target_dir),
+    COLUMNS(lasers, rehit_clock, PADS),
+    COLUMN(lasers, max_points),
+    COLUMN(lasers, n_points),
     COLUMN(lasers, newest),
-    COLUMNS(lasers, piece, LASER_PIECES),
+    COLUMNS(lasers, piece, LASER_MAX_PIECES),
 };
 
-static const struct column point_columns[] = { COLUMNS(laser_points, x, LASER_PIECE),
-                                               COLUMNS(laser_points, y, LASER_PIECE) };
+static const struct column point_columns[] = { COLUMNS(laser_points, x, LASER_PIECE_POINTS),
+                                               COLUMNS(laser_points, y, LASER_PIECE_POINTS) };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
 const struct chip lasers_chip = { "lasers", columns, COUNT(columns), false, false };
 const struct chip laser_kinds_chip = { "laser_kinds", kind_columns, COUNT(kind_columns), true, false };
 const struct chip laser_points_chip = { "laser_points", point_columns, COUNT(point_columns), false, false };
 
-static uint32_t pieces_of(uint32_t points)
+static uint32_t piece_count(uint32_t points)
 {
-    return (points + LASER_PIECE - 1) / LASER_PIECE;
+    return (points + LASER_PIECE_POINTS - 1) / LASER_PIECE_POINTS;
 }
 
 static void set_point(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t at, fx x, fx y)
 {
-    uint32_t entry = l->piece[i * LASER_PIECES + at / LASER_PIECE] * (uint32_t)LASER_PIECE + at % LASER_PIECE;
+    uint32_t entry = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
+                     at % LASER_PIECE_POINTS;
 
     p->x[entry] = x;
     p->y[entry] = y;
 }
 
 /* Allocates n pieces for laser i. Returns false, and allocates none, when fewer than n are free. */
-static bool take_pieces(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
+static bool alloc_pieces(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
 {
-    uint16_t *piece = &l->piece[i * LASER_PIECES];
+    uint16_t *piece = &l->piece[i * LASER_MAX_PIECES];
 
-    memset(piece, 0, LASER_PIECES * sizeof *piece);
+    memset(piece, 0, LASER_MAX_PIECES * sizeof *piece);
     for (uint32_t k = 0; k < n; k++) {
         int32_t slot = slots_take(&p->s);
         if (slot == NO_SLOT) {
@@ -77,55 +79,55 @@ static bool take_pieces(struct lasers *l, struct laser_points *p, uint32_t i, ui
             return false;
         }
         piece[k] = (uint16_t)slot;
-        memset(&p->x[slot * LASER_PIECE], 0, LASER_PIECE * sizeof *p->x);
-        memset(&p->y[slot * LASER_PIECE], 0, LASER_PIECE * sizeof *p->y);
+        memset(&p->x[slot * LASER_PIECE_POINTS], 0, LASER_PIECE_POINTS * sizeof *p->x);
+        memset(&p->y[slot * LASER_PIECE_POINTS], 0, LASER_PIECE_POINTS * sizeof *p->y);
     }
     return true;
 }
 
-int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_shape *shape, fx x, fx y,
-                   struct slots **full)
+int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_spec *spec, fx x, fx y,
+                   struct slots **full_pool)
 {
     int32_t slot = slots_take(&l->s);
     uint32_t i = (uint32_t)slot;
 
-    *full = &l->s;
+    *full_pool = &l->s;
     if (slot == NO_SLOT)
         return slot;
-    if (!take_pieces(l, p, i, pieces_of(shape->points))) {
+    if (!alloc_pieces(l, p, i, piece_count(spec->points))) {
         slots_drop(&l->s, i);
-        *full = &p->s;
+        *full_pool = &p->s;
         return NO_SLOT;
     }
-    l->form[i] = (uint8_t)shape->form;
-    l->flags[i] = shape->flags;
-    l->x0[i] = l->was_x[i] = l->was_x0[i] = x;
-    l->y0[i] = l->was_y[i] = l->was_y0[i] = y;
-    l->length[i] = shape->length;
-    l->grown[i] = 0;
-    l->width[i] = shape->width;
-    l->spin[i] = shape->spin;
-    l->warn[i] = shape->warn;
-    l->grow[i] = shape->grow;
-    l->fade[i] = shape->fade;
-    l->until[i] = shape->hold == LASER_FOREVER ? LASER_FOREVER : shape->warn + shape->grow + shape->hold;
-    l->follow[i] = shape->follow;
-    l->dx[i] = shape->dx;
-    l->dy[i] = shape->dy;
-    l->followed[i] = 0;
-    memset(&l->again[i * PADS], 0, PADS * sizeof *l->again);
-    l->points[i] = shape->points;
-    l->count[i] = shape->points > 0;
+    l->form[i] = (uint8_t)spec->form;
+    l->flags[i] = spec->flags;
+    l->x0[i] = l->prev_x[i] = l->prev_x0[i] = x;
+    l->y0[i] = l->prev_y[i] = l->prev_y0[i] = y;
+    l->length[i] = spec->length;
+    l->grown_length[i] = 0;
+    l->width[i] = spec->width;
+    l->spin[i] = spec->spin;
+    l->warn[i] = spec->warn;
+    l->grow[i] = spec->grow;
+    l->fade[i] = spec->fade;
+    l->fade_age[i] = spec->hold == LASER_FOREVER ? LASER_FOREVER : spec->warn + spec->grow + spec->hold;
+    l->follow_target[i] = spec->follow_target;
+    l->dx[i] = spec->dx;
+    l->dy[i] = spec->dy;
+    l->target_dir[i] = 0;
+    memset(&l->rehit_clock[i * PADS], 0, PADS * sizeof *l->rehit_clock);
+    l->max_points[i] = spec->points;
+    l->n_points[i] = spec->points > 0;
     l->newest[i] = 0;
-    if (shape->points)
+    if (spec->points)
         set_point(l, p, i, 0, x, y);
     return slot;
 }
 
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
 {
-    for (uint32_t k = 0; k < pieces_of(l->points[i]); k++)
-        slots_drop(&p->s, l->piece[i * LASER_PIECES + k]);
+    for (uint32_t k = 0; k < piece_count(l->max_points[i]); k++)
+        slots_drop(&p->s, l->piece[i * LASER_MAX_PIECES + k]);
     slots_drop(&l->s, i);
     slots_trim(&p->s);
     slots_trim(&l->s);
@@ -136,9 +138,9 @@ void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i
 {
     fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;
 
-    for (uint32_t at = 0; at < l->count[i]; at += LASER_PIECE) {
-        const uint32_t first = l->piece[i * LASER_PIECES + at / LASER_PIECE] * (uint32_t)LASER_PIECE;
-        const uint32_t n = l->count[i] - at < LASER_PIECE ? l->count[i] - at : LASER_PIECE;
+    for (uint32_t at = 0; at < l->n_points[i]; at += LASER_PIECE_POINTS) {
+        const uint32_t first = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS;
+        const uint32_t n = l->n_points[i] - at < LASER_PIECE_POINTS ? l->n_points[i] - at : LASER_PIECE_POINTS;
         for (uint32_t k = first; k < first + n; k++) {
             x0 = fx_min(x0, p->x[k]);
             x1 = fx_max(x1, p->x[k]);
@@ -151,36 +153,37 @@ void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i
 
 void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, fx y)
 {
-    lasers_point(l, p, i, l->count[i] - 1u, &l->x0[i], &l->y0[i]);
-    l->newest[i] = (uint16_t)(l->newest[i] + 1u == l->points[i] ? 0 : l->newest[i] + 1u);
-    l->count[i] = (uint16_t)(l->count[i] < l->points[i] ? l->count[i] + 1u : l->points[i]);
+    lasers_point(l, p, i, l->n_points[i] - 1u, &l->x0[i], &l->y0[i]);
+    l->newest[i] = (uint16_t)(l->newest[i] + 1u == l->max_points[i] ? 0 : l->newest[i] + 1u);
+    l->n_points[i] = (uint16_t)(l->n_points[i] < l->max_points[i] ? l->n_points[i] + 1u : l->max_points[i]);
     set_point(l, p, i, l->newest[i], x, y);
 }
 
-static fx within(int64_t v)
+static fx clamp_to_world(int64_t v)
 {
-    return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
+    return (fx)int64_clamp(v, -(int64_t)WORLD_EDGE * 65536, (int64_t)WORLD_EDGE * 65536);
 }
 
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy)
 {
-    for (uint32_t k = 0; k < l->points[i]; k++) {
-        uint32_t entry = l->piece[i * LASER_PIECES + k / LASER_PIECE] * (uint32_t)LASER_PIECE + k % LASER_PIECE;
-        p->x[entry] = within((int64_t)p->x[entry] + dx);
-        p->y[entry] = within((int64_t)p->y[entry] + dy);
+    for (uint32_t k = 0; k < l->max_points[i]; k++) {
+        uint32_t entry = l->piece[i * LASER_MAX_PIECES + k / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
+                         k % LASER_PIECE_POINTS;
+        p->x[entry] = clamp_to_world((int64_t)p->x[entry] + dx);
+        p->y[entry] = clamp_to_world((int64_t)p->y[entry] + dy);
     }
-    l->x0[i] = within((int64_t)l->x0[i] + dx);
-    l->y0[i] = within((int64_t)l->y0[i] + dy);
+    l->x0[i] = clamp_to_world((int64_t)l->x0[i] + dx);
+    l->y0[i] = clamp_to_world((int64_t)l->y0[i] + dy);
 }
 
-static bool fades(const struct lasers *l, uint32_t i, int64_t age)
+static bool is_fading(const struct lasers *l, uint32_t i, int64_t age)
 {
-    return l->until[i] != LASER_FOREVER && age >= l->until[i];
+    return l->fade_age[i] != LASER_FOREVER && age >= l->fade_age[i];
 }
 
 enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age)
 {
-    if (fades(l, i, age))
+    if (is_fading(l, i, age))
         return LASER_FADE;
     if (age < (uint32_t)l->warn[i])
         return LASER_WARN;
@@ -188,7 +191,7 @@ enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age)
 }
 
 /* Returns k / n of a width, 0 <= k <= n. */
-static fx share(fx width, int64_t k, int64_t n)
+static fx scale_width(fx width, int64_t k, int64_t n)
 {
     return (fx)(width * k / n);
 }
@@ -197,28 +200,28 @@ fx lasers_width(const struct lasers *l, uint32_t i, uint32_t age)
 {
     switch (lasers_state(l, i, age)) {
     case LASER_GROW:
-        return share(l->width[i], (int64_t)age - l->warn[i] + 1, (int64_t)l->grow[i] + 1);
+        return scale_width(l->width[i], (int64_t)age - l->warn[i] + 1, (int64_t)l->grow[i] + 1);
     case LASER_FADE:
-        return lasers_over(l, i, age)
+        return lasers_has_faded(l, i, age)
                    ? 0
-                   : share(l->width[i], (int64_t)l->until[i] + l->fade[i] - age, (int64_t)l->fade[i] + 1);
+                   : scale_width(l->width[i], (int64_t)l->fade_age[i] + l->fade[i] - age, (int64_t)l->fade[i] + 1);
     default:
         return l->width[i];
     }
 }
 
-bool lasers_over(const struct lasers *l, uint32_t i, uint32_t age)
+bool lasers_has_faded(const struct lasers *l, uint32_t i, uint32_t age)
 {
-    return fades(l, i, age) && (int64_t)age - l->until[i] >= l->fade[i];
+    return is_fading(l, i, age) && (int64_t)age - l->fade_age[i] >= l->fade[i];
 }
 
 /* A laser that is still warning disappears at once; one that is growing fades from its current width. */
 void lasers_fade(struct lasers *l, uint32_t i, uint32_t age)
 {
-    if (fades(l, i, age))
+    if (is_fading(l, i, age))
         return;
     if (lasers_state(l, i, age) == LASER_WARN)
         l->fade[i] = 0;
     l->width[i] = lasers_width(l, i, age);
-    l->until[i] = (int32_t)age;
+    l->fade_age[i] = (int32_t)age;
 }

@@ -26,17 +26,17 @@ enum {
     LASER_BLEND_ONE = 1 << 2,
 
     /* in the column `flags` of lasers */
-    LASER_LEFT = 1 << 0,   /* the curve's head has left the keep box and stopped; the body catches up */
-    LASER_GONE = 1 << 1,   /* despawns at the end of this frame */
-    LASER_STILL = 1 << 2,  /* not swept this frame: the laser is frozen, jumped, or is a beam that has just become
+    LASER_HEAD_OUTSIDE = 1 << 0, /* the curve's head has left the keep box and stopped; the body catches up */
+    LASER_GONE = 1 << 1,         /* despawns at the end of this frame */
+    LASER_UNSWEPT = 1 << 2,      /* not swept this frame: the laser is frozen, jumped, or is a beam that has just become
                             * dangerous */
-    LASER_TURNS = 1 << 3,  /* rotates with the entity it follows */
-    LASER_TURNED = 1 << 4, /* `followed` is set */
+    LASER_TURNS = 1 << 3,        /* rotates with the entity it follows */
+    LASER_HAS_TARGET_DIR = 1 << 4, /* `target_dir` is set */
 
-    LASER_PIECE = 32, /* points per piece */
-    LASER_PIECES = 8, /* maximum pieces of a curve */
-    LASER_POINTS = LASER_PIECE * LASER_PIECES,
-    LASER_LONGEST = 4096, /* px; maximum length and width */
+    LASER_PIECE_POINTS = 32, /* points per piece */
+    LASER_MAX_PIECES = 8,    /* maximum pieces of a curve */
+    LASER_MAX_POINTS = LASER_PIECE_POINTS * LASER_MAX_PIECES,
+    LASER_MAX_SIZE = 4096, /* px; maximum length and width */
     LASER_FOREVER = -1,
     MAX_LASERS = 4096,
     MAX_LASER_KINDS = 256
@@ -48,69 +48,70 @@ struct laser_kinds {
     uint16_t *strip;
     uint16_t *head, *tail; /* sprite + 1; 0: none */
     fx *width;             /* px */
-    fx *share;             /* share of the width that hits, 0 to 1; negative: it never hits */
+    fx *hit_share;         /* share of the width that hits, 0 to 1; negative: it never hits */
     uint8_t *bank;
     uint8_t *flags;
-    uint16_t *graze; /* frames between two grazes; 0: no grazing */
-    uint16_t *every; /* frames between two hits of a player's laser */
+    uint16_t *graze_interval; /* frames between two grazes; 0: no grazing */
+    uint16_t *hit_interval;   /* frames between two hits of a player's laser */
     int32_t *damage;
-    uint16_t *vanish; /* spark kind + 1 that a clear leaves; 0: none */
+    uint16_t *vanish_spark; /* spark kind + 1 that a clear leaves; 0: none */
 };
 
 struct lasers {
     struct slots s;
     uint8_t *form, *flags;
-    fx *x0, *y0;         /* beams and bolts: the end opposite the head; curves: the tail before this frame's move */
-    fx *was_x, *was_y;   /* the head before this frame's move */
-    fx *was_x0, *was_y0; /* beams and bolts: the other end before this frame's move */
-    fx *length;          /* px; beams and bolts */
-    fx *grown;           /* bolts: px that have emerged */
-    fx *width;           /* px */
-    ang *spin;           /* rotation per frame, once the laser is dangerous */
+    fx *x0, *y0;           /* beams and bolts: the end opposite the head; curves: the tail before this frame's move */
+    fx *prev_x, *prev_y;   /* the head before this frame's move */
+    fx *prev_x0, *prev_y0; /* beams and bolts: the other end before this frame's move */
+    fx *length;            /* px; beams and bolts */
+    fx *grown_length;      /* bolts: px that have emerged */
+    fx *width;             /* px */
+    ang *spin;             /* rotation per frame, once the laser is dangerous */
     int32_t *warn, *grow, *fade; /* frames */
-    int32_t *until;              /* age at which it starts to fade, or LASER_FOREVER */
-    int64_t *follow;             /* entity it follows, defined by the board; 0: none */
+    int32_t *fade_age;           /* age at which it starts to fade, or LASER_FOREVER */
+    int64_t *follow_target;      /* entity it follows, defined by the board; 0: none */
     fx *dx, *dy;                 /* offset from that entity */
-    ang *followed;               /* direction in which that entity last faced */
-    uint32_t *again;             /* PADS per laser: clock from which that player can graze it again; in a player's
+    ang *target_dir;             /* direction in which that entity last faced */
+    uint32_t *rehit_clock;       /* PADS per laser: clock from which that player can graze it again; in a player's
                                   * laser, the first entry is the clock from which it can hit again */
-    uint16_t *points;            /* curves: capacity of the ring, in points */
-    uint16_t *count;             /* number of points in the ring */
+    uint16_t *max_points;        /* curves: capacity of the ring, in points */
+    uint16_t *n_points;          /* number of points in the ring */
     uint16_t *newest;            /* ring index of the newest point */
-    uint16_t *piece;             /* LASER_PIECES per laser: slots of its pieces */
+    uint16_t *piece;             /* LASER_MAX_PIECES per laser: slots of its pieces */
 };
 
 /* The pieces that hold the curves' points. */
 struct laser_points {
     struct slots s;
-    fx *x, *y; /* LASER_PIECE per piece */
+    fx *x, *y; /* LASER_PIECE_POINTS per piece */
 };
 
 extern const struct chip lasers_chip, laser_kinds_chip, laser_points_chip;
 
 /* Everything about a new laser except its ends. */
-struct laser_shape {
+struct laser_spec {
     enum laser_form form;
     uint8_t flags;
     uint16_t points;
     fx length, width, dx, dy;
     ang spin;
     int32_t warn, grow, hold, fade; /* frames; hold may be LASER_FOREVER */
-    int64_t follow;
+    int64_t follow_target;
 };
 
 /* Spawns a laser in the lowest free slot, with all its ends at (x, y). Returns the slot, or NO_SLOT when a pool is
- * full; *full then points to the slots of that pool (lasers or points). */
-int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_shape *shape, fx x, fx y,
-                   struct slots **full);
+ * full; *full_pool then points to the slots of that pool (lasers or points). */
+int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_spec *spec, fx x, fx y,
+                   struct slots **full_pool);
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i);
 
 /* Gets point k of curve i, 0 <= k < count; point 0 is the newest. */
 static inline void lasers_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
                                 fx *y)
 {
-    uint32_t at = l->newest[i] >= k ? l->newest[i] - k : l->newest[i] + l->points[i] - k;
-    uint32_t entry = l->piece[i * LASER_PIECES + at / LASER_PIECE] * (uint32_t)LASER_PIECE + at % LASER_PIECE;
+    uint32_t at = l->newest[i] >= k ? l->newest[i] - k : l->newest[i] + l->max_points[i] - k;
+    uint32_t entry = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
+                     at % LASER_PIECE_POINTS;
 
     *x = p->x[entry];
     *y = p->y[entry];
@@ -132,7 +133,7 @@ enum laser_state lasers_state(const struct lasers *l, uint32_t i, uint32_t age);
 fx lasers_width(const struct lasers *l, uint32_t i, uint32_t age);
 
 /* Returns whether laser i has faded out at the given age. */
-bool lasers_over(const struct lasers *l, uint32_t i, uint32_t age);
+bool lasers_has_faded(const struct lasers *l, uint32_t i, uint32_t age);
 
 /* Makes laser i fade from the given age on, unless it is fading already. */
 void lasers_fade(struct lasers *l, uint32_t i, uint32_t age);

@@ -10,12 +10,12 @@ static const struct column columns[] = {
     COLUMN(lines, y),
     COLUMN(lines, dx),
     COLUMN(lines, dy),
-    COLUMN(lines, follow),
+    COLUMN(lines, follow_target),
     COLUMN(lines, owner),
-    COLUMNS(lines, code, LINE_TEXT),
+    COLUMNS(lines, code, LINE_MAX_TEXT),
     COLUMN(lines, length),
     COLUMN(lines, width),
-    COLUMN(lines, letter),
+    COLUMN(lines, letter_frames),
     COLUMN(lines, font),
     COLUMN(lines, align),
     COLUMN(lines, bank),
@@ -25,15 +25,15 @@ static const struct column columns[] = {
 
 const struct chip lines_chip = { "lines", columns, sizeof columns / sizeof *columns, false, false };
 
-bool lines_say(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock)
+bool lines_set_text(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock)
 {
     const char *end = text + n;
-    uint32_t *to = l->code + (size_t)i * LINE_TEXT;
-    size_t count = utf8_count(text, n, LINE_TEXT + 1, NULL);
+    uint32_t *to = l->code + (size_t)i * LINE_MAX_TEXT;
+    size_t count = utf8_count(text, n, LINE_MAX_TEXT + 1, NULL);
 
-    if (count > LINE_TEXT)
+    if (count > LINE_MAX_TEXT)
         return false;
-    memset(to, 0, LINE_TEXT * sizeof *to);
+    memset(to, 0, LINE_MAX_TEXT * sizeof *to);
     while (text < end)
         *to++ = utf8_next(&text, end);
     l->length[i] = (uint16_t)count;
@@ -41,14 +41,14 @@ bool lines_say(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t
     return true;
 }
 
-uint32_t lines_seen(const struct lines *l, uint32_t i, uint32_t clock)
+uint32_t lines_visible_letters(const struct lines *l, uint32_t i, uint32_t clock)
 {
-    uint32_t n = l->letter[i] ? (clock - l->born[i]) / l->letter[i] : l->length[i];
+    uint32_t n = l->letter_frames[i] ? (clock - l->born[i]) / l->letter_frames[i] : l->length[i];
 
     return n < l->length[i] ? n : l->length[i];
 }
 
-void lines_drop_of(struct lines *l, int64_t owner)
+void lines_drop_owned(struct lines *l, int64_t owner)
 {
     EACH_LIVE (i, &l->s)
         if (l->owner[i] == owner)

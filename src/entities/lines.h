@@ -11,7 +11,7 @@
 #include "../base/slots.h"
 
 enum {
-    LINE_TEXT = 240, /* maximum characters */
+    LINE_MAX_TEXT = 240, /* maximum characters */
 
     LINE_SCREEN = 1 << 0, /* placed on the screen instead of the field */
     LINE_HIDDEN = 1 << 1,
@@ -24,15 +24,15 @@ enum {
 
 struct lines {
     struct slots s;
-    fx *x, *y;       /* position; unused if it follows an entity */
-    fx *dx, *dy;     /* offset from (x, y), or from the entity it follows */
-    int64_t *follow; /* entity it follows and despawns with, defined by the board; 0: none */
-    int64_t *owner;  /* entity or scope it despawns with, defined by the board; 0: none */
-    uint32_t *code;  /* LINE_TEXT per slot: code points, followed by zeroes */
+    fx *x, *y;              /* position; unused if it follows an entity */
+    fx *dx, *dy;            /* offset from (x, y), or from the entity it follows */
+    int64_t *follow_target; /* entity it follows and despawns with, defined by the board; 0: none */
+    int64_t *owner;         /* entity or scope it despawns with, defined by the board; 0: none */
+    uint32_t *code;         /* LINE_MAX_TEXT per slot: code points, followed by zeroes */
     uint16_t *length;
-    uint16_t *width;  /* px at which rows wrap; 0: only newlines break rows */
-    uint16_t *letter; /* frames per letter; 0: all at once */
-    uint8_t *font;    /* font + 1; 0: the font of the fixed text layer */
+    uint16_t *width;         /* px at which rows wrap; 0: only newlines break rows */
+    uint16_t *letter_frames; /* frames per letter; 0: all at once */
+    uint8_t *font;           /* font + 1; 0: the font of the fixed text layer */
     uint8_t *align;
     uint8_t *bank;
     uint8_t *flags;
@@ -41,14 +41,14 @@ struct lines {
 
 extern const struct chip lines_chip;
 
-/* Sets slot i's text to n bytes of UTF-8. Returns false, and changes nothing, when it is longer than LINE_TEXT
+/* Sets slot i's text to n bytes of UTF-8. Returns false, and changes nothing, when it is longer than LINE_MAX_TEXT
  * characters. */
-bool lines_say(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock);
+bool lines_set_text(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock);
 
 /* Returns the number of letters of line i that are visible at the given clock. */
-uint32_t lines_seen(const struct lines *l, uint32_t i, uint32_t clock);
+uint32_t lines_visible_letters(const struct lines *l, uint32_t i, uint32_t clock);
 
 /* Removes all lines of an owner. */
-void lines_drop_of(struct lines *l, int64_t owner);
+void lines_drop_owned(struct lines *l, int64_t owner);
 
 #endif

@@ -1,9 +1,8 @@
 /*
  * motion.h - the limits of the world, and motion programs: steps stored as data, run in C, and shared by all bullets
- * with the same program.
- * A program is a range of consecutive entries in the `steps` list. All actions of one step run together, in the
- * order of the DOES_ bits, for `over` frames (0: at once, without taking a frame). After the last step the bullet flies
- * straight on.
+ * with the same program. A program is a range of consecutive entries in the `steps` list. All actions of one step run
+ * together, in the order of the DOES_ bits, for `duration` frames (0: at once, without taking a frame). After the last
+ * step the bullet flies straight on.
  */
 #ifndef ENTITIES_MOTION_H
 #define ENTITIES_MOTION_H
@@ -13,21 +12,21 @@
 
 enum {
     PARK = -(16384 << 16), /* x and y of dead slots: one pixel past the edge of the world (bullets: see bullets.h) */
-    WORLD = 16383,         /* positions are from -WORLD to WORLD px */
+    WORLD_EDGE = 16383,    /* positions are from -WORLD to WORLD px */
     MAX_SPEED = 8191,      /* px/frame; also the limit of radii, in px */
-    PACE_BITS = 16         /* number of fraction bits that Q32 has in addition to those of fx */
+    Q32_EXTRA_BITS = 16    /* number of fraction bits that Q32 has in addition to those of fx */
 };
 
 /* The hit shape of a kind. */
 enum {
     SHAPE_NONE,
-    SHAPE_CIRCLE,      /* a: radius */
-    SHAPE_BOX,         /* a, b: half width and half height */
-    SHAPE_CAPSULE = 4, /* all points at most a from a line: from (x, y) to (-x, -y); for bullets: along dir, from -b
+    SHAPE_CIRCLE,         /* a: radius */
+    SHAPE_BOX,            /* a, b: half width and half height */
+    SHAPE_CAPSULE = 4,    /* all points at most a from a line: from (x, y) to (-x, -y); for bullets: along dir, from -b
                         * to b */
-    SHAPE_CIRCLES = 8, /* a circle of radius a at (x, y), and b more circles in the rows from ROW_CIRCLES on */
-    SHAPE_PLAIN = 3,   /* shapes without a capsule or circles, ORed together, are at most this */
-    SHAPE_PARTS = 4    /* most circles of a shape */
+    SHAPE_CIRCLES = 8,    /* a circle of radius a at (x, y), and b more circles in the rows from ROW_CIRCLES on */
+    SHAPE_MAX_PLAIN = 3,  /* shapes without a capsule or circles, ORed together, are at most this */
+    SHAPE_MAX_CIRCLES = 4 /* most circles of a shape */
 };
 
 /* The columns of kinds that describe the hitbox. */
@@ -48,7 +47,7 @@ enum {
     GROUP_VALUE = 1, /* first of MAX_VALUES groups, one per number declared by the game */
     MAX_VALUES = 4,
     GROUP_HP = GROUP_VALUE + MAX_VALUES,
-    GROUP_AROUND,
+    GROUP_ORBIT,
     GROUP_FROZEN,
     GROUP_MEET,
     GROUP_ITEMS,  /* players: attraction of items */
@@ -56,11 +55,11 @@ enum {
     GROUP_PIERCE  /* shots: piercing */
 };
 
-/* The columns of frozen entities: `frozen` is the frames left, or FROZEN_FOREVER; `stands` has these flags. */
+/* The columns of frozen entities: `frozen` is the frames left, or FROZEN_FOREVER; `freeze_flags` has these flags. */
 enum {
     FROZEN_FOREVER = -1,
-    STANDS = 1 << 0, /* set by the freeze, cleared by the first move that finds no frames left */
-    STOOD = 1 << 1   /* frozen in the last move: the entity's tasks don't run before the next move */
+    FREEZE_ACTIVE = 1 << 0,   /* set by the freeze, cleared by the first move that finds no frames left */
+    FREEZE_LAST_MOVE = 1 << 1 /* frozen in the last move: the entity's tasks don't run before the next move */
 };
 
 /* A rectangle of field positions, including its edges. */
@@ -79,17 +78,17 @@ enum {
     DOES_SPEED = 1 << 7,
     DOES_ACCEL = 1 << 8,
     DOES_DIE = 1 << 9,
-    DOES_LOOP = 1 << 10,  /* opens a loop of `count` rounds; `jump`: the step after the loop */
-    DOES_NEXT = 1 << 11,  /* closes a loop; `jump`: the loop's first step */
-    DOES_NAMED = 1 << 12, /* takes some of its numbers from the bullet's values, as `named` specifies */
-    DOES_GO_TO = 1 << 13, /* this and the next three lead the bullet along positions from motion_lead_place */
+    DOES_LOOP = 1 << 10,     /* opens a loop of `count` rounds; `jump`: the step after the loop */
+    DOES_LOOP_END = 1 << 11, /* closes a loop; `jump`: the loop's first step */
+    DOES_NAMED = 1 << 12,    /* takes some of its numbers from the bullet's values, as `named` specifies */
+    DOES_GO_TO = 1 << 13,    /* this and the next three lead the bullet along positions from motion_lead_position */
     DOES_POLAR = 1 << 14,
     DOES_WAVE = 1 << 15,
     DOES_ORBIT = 1 << 16,
     DOES_LEAD = DOES_GO_TO | DOES_POLAR | DOES_WAVE | DOES_ORBIT,
     DOES_BOUNCE = 1 << 17, /* with DOES_LOOP: opens a loop of bounces; alone: flies to the next bounce */
-    DOES_EMIT = 1 << 18,   /* fires bullets; takes EMIT_ROWS steps (motion_emit_at) */
-    DOES_AWAIT = 1 << 19,  /* waits in flight until the condition in `how` holds, for at most `over` frames */
+    DOES_EMIT = 1 << 18,   /* fires bullets; takes EMIT_ROWS steps (motion_unpack_emit) */
+    DOES_AWAIT = 1 << 19,  /* waits in flight until the condition in `mode` holds, for at most `duration` frames */
     DOES_ALL = (1 << 20) - 1,
     MOTION_DEPTH = 4, /* limit of nested loops */
     MOTION_FOREVER = 0xffff,
@@ -98,30 +97,30 @@ enum {
 
 enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };
 
-/* Bits of `how`, whose meaning depends on the step's action. */
+/* Bits of `mode`, whose meaning depends on the step's action. */
 enum {
-    HOW_EASE = 3,       /* enum ease */
-    HOW_AT = 1 << 2,    /* the centre is (x, y); if unset: polar: the bullet's position; orbit: its `orbit_target` */
-    HOW_TO = 1 << 3,    /* orbit: the radius changes to size_to */
-    HOW_SPEED = 1 << 4, /* go_to: flies at `speed`, for as many frames as needed */
-    HOW_BY = 1 << 5,    /* go_to: (x, y) is relative to the bullet's position when the step began */
-    HOW_LEFT = 1 << 0,  /* DOES_BOUNCE: the edges of the field that are walls */
-    HOW_RIGHT = 1 << 1,
-    HOW_TOP = 1 << 2,
-    HOW_BOTTOM = 1 << 3,
-    HOW_WALLS = 15,
-    HOW_X = 1 << 0, /* DOES_AWAIT: the bullet has reached or passed x since the step began */
-    HOW_Y = 1 << 1,
-    HOW_NEAR = 1 << 2,  /* DOES_AWAIT: the nearest target is closer than size */
-    HOW_SIGNAL = 1 << 3 /* DOES_AWAIT: a signal for the tag `count` has arrived (bullets_signal) */
+    MODE_EASE = 3,       /* enum ease */
+    MODE_AT = 1 << 2,    /* the centre is (x, y); if unset: polar: the bullet's position; orbit: its `orbit_target` */
+    MODE_TO = 1 << 3,    /* orbit: the radius changes to size_to */
+    MODE_SPEED = 1 << 4, /* go_to: flies at `speed`, for as many frames as needed */
+    MODE_RELATIVE = 1 << 5, /* go_to: (x, y) is relative to the bullet's position when the step began */
+    MODE_LEFT = 1 << 0,     /* DOES_BOUNCE: the edges of the field that are walls */
+    MODE_RIGHT = 1 << 1,
+    MODE_TOP = 1 << 2,
+    MODE_BOTTOM = 1 << 3,
+    MODE_WALLS = 15,
+    MODE_X = 1 << 0, /* DOES_AWAIT: the bullet has reached or passed x since the step began */
+    MODE_Y = 1 << 1,
+    MODE_NEAR = 1 << 2,  /* DOES_AWAIT: the nearest target is closer than size */
+    MODE_SIGNAL = 1 << 3 /* DOES_AWAIT: a signal for the tag `count` has arrived (bullets_signal) */
 };
 
-/* The numbers of a step that a named value can replace. `named` has NAMED_BITS bits per number, which store
- * b + NAMED_SHOTS * s. b is 1 + the value's column for bullets, s is 1 + the value's column for shots; 0: no value. If
- * all bits are 0, the step's own number is used. */
+/* The numbers of a step that a named value can replace. `named` has NAMED_BITS bits per number, which store b +
+ * NAMED_SHOT_STRIDE * s. b is 1 + the value's column for bullets, s is 1 + the value's column for shots; 0: no value.
+ * If all bits are 0, the step's own number is used. */
 enum step_number {
-    NUMBER_OVER, /* truncated to whole frames, at least 1 */
-    NUMBER_BANK, /* the low 4 bits of the whole number */
+    NUMBER_DURATION, /* truncated to whole frames, at least 1 */
+    NUMBER_BANK,     /* the low 4 bits of the whole number */
     NUMBER_DIR,
     NUMBER_TURN,
     NUMBER_HOME, /* clamped to 0 to 180 degrees */
@@ -134,15 +133,15 @@ enum step_number {
     NUMBER_COUNT,   /* period of a wave, truncated to whole frames, at least 1 */
     STEP_NUMBERS,
     NAMED_BITS = 5,
-    NAMED_SHOTS = MAX_VALUES + 1
+    NAMED_SHOT_STRIDE = MAX_VALUES + 1
 };
 _Static_assert(STEP_NUMBERS *NAMED_BITS <= 64, "a step's `named` has no room for another number");
 
 /* The steps of all programs, one program after the other. */
 struct steps {
     struct slots s;
-    uint32_t *does;
-    uint32_t *over; /* frames */
+    uint32_t *actions;
+    uint32_t *duration; /* frames */
     uint16_t *kind;
     uint8_t *bank;
     ang *dir;
@@ -151,13 +150,13 @@ struct steps {
     int64_t *speed;  /* px/frame in Q32; a whole number of fx unless the program is fine */
     int64_t *accel;  /* px/frame in Q32, added in each frame, or only once if over is 0 */
     uint16_t *count; /* rounds of a loop, or MOTION_FOREVER; a wave's period in frames; a signal's tag */
-    uint16_t *jump;  /* target of a jump, see DOES_LOOP, DOES_NEXT; DOES_BOUNCE: the step after the loop; relative to
+    uint16_t *jump; /* target of a jump, see DOES_LOOP, DOES_LOOP_END; DOES_BOUNCE: the step after the loop; relative to
                       * the program's first step */
-    uint8_t *depth;  /* nesting depth of a loop, 0 to MOTION_DEPTH - 1 */
-    fx *x, *y;       /* goal of go_to; centre of polar and orbit with HOW_AT; the x or y awaited by DOES_AWAIT */
-    fx *size;        /* px: amplitude of a wave; radius of an orbit; distance from a target for HOW_NEAR */
-    fx *size_to;     /* px: radius at the end of an orbit with HOW_TO */
-    uint8_t *how;    /* enum ease and HOW_ bits */
+    uint8_t *depth; /* nesting depth of a loop, 0 to MOTION_DEPTH - 1 */
+    fx *x, *y;      /* goal of go_to; centre of polar and orbit with MODE_AT; the x or y awaited by DOES_AWAIT */
+    fx *size;       /* px: amplitude of a wave; radius of an orbit; distance from a target for MODE_NEAR */
+    fx *size_to;    /* px: radius at the end of an orbit with MODE_TO */
+    uint8_t *mode;  /* enum ease and HOW_ bits */
     uint64_t *named; /* NAMED_BITS bits for each enum step_number */
 };
 
@@ -169,9 +168,9 @@ struct motions {
 };
 
 struct motion_step {
-    uint32_t does, over;
+    uint32_t actions, duration;
     uint16_t kind, count, jump;
-    uint8_t bank, depth, how;
+    uint8_t bank, depth, mode;
     fx x, y, size, size_to;
     ang dir, home;
     int32_t turn;
@@ -186,7 +185,7 @@ enum {
     EMIT_AIM = 1 << 1,   /* dir is relative to the direction to the nearest target */
     EMIT_DIR = 1 << 2,   /* dir is given; if not, dir is 0 with EMIT_AIM and the emitting bullet's dir without */
     EMIT_BANK = 1 << 3,  /* bank is given */
-    EMIT_VALUES = 1 << 4 /* first of MAX_VALUES flags; EMIT_VALUES << k: value k is given */
+    EMIT_VALUE = 1 << 4  /* first of MAX_VALUES flags; EMIT_VALUE << k: value k is given */
 };
 
 /* The numbers of an emit that a named value can replace. */
@@ -213,7 +212,7 @@ struct motion_emit {
     double dir, speed;   /* degrees, px/frame */
     double size;         /* spread of a fan, sweep of an arc, speed_to of a stack, width of a line */
     fx value[MAX_VALUES];
-    int64_t around;
+    int64_t orbit_target;
     uint64_t named; /* NAMED_BITS bits for each enum emit_number */
 };
 
@@ -228,23 +227,23 @@ struct motion_lead {
 /* Computes the position to which step st of s leads a bullet in the k-th of n frames. On either axis the result is the
  * fx nearest to the formula's value, unless that value is within 2^-30 px of halfway between two fx. In the formulas
  * (x, y), radius, angle and speed are from *l, except polar's speed, which is from the step; a = angle + k turn.
- *   go_to  (x, y) plus an eased share of the way to the step's goal (motion_eased); with HOW_BY the goal is relative to
- *          (x, y) and clamped to the world
+ *   go_to  (x, y) plus an eased share of the way to the step's goal (motion_ease); with MODE_RELATIVE the goal is
+ *          relative to (x, y) and clamped to the world
  *   polar  (x, y) + (radius + k speed) (cos a, sin a)
  *   orbit  (x, y) + r (cos a, sin a), where r changes from size to size_to in n equal parts
  *   wave   (x, y), plus k speed along angle, plus size (sin b - sin dir) along angle + 90 degrees, where b is dir plus
  *          k / count turns, rounded to the nearest ang
  */
-void motion_lead_place(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n, fx *x,
-                       fx *y);
+void motion_lead_position(const struct steps *s, uint32_t st, const struct motion_lead *l, uint32_t k, uint32_t n,
+                          fx *x, fx *y);
 
 /* Computes the fx nearest to (x, y) + r (cos a, sin a), clamped to the world; r in Q32, |r| <= 2^48. */
-void motion_round(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y);
+void motion_offset_polar(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y);
 
 /* Returns `from` plus k/n of the way to `to`, rounded to nearest, ties to an even distance; exactly `to` if k == n. The
  * rounding errors of frames k and n - k cancel, and ties round up and down alternately, so the sum over n frames is
  * right to half a unit too: a bullet whose speed changes ends at the position that the closed form gives. */
-int64_t motion_part_way(int64_t from, int64_t to, uint32_t k, uint32_t n);
+int64_t motion_lerp(int64_t from, int64_t to, uint32_t k, uint32_t n);
 
 /* A share of a move, exactly part / whole; part <= whole < 2^62. */
 struct motion_share {
@@ -257,7 +256,7 @@ struct motion_share {
  *   EASE_OUT     1 - (1 - k/n)^2
  *   EASE_BOTH    2 (k/n)^2 in the first half, then 1 - 2 (1 - k/n)^2
  */
-struct motion_share motion_eased(enum ease ease, uint64_t k, uint64_t n);
+struct motion_share motion_ease(enum ease ease, uint64_t k, uint64_t n);
 
 /* Returns a plus share s of the way to b, rounded to the nearest fx, ties to even. */
 fx motion_between(fx a, fx b, struct motion_share s);
@@ -272,22 +271,22 @@ extern const struct chip steps_chip, motions_chip;
 int32_t motion_define(struct motions *m, struct steps *s, const struct motion_step *steps, uint32_t n, bool fine);
 
 /* Copies step i of the list to *out. */
-void motion_step_at(const struct steps *s, uint32_t i, struct motion_step *out);
+void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out);
 
 /* Convert an emit to EMIT_ROWS steps of a program, and back from the steps of s that start at i. Stored as steps, emits
  * are shared like the rest of their programs and need no separate memory. */
 enum { EMIT_ROWS = 2 };
-void motion_emit_steps(const struct motion_emit *e, struct motion_step out[EMIT_ROWS]);
-void motion_emit_at(const struct steps *s, uint32_t i, struct motion_emit *out);
+void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_ROWS]);
+void motion_unpack_emit(const struct steps *s, uint32_t i, struct motion_emit *out);
 
 /* Returns the column of the value that replaces a number according to `named`, or -1 if no value does in this pool
  * (shots, otherwise bullets). Sets *is to whether a value replaces the number in either pool. */
-static inline int motion_named(uint64_t named, int number, bool shots, bool *is)
+static inline int motion_named_column(uint64_t named, int number, bool is_shots, bool *is_named)
 {
     const uint64_t code = named >> number * NAMED_BITS & ((1 << NAMED_BITS) - 1);
 
-    *is = code != 0;
-    return (int)(shots ? code / NAMED_SHOTS : code % NAMED_SHOTS) - 1;
+    *is_named = code != 0;
+    return (int)(is_shots ? code / NAMED_SHOT_STRIDE : code % NAMED_SHOT_STRIDE) - 1;
 }
 
 /* Sets the given number of the step to v, clamped to the range that motion.def accepts. */

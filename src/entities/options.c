@@ -8,40 +8,40 @@
 static const struct column columns[] = {
     COLUMN(options, x),
     COLUMN(options, y),
-    DERIVED(options, was_x, "written by every move before it is read"),
-    DERIVED(options, was_y, "written by every move before it is read"),
+    DERIVED(options, prev_x, "written by every move before it is read"),
+    DERIVED(options, prev_y, "written by every move before it is read"),
     COLUMN(options, kind),
     COLUMN(options, player),
     COLUMN(options, index),
     COLUMN(options, bank),
     COLUMN(options, flags),
     COLUMN(options, born),
-    COLUMNS(options, at, 2),
-    COLUMNS(options, to, 2),
-    COLUMN(options, left),
+    COLUMNS(options, offset, 2),
+    COLUMNS(options, target_offset, 2),
+    COLUMN(options, frames_left),
 };
 static const struct column kind_columns[] = {
     COLUMN(option_kinds, sprite),
     COLUMN(option_kinds, bank),
     COLUMN(option_kinds, layer),
 };
-static const struct column way_columns[] = {
-    COLUMN(option_ways, head),
-    COLUMNS(option_ways, x, OPTION_WAY),
-    COLUMNS(option_ways, y, OPTION_WAY),
-    COLUMN(option_ways, phase),
+static const struct column path_columns[] = {
+    COLUMN(option_paths, head),
+    COLUMNS(option_paths, x, OPTION_PATH_LENGTH),
+    COLUMNS(option_paths, y, OPTION_PATH_LENGTH),
+    COLUMN(option_paths, phase),
 };
 
 #define COUNT(table) (int)(sizeof table / sizeof *table)
 const struct chip options_chip = { "options", columns, COUNT(columns), false, false };
 const struct chip option_kinds_chip = { "option_kinds", kind_columns, COUNT(kind_columns), true, false };
-const struct chip option_ways_chip = { "option_ways", way_columns, COUNT(way_columns), true, false };
+const struct chip option_paths_chip = { "option_ways", path_columns, COUNT(path_columns), true, false };
 
 const struct option_level *options_level(const struct option_plan *plan, int64_t value)
 {
     const struct option_level *found = NULL;
 
-    for (uint32_t i = 0; i < plan->levels && plan->level[i].at <= value; i++)
+    for (uint32_t i = 0; i < plan->n_levels && plan->level[i].min_value <= value; i++)
         found = &plan->level[i];
     return found;
 }
@@ -53,20 +53,20 @@ int32_t options_add(struct options *o, const struct option_kinds *kinds, uint16_
 
     if (i == NO_SLOT)
         return i;
-    o->x[i] = o->was_x[i] = x;
-    o->y[i] = o->was_y[i] = y;
+    o->x[i] = o->prev_x[i] = x;
+    o->y[i] = o->prev_y[i] = y;
     o->kind[i] = kind;
     o->player[i] = (uint8_t)p;
     o->index[i] = (uint8_t)index;
     o->bank[i] = kinds->bank[kind];
     o->flags[i] = 0;
     o->born[i] = clock;
-    o->at[2 * i] = o->at[2 * i + 1] = o->to[2 * i] = o->to[2 * i + 1] = 0;
-    o->left[i] = 0;
+    o->offset[2 * i] = o->offset[2 * i + 1] = o->target_offset[2 * i] = o->target_offset[2 * i + 1] = 0;
+    o->frames_left[i] = 0;
     return i;
 }
 
-void options_drop_of(struct options *o, uint32_t p, uint32_t index)
+void options_drop_from(struct options *o, uint32_t p, uint32_t index)
 {
     EACH_LIVE (i, &o->s)
         if (o->player[i] == p && o->index[i] >= index)
@@ -76,25 +76,25 @@ void options_drop_of(struct options *o, uint32_t p, uint32_t index)
 
 /* Appends the ship's position to its path. A ship at rest appends nothing. After a jump, every entry is the position
  * the ship jumped to. */
-static void keep_way(struct option_ways *w, uint32_t p, const struct option_ship *ship)
+static void record_path(struct option_paths *w, uint32_t p, const struct option_ship *ship)
 {
-    fx *x = w->x + p * OPTION_WAY, *y = w->y + p * OPTION_WAY;
+    fx *x = w->x + p * OPTION_PATH_LENGTH, *y = w->y + p * OPTION_PATH_LENGTH;
     uint32_t head = w->head[p];
 
-    if (x[head] != ship->was_x || y[head] != ship->was_y)
-        for (uint32_t k = 0; k < OPTION_WAY; k++) {
-            x[k] = ship->was_x;
-            y[k] = ship->was_y;
+    if (x[head] != ship->prev_x || y[head] != ship->prev_y)
+        for (uint32_t k = 0; k < OPTION_PATH_LENGTH; k++) {
+            x[k] = ship->prev_x;
+            y[k] = ship->prev_y;
         }
-    if (ship->x == ship->was_x && ship->y == ship->was_y)
+    if (ship->x == ship->prev_x && ship->y == ship->prev_y)
         return;
-    head = (head + 1) % OPTION_WAY;
+    head = (head + 1) % OPTION_PATH_LENGTH;
     x[head] = ship->x;
     y[head] = ship->y;
     w->head[p] = head;
 }
 
-static int32_t minus(int32_t a, int32_t b)
+static int32_t wrapping_subtract(int32_t a, int32_t b)
 {
     return (int32_t)((uint32_t)a - (uint32_t)b);
 }
@@ -102,25 +102,25 @@ static int32_t minus(int32_t a, int32_t b)
 /* Moves an option's offset towards its target. */
 static void approach(struct options *o, uint32_t i, const struct option_ship *ship, int32_t a, int32_t b)
 {
-    int32_t *at = o->at + 2 * i, *to = o->to + 2 * i;
+    int32_t *offset = o->offset + 2 * i, *target = o->target_offset + 2 * i;
 
-    if (to[0] != a || to[1] != b) {
-        to[0] = a;
-        to[1] = b;
-        o->left[i] = ship->plan->over;
+    if (target[0] != a || target[1] != b) {
+        target[0] = a;
+        target[1] = b;
+        o->frames_left[i] = ship->plan->move_duration;
     }
-    const int32_t left = o->left[i] ? (int32_t)o->left[i]-- : 1;
+    const int32_t left = o->frames_left[i] ? (int32_t)o->frames_left[i]-- : 1;
     for (int k = 0; k < 2; k++)
-        at[k] = (int32_t)((uint32_t)at[k] + (uint32_t)(minus(to[k], at[k]) / left));
+        offset[k] = (int32_t)((uint32_t)offset[k] + (uint32_t)(wrapping_subtract(target[k], offset[k]) / left));
 }
 
 static void move_fixed(struct options *o, uint32_t i, const struct option_ship *ship)
 {
-    const fx *place = (ship->focus ? ship->level->close : ship->level->wide)[o->index[i]];
+    const fx *place = (ship->is_focused ? ship->level->close : ship->level->wide)[o->index[i]];
 
     approach(o, i, ship, place[0], place[1]);
-    o->x[i] = fx_add(ship->x, o->at[2 * i]);
-    o->y[i] = fx_add(ship->y, o->at[2 * i + 1]);
+    o->x[i] = fx_add(ship->x, o->offset[2 * i]);
+    o->y[i] = fx_add(ship->y, o->offset[2 * i + 1]);
 }
 
 static void move_orbit(struct options *o, uint32_t i, const struct option_ship *ship, ang phase)
@@ -128,30 +128,30 @@ static void move_orbit(struct options *o, uint32_t i, const struct option_ship *
     const ang share = (ang)(((uint64_t)o->index[i] << 32) / ship->level->n);
     fx dx, dy;
 
-    approach(o, i, ship, ship->focus ? ship->plan->close : ship->plan->wide, (int32_t)share);
-    trig_polar(o->at[2 * i], phase + (ang)o->at[2 * i + 1], &dx, &dy);
+    approach(o, i, ship, ship->is_focused ? ship->plan->close : ship->plan->wide, (int32_t)share);
+    trig_polar(o->offset[2 * i], phase + (ang)o->offset[2 * i + 1], &dx, &dy);
     o->x[i] = fx_add(ship->x, dx);
     o->y[i] = fx_add(ship->y, dy);
 }
 
-static void move_trail(struct options *o, uint32_t i, const struct option_ship *ship, const struct option_ways *w)
+static void move_trail(struct options *o, uint32_t i, const struct option_ship *ship, const struct option_paths *w)
 {
-    const uint32_t p = o->player[i], back = (o->index[i] + 1u) * ship->plan->apart;
-    const uint32_t at = p * OPTION_WAY + (w->head[p] - back) % OPTION_WAY;
+    const uint32_t p = o->player[i], lag = (o->index[i] + 1u) * ship->plan->spacing;
+    const uint32_t at = p * OPTION_PATH_LENGTH + (w->head[p] - lag) % OPTION_PATH_LENGTH;
 
     o->x[i] = w->x[at];
     o->y[i] = w->y[at];
 }
 
-void options_move(struct options *o, struct option_ways *w, uint32_t p, const struct option_ship *ship)
+void options_move(struct options *o, struct option_paths *w, uint32_t p, const struct option_ship *ship)
 {
-    keep_way(w, p, ship);
+    record_path(w, p, ship);
     w->phase[p] += ship->plan->spin;
     EACH_LIVE (i, &o->s) {
         if (o->player[i] != p)
             continue;
-        o->was_x[i] = o->x[i];
-        o->was_y[i] = o->y[i];
+        o->prev_x[i] = o->x[i];
+        o->prev_y[i] = o->y[i];
         if (ship->plan->style == OPTION_FIXED)
             move_fixed(o, i, ship);
         else if (ship->plan->style == OPTION_ORBIT)

@@ -11,9 +11,9 @@
 
 enum {
     MAX_OPTIONS = 256,
-    OPTION_PLACES = 16, /* maximum per ship */
-    OPTION_LEVELS = 16,
-    OPTION_WAY = 256, /* positions stored per ship; a power of two */
+    OPTION_MAX_PER_SHIP = 16, /* maximum per ship */
+    OPTION_MAX_LEVELS = 16,
+    OPTION_PATH_LENGTH = 256, /* positions stored per ship; a power of two */
 
     OPTION_HIDDEN = 1 << 0
 };
@@ -21,21 +21,22 @@ enum {
 enum option_style { OPTION_FIXED, OPTION_TRAIL, OPTION_ORBIT };
 
 struct option_level {
-    int32_t at; /* value of the register from which this level applies */
+    int32_t min_value; /* value of the register from which this level applies */
     uint32_t n;
-    fx wide[OPTION_PLACES][2], close[OPTION_PLACES][2]; /* OPTION_FIXED: px from the ship, unfocused and focused */
+    fx wide[OPTION_MAX_PER_SHIP][2],
+        close[OPTION_MAX_PER_SHIP][2]; /* OPTION_FIXED: px from the ship, unfocused and focused */
 };
 
 /* The options of a kind of ship, from player.def. */
 struct option_plan {
     uint16_t kind;
     enum option_style style;
-    int32_t by;      /* register that selects the level; -1: none, always the last level */
-    uint32_t over;   /* frames to reach a new position */
-    uint32_t apart;  /* OPTION_TRAIL: frames of flight between two options */
-    fx wide, close;  /* OPTION_ORBIT: radius, unfocused and focused */
-    ang spin;        /* rotation per frame */
-    uint32_t levels; /* number of levels; they are sorted by `at`, ascending */
+    int32_t level_register; /* register that selects the level; -1: none, always the last level */
+    uint32_t move_duration; /* frames to reach a new position */
+    uint32_t spacing;       /* OPTION_TRAIL: frames of flight between two options */
+    fx wide, close;         /* OPTION_ORBIT: radius, unfocused and focused */
+    ang spin;               /* rotation per frame */
+    uint32_t n_levels;      /* number of levels; they are sorted by `offset`, ascending */
     struct option_level level[];
 };
 
@@ -49,22 +50,22 @@ struct option_kinds {
 struct options {
     struct slots s;
     fx *x, *y;
-    fx *was_x, *was_y; /* position before this frame's move */
+    fx *prev_x, *prev_y; /* position before this frame's move */
     uint16_t *kind;
     uint8_t *player, *index; /* 0-based */
     uint8_t *bank, *flags;   /* flags: OPTION_ */
     uint32_t *born;          /* clock at spawn */
     /* Position relative to the ship: current, target, and frames left to reach the target. In px; with OPTION_ORBIT, a
      * radius and an angle. */
-    int32_t *at, *to; /* 2 per slot */
-    uint32_t *left;
+    int32_t *offset, *target_offset; /* 2 per slot */
+    uint32_t *frames_left;
 };
 
 /* The paths of the ships: one entry per player. */
-struct option_ways {
+struct option_paths {
     struct slots s;
     uint32_t *head; /* index of the newest position in x and y */
-    fx *x, *y;      /* OPTION_WAY per player */
+    fx *x, *y;      /* OPTION_PATH_LENGTH per player */
     ang *phase;
 };
 
@@ -72,11 +73,11 @@ struct option_ways {
 struct option_ship {
     const struct option_plan *plan;
     const struct option_level *level;
-    fx x, y, was_x, was_y;
-    bool focus;
+    fx x, y, prev_x, prev_y;
+    bool is_focused;
 };
 
-extern const struct chip options_chip, option_kinds_chip, option_ways_chip;
+extern const struct chip options_chip, option_kinds_chip, option_paths_chip;
 
 /* Returns the level that applies at a register value, or NULL when the value is below the first level's. */
 const struct option_level *options_level(const struct option_plan *plan, int64_t value);
@@ -86,9 +87,9 @@ int32_t options_add(struct options *o, const struct option_kinds *kinds, uint16_
                     fx x, fx y, uint32_t clock);
 
 /* Despawns player p's options whose index is `index` or higher. */
-void options_drop_of(struct options *o, uint32_t p, uint32_t index);
+void options_drop_from(struct options *o, uint32_t p, uint32_t index);
 
 /* Moves player p's options by one frame, after the ship has moved. */
-void options_move(struct options *o, struct option_ways *w, uint32_t p, const struct option_ship *ship);
+void options_move(struct options *o, struct option_paths *w, uint32_t p, const struct option_ship *ship);
 
 #endif

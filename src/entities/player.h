@@ -12,13 +12,13 @@
 enum { PLAYER_DIAGONAL = 46341 }; /* 1/sqrt(2) in Q15.16, so that ships fly equally fast in every direction */
 
 enum {
-    PLAYER_IN = 1 << 0,      /* in the game */
+    PLAYER_IN_GAME = 1 << 0, /* in the game */
     PLAYER_NO_FIRE = 1 << 1, /* the game ignores fire, bomb and special */
-    PLAYER_STANDS = 1 << 2,  /* the game ignores movement and focus */
+    PLAYER_NO_MOVE = 1 << 2, /* the game ignores movement and focus */
 
-    PLAYER_REGISTERS = 16, /* maximum number of registers of a kind, and of the run */
-    PLAYER_FULL_RUN = 128, /* in column `full`: offset for registers of the run */
-    MOST_LIVES = 99,
+    PLAYER_MAX_REGISTERS = 16, /* maximum number of registers of a kind, and of the run */
+    PLAYER_RUN_REGISTER = 128, /* in column `full_register`: offset for registers of the run */
+    MAX_LIVES = 99,
     PICTURE_ROW = -1, /* `radius` of a row that is not a kind but holds a picture of the kind declared after it */
 
     PLAYER_FOCUS = 1 << 0, /* moving slowly */
@@ -38,61 +38,62 @@ struct player_kinds {
     uint16_t *sprite;
     fx *radius;       /* hit circle, px; or PICTURE_ROW */
     fx *graze_radius; /* graze circle, px */
-    fx *speed, *focus;
+    fx *speed, *focus_speed;
     int32_t *lives;
-    uint32_t *safe;             /* frames of invulnerability after a death, and after joining */
-    uint16_t *first;            /* first row of its registers (registers.h) */
-    uint8_t *registers;         /* number of its registers */
-    uint16_t *deathbomb;        /* frames after a hit in which a bomb saves the player */
+    uint32_t *safe_frames;      /* frames of invulnerability after a death, and after joining */
+    uint16_t *first_register;   /* first row of its registers (registers.h) */
+    uint8_t *n_registers;       /* number of its registers */
+    uint16_t *deathbomb_frames; /* frames after a hit in which a bomb saves the player */
     uint8_t *bomb, *bomb_focus; /* bomb + 1, unfocused and focused, defined by the board; 0: none */
-    fx *magnet;                 /* px: items within this distance are attracted; NULL, like the next three columns: the
+    fx *magnet_radius;          /* px: items within this distance are attracted; NULL, like the next three columns: the
                                  * game has no items */
-    fx *line;                   /* y in px at or above which all items are attracted; FX_MIN: none */
-    fx *pull;                   /* px/frame at which attracted items fly */
-    uint8_t *full;              /* register + 1, or PLAYER_FULL_RUN + a register of the run: at its maximum, all
+    fx *collect_line;           /* y in px at or above which all items are attracted; FX_MIN: none */
+    fx *pull_speed;             /* px/frame at which attracted items fly */
+    uint8_t *full_register;     /* register + 1, or PLAYER_RUN_REGISTER + a register of the run: at its maximum, all
                                  * items are attracted */
 };
 
 struct player {
     struct slots s;
-    uint8_t *in;   /* PLAYER_IN, PLAYER_NO_FIRE and PLAYER_STANDS; 0: not in the game */
-    uint32_t *gen; /* incremented when the player leaves, up to GENERATIONS, which invalidates handles from earlier
+    uint8_t *in_game; /* PLAYER_IN_GAME, PLAYER_NO_FIRE and PLAYER_NO_MOVE; 0: not in the game */
+    uint32_t
+        *gen; /* incremented when the player leaves, up to RETIRED_GENERATION, which invalidates handles from earlier
                     * games */
     uint16_t *kind;
     fx *x, *y;
-    fx *was_x, *was_y; /* before this frame's move; hit tests sweep from there */
-    int32_t *lives;    /* lives left, not counting the one in play */
-    uint32_t *safe;    /* frames of invulnerability left */
+    fx *prev_x, *prev_y; /* before this frame's move; hit tests sweep from there */
+    int32_t *lives;      /* lives left, not counting the one in play */
+    uint32_t *safe_left; /* frames of invulnerability left */
     uint32_t *grazes;
     int64_t *score;
     uint8_t *flags;           /* PLAYER_ */
     uint16_t *deathbomb_left; /* frames left in which a bomb saves the player from a hit; 0: not hit */
-    uint32_t *bombing;        /* frames left of the player's bomb */
-    int64_t *bomb;            /* the scope of that bomb, defined by the board */
+    uint32_t *bomb_left;      /* frames left of the player's bomb */
+    int64_t *bomb_scope;      /* the scope of that bomb, defined by the board */
 };
 
 extern const struct chip player_chip, player_kinds_chip;
 
 /* Returns whether player i has been in 2^30 - 2 games. Such a player must not join again, because a handle from an
  * earlier game could then refer to the new player. */
-bool player_retired(const struct player *p, uint32_t i);
+bool player_is_retired(const struct player *p, uint32_t i);
 
 /* Adds player i (0 or 1) to the game with a ship of this kind at (x, y), and with the lives and score of a new game. */
 void player_join(struct player *p, const struct player_kinds *kinds, uint32_t i, uint16_t kind, fx x, fx y);
 void player_leave(struct player *p, uint32_t i);
 
 /* Returns the buttons the game ignores (PAD_ bits). */
-unsigned player_withheld(const struct player *p, uint32_t i);
+unsigned player_ignored_buttons(const struct player *p, uint32_t i);
 
 /* Moves a player to (x, y) without sweeping the path. */
-void player_place(struct player *p, uint32_t i, fx x, fx y);
+void player_set_position(struct player *p, uint32_t i, fx x, fx y);
 
 /* Returns the sprite that player i shows. */
-uint16_t player_picture(const struct player *p, const struct player_kinds *kinds, uint32_t i);
+uint16_t player_sprite(const struct player *p, const struct player_kinds *kinds, uint32_t i);
 
 /* Counts down the invulnerability frames. Called at the start of a frame, so `safe = n` lasts n frames, including the
  * present one. */
-void player_count_down(struct player *p);
+void player_step_invulnerability(struct player *p);
 
 /* Moves both players by their held buttons (PAD_ bits), inside area. A player that was hit does not move. */
 void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);

@@ -13,29 +13,29 @@
 #include "../base/slots.h"
 
 enum {
-    DRAIN_FOREVER = INT32_MIN, /* value of `drain`: the register returns to its start value at once */
-    REGISTER_MOST = INT32_MAX, /* value of `most`: no maximum */
-    REGISTERS = 64,            /* number of rows, unless rom.lua sets it */
+    DRAIN_FOREVER = INT32_MIN,   /* value of `drain`: the register returns to its start value at once */
+    REGISTER_NO_MAX = INT32_MAX, /* value of `max_value`: no maximum */
+    DEFAULT_REGISTERS = 64,      /* number of rows, unless rom.lua sets it */
     MAX_REGISTERS = 1024
 };
 
 /* Declared by a script. */
 struct register_rule {
-    int32_t start, least, most;
-    int32_t drain; /* amount subtracted every `every` frames (negative: added), or DRAIN_FOREVER */
-    int32_t every;
+    int32_t start, min_value, max_value;
+    int32_t drain; /* amount subtracted every `interval` frames (negative: added), or DRAIN_FOREVER */
+    int32_t interval;
     int32_t hold; /* frames without draining after a write against the drain */
 };
 
-enum { RULE_START, RULE_LEAST, RULE_MOST, RULE_DRAIN, RULE_EVERY, RULE_HOLD, RULE_FIELDS };
+enum { RULE_START, RULE_MIN, RULE_MAX, RULE_DRAIN, RULE_INTERVAL, RULE_HOLD, RULE_FIELDS };
 
 struct registers {
     struct slots s;
-    int32_t *rule;         /* RULE_FIELDS per row */
-    int32_t *value;        /* PADS per row */
-    int32_t *wait;         /* PADS per row: frames until the register drains again */
-    uint32_t first, count; /* the run's rows */
-    uint32_t drains;       /* number of rows whose rule has a drain */
+    int32_t *rule;                      /* RULE_FIELDS per row */
+    int32_t *value;                     /* PADS per row */
+    int32_t *wait;                      /* PADS per row: frames until the register drains again */
+    uint32_t first_run_row, n_run_rows; /* the run's rows */
+    uint32_t n_draining;                /* number of rows whose rule has a drain */
 };
 
 extern const struct chip registers_chip;
@@ -53,12 +53,12 @@ static inline int32_t registers_get(const struct registers *r, uint32_t row, uin
 void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v);
 
 /* Returns whether a register is at its maximum; false if the register has no maximum. */
-bool registers_full(const struct registers *r, uint32_t row, uint32_t p);
+bool registers_is_full(const struct registers *r, uint32_t row, uint32_t p);
 
-/* Resets player p's values of n rows, starting at row `first`, for a new game. */
+/* Resets player p's values of n rows, starting at row `first_run_row`, for a new game. */
 void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
-/* Drains player p's values of n rows, starting at row `first`, by one frame. */
+/* Drains player p's values of n rows, starting at row `first_run_row`, by one frame. */
 void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
 #endif

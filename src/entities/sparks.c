@@ -20,7 +20,7 @@ const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true
 const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
 
 /* Sets the start position of spark k of a burst, in slot i, and sets *outwards to the angle to add to its direction. */
-static void start(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
+static void place_spark(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
 {
     fx x = 0, y = 0;
 
@@ -60,7 +60,7 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst)
         ang off = (ang)rng_below(&r, (uint64_t)burst->spread + 1) - burst->spread / 2;
         fx speed = burst->speed / 2 + fx_mul(burst->speed / 2, (fx)rng_below(&r, FX_ONE + 1));
         ang outwards;
-        start(s, (uint32_t)i, burst, k, &outwards);
+        place_spark(s, (uint32_t)i, burst, k, &outwards);
         s->kind[i] = burst->kind;
         s->age[i] = 0;
         trig_polar(speed, burst->dir + off + outwards, &s->vx[i], &s->vy[i]);
@@ -68,7 +68,7 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst)
     memcpy(s->stream, r.s, sizeof r.s);
 }
 
-void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep)
+void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep_box)
 {
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
@@ -79,8 +79,8 @@ void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct
         s->vy[i] = fx_add(s->vy[i], kinds->gravity[kind]);
         s->x[i] = fx_add(s->x[i], s->vx[i]);
         s->y[i] = fx_add(s->y[i], s->vy[i]);
-        if (++s->age[i] >= kinds->life[kind] || s->x[i] < keep->x0 || s->x[i] > keep->x1 || s->y[i] < keep->y0 ||
-            s->y[i] > keep->y1)
+        if (++s->age[i] >= kinds->life[kind] || s->x[i] < keep_box->x0 || s->x[i] > keep_box->x1 ||
+            s->y[i] < keep_box->y0 || s->y[i] > keep_box->y1)
             slots_drop(&s->s, i);
     }
     slots_trim(&s->s);

@@ -15,7 +15,7 @@ enum {
     SPARK_BLEND = 3 << 4, /* blend mode in units of SPARK_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     SPARK_BLEND_ONE = 1 << 4,
     SPARK_UNDER = 1 << 6, /* drawn under players and bullets */
-    SPARK_BANKS = 8       /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
+    SPARK_MAX_BANKS = 8   /* maximum banks of a kind over a spark's lifetime; the second and later ones are in the rows
                            * after the kind's, which have life 0 */
 };
 
@@ -55,6 +55,6 @@ void sparks_burst(struct sparks *s, const struct spark_burst *burst);
 
 /* Returns the `bank` of a spark of that age: each of the kind's n banks applies for 1/n of the lifetime. */
 uint8_t sparks_bank(const struct spark_kinds *kinds, uint16_t kind, uint16_t age);
-void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep);
+void sparks_move(struct sparks *s, const struct spark_kinds *kinds, const struct box *keep_box);
 
 #endif

@@ -12,13 +12,13 @@ static const struct column columns[] = {
     COLUMN(sprites, flags),
     COLUMN(sprites, born),
     COLUMN(sprites, owner),
-    DERIVED_REGISTER(sprites, following,
+    DERIVED_REGISTER(sprites, n_following,
                      "an upper bound for the number of sprites that follow a thing, computed from flags"),
 };
 
 const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };
 
-void sprites_drop_of(struct sprites *s, int64_t owner)
+void sprites_drop_owned(struct sprites *s, int64_t owner)
 {
     EACH_LIVE (i, &s->s)
         if (s->owner[i] == owner)

@@ -36,14 +36,14 @@ struct sprites {
     uint8_t *bank;
     uint8_t *layer;
     uint8_t *flags;
-    uint32_t *born;     /* clock at spawn; of a plate: its height, px */
-    int64_t *owner;     /* entity or scope it despawns with, defined by the board; 0: none */
-    uint32_t following; /* upper bound for the number of sprites that follow something; 0: none does */
+    uint32_t *born;       /* clock at spawn; of a plate: its height, px */
+    int64_t *owner;       /* entity or scope it despawns with, defined by the board; 0: none */
+    uint32_t n_following; /* upper bound for the number of sprites that follow something; 0: none does */
 };
 
 extern const struct chip sprites_chip;
 
 /* Removes all sprites of an owner. */
-void sprites_drop_of(struct sprites *s, int64_t owner);
+void sprites_drop_owned(struct sprites *s, int64_t owner);
 
 #endif

@@ -9,145 +9,146 @@
 #include "../rom/compressed.h"
 #include "lib.h"
 
-static uint8_t *aligned(uint8_t *p)
+static uint8_t *align_up(uint8_t *p)
 {
     return (uint8_t *)(((uintptr_t)p + LIB_ALIGN - 1) & ~(uintptr_t)(LIB_ALIGN - 1));
 }
 
 /* ---- memory ---- */
 
-/* A bump allocator for a block; `at` NULL: only counts bytes. */
-struct pieces {
-    uint8_t *at;
+/* A bump allocator for a block; `base` NULL: only counts bytes. */
+struct arena {
+    uint8_t *base;
     size_t n;
 };
 
-static void *piece(struct pieces *p, size_t size)
+static void *allocate(struct arena *p, size_t size)
 {
-    uint8_t *out = p->at ? p->at + p->n : NULL;
+    uint8_t *out = p->base ? p->base + p->n : NULL;
 
     p->n += (size + LIB_ALIGN - 1) / LIB_ALIGN * LIB_ALIGN;
     return out;
 }
 
-static uint32_t snapshots_of(const struct curtain_config *config)
+static uint32_t snapshot_count(const struct curtain_config *config)
 {
     return config->snapshots == 0 ? LIB_SNAPSHOTS : config->snapshots;
 }
 
-/* Lays out all memory after *c. board: size of the board's RAM in bytes. */
-static void lay_out(struct curtain *c, struct pieces *p, const struct curtain_config *config, size_t board)
+/* Lays out all memory after *c. ram_size: size of the board's RAM in bytes. */
+static void lay_out(struct curtain *c, struct arena *p, const struct curtain_config *config, size_t ram_size)
 {
-    const struct manifest *m = &c->cart.m;
-    const size_t nvram = (size_t)m->nvram_kib << 10, room = config->state_room ? config->state_room : LIB_STATE_ROOM;
+    const struct manifest *m = &c->cart.manifest;
+    const size_t nvram = (size_t)m->nvram_kib << 10,
+                 log_size = config->state_room ? config->state_room : LIB_STATE_BYTES;
 
-    c->n = snapshots_of(config);
-    c->keys = c->n / 4;
-    c->ram_size = board;
-    c->ram = piece(p, board);
-    c->before = piece(p, board);
-    c->before_out = piece(p, board_output_size());
-    c->snapshot = piece(p, c->n * sizeof *c->snapshot);
-    for (uint32_t i = 0; i < c->n; i++) {
-        uint8_t *at = piece(p, board);
-        if (p->at)
-            c->snapshot[i] = (struct lib_snapshot){ .at = at };
+    c->n_snapshots = snapshot_count(config);
+    c->n_key_snapshots = c->n_snapshots / 4;
+    c->ram_size = ram_size;
+    c->ram = allocate(p, ram_size);
+    c->backup = allocate(p, ram_size);
+    c->backup_output = allocate(p, board_output_size());
+    c->snapshot = allocate(p, c->n_snapshots * sizeof *c->snapshot);
+    for (uint32_t i = 0; i < c->n_snapshots; i++) {
+        uint8_t *data = allocate(p, ram_size);
+        if (p->base)
+            c->snapshot[i] = (struct lib_snapshot){ .data = data };
     }
-    c->begin = (struct lib_start){ .nvram = piece(p, nvram), .room = nvram };
-    c->spare = (struct lib_start){ .nvram = piece(p, nvram), .room = nvram };
-    c->log = (struct pads_log){ .bytes = piece(p, room), .room = room };
-    c->other = (struct pads_log){ .bytes = piece(p, room), .room = room };
-    c->scratch = piece(p, board_scratch_of(&c->cart));
-    c->tables = m->sound ? piece(p, board_sound_tables()) : NULL;
-    uint8_t *pixels = piece(p, fb_size(m->screen_w, m->screen_h));
-    if (p->at)
+    c->run_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
+    c->state_start = (struct lib_start){ .nvram = allocate(p, nvram), .nvram_cap = nvram };
+    c->log = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
+    c->state_log = (struct pads_log){ .bytes = allocate(p, log_size), .cap = log_size };
+    c->scratch = allocate(p, board_scratch_size_for(&c->cart));
+    c->sound_tables = m->sound ? allocate(p, board_sound_tables_size()) : NULL;
+    uint8_t *pixels = allocate(p, fb_size(m->screen_w, m->screen_h));
+    if (p->base)
         fb_init(&c->fb, pixels, m->screen_w, m->screen_h);
 }
 
-/* Returns the size of the plain ROM in bytes, or 0 when it cannot be read. *room: bytes needed to unpack it, 0 if it is
- * plain already. */
-static size_t plain_size(const struct curtain_config *config, size_t *room, char *err, size_t err_size)
+/* Returns the size of the plain ROM in bytes, or 0 when it cannot be read. *unpack_size: bytes needed to unpack it, 0
+ * if it is plain already. */
+static size_t plain_size(const struct curtain_config *config, size_t *unpack_size, char *err, size_t err_size)
 {
-    *room = 0;
+    *unpack_size = 0;
     if (!config->rom) {
         err_set(err, err_size, "rom: expected a ROM, got NULL");
         return 0;
     }
-    if (!compressed_is(config->rom, config->rom_size))
+    if (!compressed_detect(config->rom, config->rom_size))
         return config->rom_size;
-    return *room = compressed_size(config->rom, config->rom_size, err, err_size);
+    return *unpack_size = compressed_plain_size(config->rom, config->rom_size, err, err_size);
 }
 
-size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size)
+size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t out_size, char *err, size_t err_size)
 {
     const struct curtain_config config = { .rom = rom, .rom_size = rom_size };
-    size_t packed, size = plain_size(&config, &packed, err, err_size);
+    size_t unpack_size, size = plain_size(&config, &unpack_size, err, err_size);
 
     if (size == 0 || !out)
         return size;
-    if (room < size) {
-        err_set(err, err_size, "buffer for the plain ROM: expected %zu bytes, got %zu", size, room);
+    if (out_size < size) {
+        err_set(err, err_size, "buffer for the plain ROM: expected %zu bytes, got %zu", size, out_size);
         return 0;
     }
-    if (packed == 0)
+    if (unpack_size == 0)
         memcpy(out, rom, size);
-    else if (!compressed_read(rom, rom_size, out, err, err_size))
+    else if (!compressed_unpack(rom, rom_size, out, err, err_size))
         return 0;
     return size;
 }
 
-/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `room` bytes to
- * unpack the ROM into. */
-static bool look_at(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size, size_t room,
-                    size_t *board, size_t *all, char *err, size_t err_size)
+/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `unpack_size`
+ * bytes to unpack the ROM into. */
+static bool measure(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size,
+                    size_t unpack_size, size_t *ram_size, size_t *total, char *err, size_t err_size)
 {
-    if (config->snapshots > LIB_MOST_SNAPSHOTS)
-        return err_set(err, err_size, "snapshots: expected at most %d, got %lu", LIB_MOST_SNAPSHOTS,
+    if (config->snapshots > LIB_MAX_SNAPSHOTS)
+        return err_set(err, err_size, "snapshots: expected at most %d, got %lu", LIB_MAX_SNAPSHOTS,
                        (unsigned long)config->snapshots);
     if (config->state_room > SIZE_MAX / 4)
         return err_set(err, err_size, "state_room: too large");
     if (!rom_open(&c->rom, rom, size, err, err_size) || !cart_open(&c->cart, &c->rom, err, err_size) ||
-        !board_size(&c->rom, board, err, err_size))
+        !board_size(&c->rom, ram_size, err, err_size))
         return false;
-    struct curtain as_if = *c;
-    struct pieces p = { NULL, 0 };
-    const uint64_t slots = (uint64_t)*board * ((uint64_t)snapshots_of(config) + 2);
-    if (slots > SIZE_MAX / 2)
+    struct curtain dry_run = *c;
+    struct arena p = { NULL, 0 };
+    const uint64_t snapshot_bytes = (uint64_t)*ram_size * ((uint64_t)snapshot_count(config) + 2);
+    if (snapshot_bytes > SIZE_MAX / 2)
         return err_set(err, err_size, "snapshots: too many for the address space");
-    piece(&p, sizeof *c);
-    piece(&p, room);
-    lay_out(&as_if, &p, config, *board);
-    *all = p.n + LIB_ALIGN; /* the block may start at any address */
+    allocate(&p, sizeof *c);
+    allocate(&p, unpack_size);
+    lay_out(&dry_run, &p, config, *ram_size);
+    *total = p.n + LIB_ALIGN; /* the block may start at any address */
     return true;
 }
 
 size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size)
 {
     struct curtain c;
-    size_t board, all = 0, room, size = plain_size(config, &room, err, err_size);
-    void *plain = room > 0 ? malloc(room) : NULL;
+    size_t ram_size, total = 0, unpack_size, size = plain_size(config, &unpack_size, err, err_size);
+    void *plain = unpack_size > 0 ? malloc(unpack_size) : NULL;
 
     memset(&c, 0, sizeof c);
-    if (room > 0 && !plain)
-        err_set(err, err_size, "out of memory (%zu bytes for the plain ROM)", room);
-    else if (size > 0 && (!plain || compressed_read(config->rom, config->rom_size, plain, err, err_size)) &&
-             !look_at(&c, config, plain ? plain : config->rom, size, room, &board, &all, err, err_size))
-        all = 0;
+    if (unpack_size > 0 && !plain)
+        err_set(err, err_size, "out of memory (%zu bytes for the plain ROM)", unpack_size);
+    else if (size > 0 && (!plain || compressed_unpack(config->rom, config->rom_size, plain, err, err_size)) &&
+             !measure(&c, config, plain ? plain : config->rom, size, unpack_size, &ram_size, &total, err, err_size))
+        total = 0;
     free(plain);
-    return all;
+    return total;
 }
 
-bool lib_power(struct curtain *c, char *err, size_t err_size)
+bool lib_power_on(struct curtain *c, char *err, size_t err_size)
 {
-    c->board = board_power(c->ram, c->ram_size, &c->rom, &c->begin.start, err, err_size);
-    c->drawn = c->sounding = false;
+    c->board = board_power_on(c->ram, c->ram_size, &c->rom, &c->run_start.start, err, err_size);
+    c->drawn = c->mixed = false;
     if (!c->board)
         return false;
     return true;
 }
 
-static struct curtain *too_little(const struct curtain_config *config, const void *memory, size_t size, char *err,
-                                  size_t err_size)
+static struct curtain *refuse_memory(const struct curtain_config *config, const void *memory, size_t size, char *err,
+                                     size_t err_size)
 {
     const size_t need = curtain_memory(config, err, err_size);
 
@@ -158,41 +159,41 @@ static struct curtain *too_little(const struct curtain_config *config, const voi
 
 struct curtain *curtain_open(const struct curtain_config *config, void *memory, size_t size, char *err, size_t err_size)
 {
-    struct curtain *c = (struct curtain *)aligned(memory);
-    struct pieces p = { (uint8_t *)c, 0 };
-    size_t board, need = SIZE_MAX, room, rom_size = plain_size(config, &room, err, err_size);
+    struct curtain *c = (struct curtain *)align_up(memory);
+    struct arena p = { (uint8_t *)c, 0 };
+    size_t ram_size, need = SIZE_MAX, unpack_size, rom_size = plain_size(config, &unpack_size, err, err_size);
     const void *rom = config->rom;
 
     if (rom_size == 0)
         return NULL;
-    piece(&p, sizeof *c);
-    void *plain = piece(&p, room);
+    allocate(&p, sizeof *c);
+    void *plain = allocate(&p, unpack_size);
     if (!memory || size < p.n + LIB_ALIGN)
-        return too_little(config, memory, size, err, err_size);
-    if (room > 0) {
-        if (!compressed_read(rom, config->rom_size, plain, err, err_size))
+        return refuse_memory(config, memory, size, err, err_size);
+    if (unpack_size > 0) {
+        if (!compressed_unpack(rom, config->rom_size, plain, err, err_size))
             return NULL;
         rom = plain;
     }
     memset(c, 0, sizeof *c);
-    if (!look_at(c, config, rom, rom_size, room, &board, &need, err, err_size))
+    if (!measure(c, config, rom, rom_size, unpack_size, &ram_size, &need, err, err_size))
         return NULL;
     if (size < need)
-        return too_little(config, memory, size, err, err_size);
+        return refuse_memory(config, memory, size, err, err_size);
     c->game_hash = rom_game_hash(&c->rom);
-    lay_out(c, &p, config, board);
-    const bool plays = config->demo != NULL;
-    if (plays && !demo_read(&c->demo, config->demo, config->demo_size, err, err_size))
+    lay_out(c, &p, config, ram_size);
+    const bool has_demo = config->demo != NULL;
+    if (has_demo && !demo_read(&c->demo, config->demo, config->demo_size, err, err_size))
         return NULL;
-    if (!lib_start_of(&c->begin, &c->cart, config, plays ? &c->demo : NULL, err, err_size) ||
-        !lib_power(c, err, err_size)) {
+    if (!lib_start_init(&c->run_start, &c->cart, config, has_demo ? &c->demo : NULL, err, err_size) ||
+        !lib_power_on(c, err, err_size)) {
         demo_free(&c->demo);
         return NULL;
     }
-    board_nvram(c->board, &(size_t){ 0 }, &c->writes);
-    pads_log_begin(&c->log, c->begin.hash);
-    if (c->tables)
-        board_sound_open(c->tables);
+    board_nvram(c->board, &(size_t){ 0 }, &c->nvram_writes);
+    pads_log_begin(&c->log, c->run_start.hash);
+    if (c->sound_tables)
+        board_sound_init_tables(c->sound_tables);
     return c;
 }
 
@@ -206,41 +207,41 @@ void curtain_close(struct curtain *c)
 
 /* ---- frames ---- */
 
-static unsigned events_of(struct curtain *c)
+static unsigned collect_events(struct curtain *c)
 {
-    const struct board_out *out = board_last(c->board);
+    const struct board_out *out = board_last_output(c->board);
     uint32_t writes;
     size_t size;
     unsigned events = out->fault ? CURTAIN_FAULT : 0;
 
     board_nvram(c->board, &size, &writes);
-    if (writes != c->writes || c->saved)
+    if (writes != c->nvram_writes || c->nvram_changed)
         events |= CURTAIN_SAVED;
-    c->writes = writes;
-    c->saved = false;
+    c->nvram_writes = writes;
+    c->nvram_changed = false;
     events |= out->log_size > 0 ? CURTAIN_LOG : 0;
-    events |= out->menu ? CURTAIN_MENU : 0;
+    events |= out->menu_shown ? CURTAIN_MENU : 0;
     events |= out->request == REQUEST_QUIT ? CURTAIN_QUIT : 0;
     events |= out->request == REQUEST_ATTRACT ? CURTAIN_ATTRACT : 0;
     events |= c->demo.frames > 0 && c->log.frames >= c->demo.frames ? CURTAIN_ENDED : 0;
-    return events | (out->request == REQUEST_ASK ? CURTAIN_ASK : 0);
+    return events | (out->request == REQUEST_HOST_SCREEN ? CURTAIN_ASK : 0);
 }
 
 unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
 {
     uint16_t held[PADS];
 
-    if (board_last(c->board)->fault)
+    if (board_last_output(c->board)->fault)
         return CURTAIN_FAULT;
     if (!pads)
         demo_pads(&c->demo, c->log.frames, held);
     for (int i = 0; i < PADS; i++)
         held[i] = (pads ? pads : held)[i] & PAD_ALL;
-    lib_keep_key(c);
+    lib_take_key_snapshot(c);
     board_tick(c->board, held);
     pads_log_add(&c->log, held);
-    c->drawn = c->sounding = false;
-    return events_of(c);
+    c->drawn = c->mixed = false;
+    return collect_events(c);
 }
 
 void curtain_interrupt(struct curtain *c)
@@ -250,7 +251,7 @@ void curtain_interrupt(struct curtain *c)
 
 const char *curtain_attract(const struct curtain *c)
 {
-    const struct board_out *out = board_last(c->board);
+    const struct board_out *out = board_last_output(c->board);
 
     return out->request == REQUEST_ATTRACT ? out->attract : "";
 }
@@ -271,33 +272,33 @@ const void *curtain_attract_demo(const struct curtain *c, size_t *size)
 
 const char *curtain_asked(const struct curtain *c)
 {
-    static const char *const names[ASKS] = { "settings", "replays", "practice", "keys" };
-    const struct board_out *out = board_last(c->board);
+    static const char *const names[HOST_SCREENS] = { "settings", "replays", "practice", "keys" };
+    const struct board_out *out = board_last_output(c->board);
 
-    return out->request == REQUEST_ASK ? names[out->ask] : "";
+    return out->request == REQUEST_HOST_SCREEN ? names[out->host_screen] : "";
 }
 
 const char *curtain_log(const struct curtain *c)
 {
-    const struct board_out *out = board_last(c->board);
-    struct curtain *to = (struct curtain *)c; /* changes only the text buffer, which is not part of the state */
-    const size_t n = out->log_size < sizeof to->log_text ? out->log_size : sizeof to->log_text - 1;
+    const struct board_out *out = board_last_output(c->board);
+    struct curtain *writable = (struct curtain *)c; /* changes only the text buffer, which is not part of the state */
+    const size_t n = out->log_size < sizeof writable->log_text ? out->log_size : sizeof writable->log_text - 1;
 
     if (n > 0)
-        memcpy(to->log_text, out->log, n);
-    to->log_text[n] = 0;
-    return to->log_text;
+        memcpy(writable->log_text, out->log, n);
+    writable->log_text[n] = 0;
+    return writable->log_text;
 }
 
 const char *curtain_fault(const struct curtain *c)
 {
-    const struct board_fault *fault = board_last(c->board)->fault;
-    struct curtain *to = (struct curtain *)c;
+    const struct board_fault *fault = board_last_output(c->board)->fault;
+    struct curtain *writable = (struct curtain *)c;
 
     if (!fault)
         return "";
-    snprintf(to->fault, sizeof to->fault, "%s\n%s", fault->message, fault->trace);
-    return to->fault;
+    snprintf(writable->fault, sizeof writable->fault, "%s\n%s", fault->message, fault->trace);
+    return writable->fault;
 }
 
 /* ---- picture and sound ---- */
@@ -336,15 +337,15 @@ const uint32_t *curtain_palette(struct curtain *c)
 
 size_t curtain_sound(struct curtain *c, int16_t *lr, size_t frames)
 {
-    if (!c->sounding) {
-        if (c->tables)
-            board_sound(c->board, c->tables, c->lr);
-        c->sounding = true;
-        c->taken = 0;
+    if (!c->mixed) {
+        if (c->sound_tables)
+            board_mix_sound(c->board, c->sound_tables, c->lr);
+        c->mixed = true;
+        c->frames_read = 0;
     }
-    const size_t left = BOARD_SOUND - c->taken, n = frames < left ? frames : left;
-    memcpy(lr, c->lr + 2 * c->taken, n * 2 * sizeof *lr);
-    c->taken += n;
+    const size_t left = BOARD_SOUND_FRAMES - c->frames_read, n = frames < left ? frames : left;
+    memcpy(lr, c->lr + 2 * c->frames_read, n * 2 * sizeof *lr);
+    c->frames_read += n;
     return n;
 }
 
@@ -357,32 +358,32 @@ int curtain_core(void)
 
 const char *curtain_title(const struct curtain *c)
 {
-    return c->cart.m.title;
+    return c->cart.manifest.title;
 }
 
 const char *curtain_id(const struct curtain *c)
 {
-    return c->cart.m.id;
+    return c->cart.manifest.id;
 }
 
 int curtain_players(const struct curtain *c)
 {
-    return c->cart.m.players;
+    return c->cart.manifest.players;
 }
 
 const char *curtain_difficulty(const struct curtain *c, int i)
 {
-    const struct manifest *m = &c->cart.m;
+    const struct manifest *m = &c->cart.manifest;
 
     return m->n_difficulties == 0 || i >= m->n_difficulties ? NULL : m->difficulties[i < 0 ? m->difficulty : i];
 }
 
 /* Writes the k-th value of a switch to out; returns false when there is none. */
-static bool word_of(const struct dip *dip, int32_t k, char *out, size_t size)
+static bool write_switch_value(const struct dip *dip, int32_t k, char *out, size_t size)
 {
-    if (k < 0 || (dip->number ? k > dip->hi - dip->lo : k >= dip->values))
+    if (k < 0 || (dip->is_number ? k > dip->hi - dip->lo : k >= dip->n_values))
         return false;
-    if (dip->number)
+    if (dip->is_number)
         snprintf(out, size, "%d", (int)(dip->lo + k));
     else
         snprintf(out, size, "%s", dip->value_name[k]);
@@ -391,18 +392,19 @@ static bool word_of(const struct dip *dip, int32_t k, char *out, size_t size)
 
 bool curtain_switches(const struct curtain *c, int i, struct curtain_switch *out)
 {
-    const struct manifest *m = &c->cart.m;
+    const struct manifest *m = &c->cart.manifest;
 
     if (i < 0 || i >= m->n_dips)
         return false;
     const struct dip *dip = &m->dips[i];
     memcpy(out->name, dip->name, sizeof out->name);
-    return word_of(dip, c->begin.start.dip[i] - (dip->number ? dip->lo : 0), out->value, sizeof out->value);
+    return write_switch_value(dip, c->run_start.start.dip[i] - (dip->is_number ? dip->lo : 0), out->value,
+                              sizeof out->value);
 }
 
 bool curtain_switch_value(const struct curtain *c, int i, int k, char *value, size_t size)
 {
-    return i >= 0 && i < c->cart.m.n_dips && word_of(&c->cart.m.dips[i], k, value, size);
+    return i >= 0 && i < c->cart.manifest.n_dips && write_switch_value(&c->cart.manifest.dips[i], k, value, size);
 }
 
 uint32_t curtain_demo_frames(const struct curtain *c)
@@ -429,24 +431,24 @@ const void *curtain_nvram(const struct curtain *c, size_t *size)
 
 size_t curtain_nvram_room(const struct curtain *c)
 {
-    return c->begin.room;
+    return c->run_start.nvram_cap;
 }
 
 bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out)
 {
     enum { UNIT = FX_ONE / 256 };
-    struct danger_ship ship = { .in = false };
+    struct danger_ship ship = { .in_game = false };
 
     if (i >= 0 && i < PADS)
-        danger_ship(c->board, i, &ship);
+        danger_get_ship(c->board, i, &ship);
     *out = (struct curtain_ship){ .steers = false };
-    if (!ship.in)
+    if (!ship.in_game)
         return false;
-    *out = (struct curtain_ship){ .steers = ship.steers,
-                                  .x = ship.way.x / UNIT,
-                                  .y = ship.way.y / UNIT,
+    *out = (struct curtain_ship){ .steers = ship.can_steer,
+                                  .x = ship.path.x / UNIT,
+                                  .y = ship.path.y / UNIT,
                                   .speed = ship.speed / UNIT,
-                                  .slow = ship.focus / UNIT,
+                                  .slow = ship.focused_speed / UNIT,
                                   .left = ship.area.x0 / UNIT,
                                   .top = ship.area.y0 / UNIT,
                                   .right = ship.area.x1 / UNIT,

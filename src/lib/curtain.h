@@ -84,8 +84,9 @@ CURTAIN_API int curtain_core(void);
 
 /* Unpacks a ROM that will be opened more than once, so that it opens faster. Writes the plain form of a compressed or
  * plain ROM to out and returns its size in bytes; out NULL: only returns the size. Returns 0 when the ROM cannot be
- * read or room is too small. */
-CURTAIN_API size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t room, char *err, size_t err_size);
+ * read or out_size is too small. */
+CURTAIN_API size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t out_size, char *err,
+                                 size_t err_size);
 
 /* Returns the bytes of memory curtain_open needs for this configuration, or 0 when the game cannot run. */
 CURTAIN_API size_t curtain_memory(const struct curtain_config *config, char *err, size_t err_size);

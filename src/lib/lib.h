@@ -12,25 +12,25 @@
 
 enum {
     LIB_ALIGN = 64,
-    LIB_STATE_ROOM = 128 << 10, /* defaults for config.state_room and config.snapshots */
+    LIB_STATE_BYTES = 128 << 10, /* defaults for config.state_room and config.snapshots */
     LIB_SNAPSHOTS = 16,
-    LIB_MOST_SNAPSHOTS = 4096,
-    LIB_KEY = 600 /* frames between key snapshots, which are taken during play */
+    LIB_MAX_SNAPSHOTS = 4096,
+    LIB_KEY_INTERVAL = 600 /* frames between key snapshots, which are taken during play */
 };
 
 /* A saved frame: the board after `frame` ticks, and the digest of the pads log at that frame. */
 struct lib_snapshot {
     uint32_t frame;
     uint64_t digest;
-    uint64_t used; /* value of `clock` at its last use; 0: empty slot */
-    uint8_t *at;
+    uint64_t last_used; /* value of `use_clock` at its last use; 0: empty slot */
+    uint8_t *data;
 };
 
 /* Everything that determines how a run starts. start.nvram points to `nvram`, or is NULL. */
 struct lib_start {
     struct board_start start;
-    uint8_t *nvram; /* `room` bytes */
-    size_t room;
+    uint8_t *nvram; /* `nvram_cap` bytes */
+    size_t nvram_cap;
     uint64_t hash;
 };
 
@@ -38,25 +38,26 @@ struct curtain {
     struct rom rom;
     struct cart cart;
     uint64_t game_hash;
-    struct lib_start begin, spare; /* start of this run; buffer for the start in a state that is being read */
+    struct lib_start run_start, state_start; /* start of this run; buffer for the start in a state that is being read */
     struct board *board;
-    uint8_t *ram, *scratch, *tables; /* tables NULL: the game has no sound */
+    uint8_t *ram, *scratch, *sound_tables; /* tables NULL: the game has no sound */
     size_t ram_size;
     struct fb fb;
     uint32_t rgb[256];
-    bool drawn;    /* fb and rgb hold this frame */
-    bool sounding; /* lr holds this frame's sound */
-    size_t taken;  /* stereo frames of lr the host has read */
-    int16_t lr[2 * BOARD_SOUND];
-    uint32_t writes;               /* number of writes to nvram when last checked */
-    bool saved;                    /* loading a state has changed nvram, which the next frame reports */
-    struct demo demo;              /* the demo that is playing; frames 0: none */
-    struct pads_log log, other;    /* log of this run; buffer for the log of a state that is being loaded */
-    struct lib_snapshot *snapshot; /* n of them: the first `keys` are key snapshots, the others are of saved states */
-    uint32_t n, keys;
-    uint64_t clock; /* counts uses of snapshots */
-    uint8_t *before,
-        *before_out; /* snapshot and output of the current frame, restored after curtain_demo and when a load fails */
+    bool drawn;         /* fb and rgb hold this frame */
+    bool mixed;         /* lr holds this frame's sound */
+    size_t frames_read; /* stereo frames of lr the host has read */
+    int16_t lr[2 * BOARD_SOUND_FRAMES];
+    uint32_t nvram_writes;          /* number of writes to nvram when last checked */
+    bool nvram_changed;             /* loading a state has changed nvram, which the next frame reports */
+    struct demo demo;               /* the demo that is playing; frames 0: none */
+    struct pads_log log, state_log; /* log of this run; buffer for the log of a state that is being loaded */
+    struct lib_snapshot
+        *snapshot; /* n of them: the first `n_key_snapshots` are key snapshots, the others are of saved states */
+    uint32_t n_snapshots, n_key_snapshots;
+    uint64_t use_clock;              /* counts uses of snapshots */
+    uint8_t *backup, *backup_output; /* snapshot and output of the current frame, restored after curtain_demo and when
+                                      * a load fails */
     char log_text[LOG_BYTES + 4096];
     char fault[sizeof(struct board_fault)];
 };
@@ -65,23 +66,23 @@ struct curtain {
 
 /* Fills in the start the configuration asks for, or the demo's start if demo is not NULL. Returns false and sets err
  * for a start the game does not support. */
-bool lib_start_of(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
-                  const struct demo *demo, char *err, size_t err_size);
+bool lib_start_init(struct lib_start *out, const struct cart *cart, const struct curtain_config *config,
+                    const struct demo *demo, char *err, size_t err_size);
 
-/* The start in serialized form. lib_start_room returns its maximum size in bytes, lib_start_write the size written.
+/* The start in serialized form. lib_start_max_size returns its maximum size in bytes, lib_start_write the size written.
  * lib_start_read returns false when the bytes are not a valid start. */
-size_t lib_start_room(const struct lib_start *s);
+size_t lib_start_max_size(const struct lib_start *s);
 size_t lib_start_write(const struct lib_start *s, uint8_t *out);
 bool lib_start_read(struct lib_start *out, const uint8_t *bytes, size_t size);
 
 /* ---- curtain.c ---- */
 
-/* Powers the board up from c->begin. Returns false and sets err when Lua cannot start. */
-bool lib_power(struct curtain *c, char *err, size_t err_size);
+/* Powers the board up from c->run_start. Returns false and sets err when Lua cannot start. */
+bool lib_power_on(struct curtain *c, char *err, size_t err_size);
 
 /* ---- states.c ---- */
 
-/* Takes a key snapshot of the current frame if one is due (every LIB_KEY frames). */
-void lib_keep_key(struct curtain *c);
+/* Takes a key snapshot of the current frame if one is due (every LIB_KEY_INTERVAL frames). */
+void lib_take_key_snapshot(struct curtain *c);
 
 #endif

@@ -6,9 +6,9 @@
 #include <string.h>
 #include "../base/bytes.h"
 
-void pads_log_begin(struct pads_log *log, uint64_t start)
+void pads_log_begin(struct pads_log *log, uint64_t start_hash)
 {
-    *log = (struct pads_log){ .bytes = log->bytes, .room = log->room, .digest = hash_fold(HASH_START, start) };
+    *log = (struct pads_log){ .bytes = log->bytes, .cap = log->cap, .digest = hash_fold(HASH_START, start_hash) };
 }
 
 static size_t put_run(uint8_t *out, uint32_t frames, const uint16_t pads[PADS])
@@ -25,44 +25,44 @@ static size_t put_run(uint8_t *out, uint32_t frames, const uint16_t pads[PADS])
 
 void pads_log_add(struct pads_log *log, const uint16_t pads[PADS])
 {
-    if (log->run > 0 && memcmp(log->pads, pads, sizeof log->pads) != 0) {
-        if (log->room - log->used < PADS_LOG_RUN)
-            log->full = true;
+    if (log->run_frames > 0 && memcmp(log->pads, pads, sizeof log->pads) != 0) {
+        if (log->cap - log->used < PADS_LOG_RUN_BYTES)
+            log->incomplete = true;
         else
-            log->used += put_run(log->bytes + log->used, log->run, log->pads);
-        log->run = 0;
+            log->used += put_run(log->bytes + log->used, log->run_frames, log->pads);
+        log->run_frames = 0;
     }
     memcpy(log->pads, pads, sizeof log->pads);
-    log->run++;
+    log->run_frames++;
     log->frames++;
-    log->full = log->full || log->frames > PADS_LOG_FRAMES;
+    log->incomplete = log->incomplete || log->frames > PADS_LOG_MAX_FRAMES;
     log->digest = pads_log_fold(log->digest, pads);
 }
 
 size_t pads_log_write(const struct pads_log *log, uint8_t *out)
 {
     memcpy(out, log->bytes, log->used);
-    return log->used + (log->run > 0 ? put_run(out + log->used, log->run, log->pads) : 0);
+    return log->used + (log->run_frames > 0 ? put_run(out + log->used, log->run_frames, log->pads) : 0);
 }
 
-struct pads_run pads_log_read(const struct pads_log *log)
+struct pads_reader pads_log_reader(const struct pads_log *log)
 {
-    struct pads_run r = { .at = log->bytes, .end = log->bytes + log->used, .last = log->run };
+    struct pads_reader r = { .at = log->bytes, .end = log->bytes + log->used, .last_frames = log->run_frames };
 
     memcpy(r.last_pads, log->pads, sizeof r.last_pads);
     return r;
 }
 
-bool pads_run_next(struct pads_run *r)
+bool pads_reader_next(struct pads_reader *r)
 {
     const uint8_t *p = r->at;
     uint64_t frames = 0;
     int shift = 0;
 
-    if (p == r->end && r->last > 0) {
+    if (p == r->end && r->last_frames > 0) {
         memcpy(r->pads, r->last_pads, sizeof r->pads);
-        r->frames = r->last;
-        r->last = 0;
+        r->frames = r->last_frames;
+        r->last_frames = 0;
         return true;
     }
     do {
@@ -71,7 +71,7 @@ bool pads_run_next(struct pads_run *r)
         frames |= (uint64_t)(*p & 0x7f) << shift;
         shift += 7;
     } while (*p++ & 0x80);
-    if (frames == 0 || frames > PADS_LOG_FRAMES || r->end - p < 2 * PADS)
+    if (frames == 0 || frames > PADS_LOG_MAX_FRAMES || r->end - p < 2 * PADS)
         return false;
     for (int i = 0; i < PADS; i++, p += 2) {
         r->pads[i] = bytes_get16(p);

@@ -15,22 +15,22 @@
 #include "../base/pads.h"
 
 enum {
-    PADS_LOG_RUN = 5 + 2 * PADS, /* maximum size of an entry, in bytes */
-    PADS_LOG_FRAMES = 1 << 23    /* 38 hours; longer logs are rejected */
+    PADS_LOG_RUN_BYTES = 5 + 2 * PADS, /* maximum size of an entry, in bytes */
+    PADS_LOG_MAX_FRAMES = 1 << 23      /* 38 hours; longer logs are rejected */
 };
 
 struct pads_log {
-    uint8_t *bytes; /* the finished entries; `room` bytes, owned by the caller */
-    size_t room, used;
+    uint8_t *bytes; /* the finished entries; `cap` bytes, owned by the caller */
+    size_t cap, used;
     uint16_t pads[PADS]; /* of the current entry */
-    uint32_t run;        /* frames of the current entry so far */
+    uint32_t run_frames; /* frames of the current entry so far */
     uint32_t frames;     /* all frames logged */
     uint64_t digest;
-    bool full; /* entries were dropped, or PADS_LOG_FRAMES exceeded: the log is incomplete */
+    bool incomplete; /* entries were dropped, or PADS_LOG_MAX_FRAMES exceeded: the log is incomplete */
 };
 
-/* Empties the log. start: a hash of how the run began. */
-void pads_log_begin(struct pads_log *log, uint64_t start);
+/* Empties the log. start_hash: a hash of how the run began. */
+void pads_log_begin(struct pads_log *log, uint64_t start_hash);
 
 void pads_log_add(struct pads_log *log, const uint16_t pads[PADS]);
 
@@ -39,20 +39,20 @@ static inline uint64_t pads_log_fold(uint64_t digest, const uint16_t pads[PADS])
     return hash_fold(digest, (uint64_t)pads[0] << 16 | pads[1]);
 }
 
-/* Writes the whole log to out, at most log->room + PADS_LOG_RUN bytes; returns the number written. */
+/* Writes the whole log to out, at most log->cap + PADS_LOG_RUN_BYTES bytes; returns the number written. */
 size_t pads_log_write(const struct pads_log *log, uint8_t *out);
 
 /* Reads the entries of a log: first the finished ones, then the current one. */
-struct pads_run {
+struct pads_reader {
     const uint8_t *at, *end;
     uint16_t last_pads[PADS];
-    uint32_t last; /* frames of the log's current entry; 0: none, or already read */
+    uint32_t last_frames; /* frames of the log's current entry; 0: none, or already read */
     uint16_t pads[PADS];
     uint32_t frames; /* frames of the last entry read */
 };
-struct pads_run pads_log_read(const struct pads_log *log);
+struct pads_reader pads_log_reader(const struct pads_log *log);
 
 /* Reads the next entry. Returns false at the end, or when the bytes are invalid (then at != end). */
-bool pads_run_next(struct pads_run *r);
+bool pads_reader_next(struct pads_reader *r);
 
 #endif

@@ -16,138 +16,140 @@
 #include "../base/hash.h"
 #include "lib.h"
 
-enum { HEAD = 56, FORMAT = 1 };
+enum { HEADER_SIZE = 56, STATE_FORMAT = 1 };
 static const uint8_t magic[8] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N', 'S' };
 
 /* ---- snapshots ---- */
 
-static struct lib_snapshot *find(struct curtain *c, uint32_t frame, uint64_t digest)
+static struct lib_snapshot *find_snapshot(struct curtain *c, uint32_t frame, uint64_t digest)
 {
-    for (uint32_t i = 0; i < c->n; i++) {
+    for (uint32_t i = 0; i < c->n_snapshots; i++) {
         struct lib_snapshot *s = &c->snapshot[i];
-        if (s->used > 0 && s->frame == frame && s->digest == digest)
+        if (s->last_used > 0 && s->frame == frame && s->digest == digest)
             return s;
     }
     return NULL;
 }
 
 /* Returns the least recently used snapshot in from..to - 1. */
-static struct lib_snapshot *oldest(struct curtain *c, uint32_t from, uint32_t to)
+static struct lib_snapshot *find_least_recent(struct curtain *c, uint32_t from, uint32_t to)
 {
     struct lib_snapshot *best = NULL;
 
     for (uint32_t i = from; i < to; i++)
-        if (!best || c->snapshot[i].used < best->used)
+        if (!best || c->snapshot[i].last_used < best->last_used)
             best = &c->snapshot[i];
     return best;
 }
 
-/* Returns the key snapshot to replace: an empty one, or one of a later frame than `present`, if there is one; otherwise
- * the one with the smallest gap between its neighbours relative to its age, so that gaps between snapshots grow with
- * age. */
-static struct lib_snapshot *least_missed(struct curtain *c, uint32_t present)
+/* Returns the key snapshot to replace: an empty one, or one of a later frame than `is_current`, if there is one;
+ * otherwise the one with the smallest gap between its neighbours relative to its age, so that gaps between snapshots
+ * grow with age. */
+static struct lib_snapshot *find_expendable_key(struct curtain *c, uint32_t current_frame)
 {
     struct lib_snapshot *best = NULL;
-    uint64_t best_gap = 0, best_far = 1;
+    uint64_t best_gap = 0, best_age = 1;
 
-    for (uint32_t i = 0; i < c->keys; i++) {
+    for (uint32_t i = 0; i < c->n_key_snapshots; i++) {
         struct lib_snapshot *s = &c->snapshot[i];
-        uint32_t before = 0, after = present;
-        if (s->used == 0 || s->frame > present)
+        uint32_t before = 0, after = current_frame;
+        if (s->last_used == 0 || s->frame > current_frame)
             return s;
-        for (uint32_t k = 0; k < c->keys; k++) {
+        for (uint32_t k = 0; k < c->n_key_snapshots; k++) {
             const uint32_t frame = c->snapshot[k].frame;
             before = frame < s->frame && frame > before ? frame : before;
             after = frame > s->frame && frame < after ? frame : after;
         }
-        const uint64_t gap = after - before, far = (uint64_t)(present - s->frame) + LIB_KEY;
-        if (!best || gap * best_far < best_gap * far) {
+        const uint64_t gap = after - before, age = (uint64_t)(current_frame - s->frame) + LIB_KEY_INTERVAL;
+        if (!best || gap * best_age < best_gap * age) {
             best = s;
             best_gap = gap;
-            best_far = far;
+            best_age = age;
         }
     }
     return best;
 }
 
-static void keep(struct curtain *c, struct lib_snapshot *s)
+static void take_snapshot(struct curtain *c, struct lib_snapshot *s)
 {
-    board_save(c->board, s->at);
+    board_save(c->board, s->data);
     s->frame = c->log.frames;
     s->digest = c->log.digest;
-    s->used = ++c->clock;
+    s->last_used = ++c->use_clock;
 }
 
-void lib_keep_key(struct curtain *c)
+void lib_take_key_snapshot(struct curtain *c)
 {
-    if (c->keys > 0 && c->log.frames > 0 && c->log.frames % LIB_KEY == 0 && !c->log.full &&
-        !find(c, c->log.frames, c->log.digest))
-        keep(c, least_missed(c, c->log.frames));
+    if (c->n_key_snapshots > 0 && c->log.frames > 0 && c->log.frames % LIB_KEY_INTERVAL == 0 && !c->log.incomplete &&
+        !find_snapshot(c, c->log.frames, c->log.digest))
+        take_snapshot(c, find_expendable_key(c, c->log.frames));
 }
 
 /* ---- seeking ---- */
 
-/* Where a replay starts: at the last of its frames that has a snapshot or is the board's current frame (`present`), or
- * at power-on when there is none. */
-struct from {
+/* Where a replay starts: at the last of its frames that has a snapshot or is the board's current frame (`is_current`),
+ * or at power-on when there is none. */
+struct replay_start {
     struct lib_snapshot *snapshot;
-    bool present;
+    bool is_current;
     uint32_t frame;
 };
 
-/* Finds the frame to start replaying the pads from. begin: the hash of the start of the pads' run. now: the log of the
- * board's run up to its current frame; NULL: the current frame cannot be used. */
-static struct from search(struct curtain *c, struct pads_run pads, uint64_t begin, const struct pads_log *now)
+/* Finds the frame to start replaying the pads from. start_hash: the hash of the start of the pads' run. current: the
+ * log of the board's run up to its current frame; NULL: the current frame cannot be used. */
+static struct replay_start find_replay_start(struct curtain *c, struct pads_reader pads, uint64_t start_hash,
+                                             const struct pads_log *current)
 {
     struct pads_log empty = { 0 };
-    struct from from = { NULL, false, 0 };
+    struct replay_start start = { NULL, false, 0 };
 
-    pads_log_begin(&empty, begin);
+    pads_log_begin(&empty, start_hash);
     uint64_t digest = empty.digest;
     uint32_t frame = 0;
-    from.present = now && now->frames == 0 && now->digest == digest;
-    while (pads_run_next(&pads))
+    start.is_current = current && current->frames == 0 && current->digest == digest;
+    while (pads_reader_next(&pads))
         for (uint32_t i = 0; i < pads.frames; i++) {
             digest = pads_log_fold(digest, pads.pads);
             frame++;
-            const bool present = now && now->frames == frame && now->digest == digest;
-            struct lib_snapshot *s = present ? NULL : find(c, frame, digest);
-            if (present || s)
-                from = (struct from){ s, present, frame };
+            const bool is_current = current && current->frames == frame && current->digest == digest;
+            struct lib_snapshot *s = is_current ? NULL : find_snapshot(c, frame, digest);
+            if (is_current || s)
+                start = (struct replay_start){ s, is_current, frame };
         }
-    return from;
+    return start;
 }
 
 /* Puts the board at the frame to replay from. Returns false and sets err when the run cannot be powered up. */
-static bool set_out(struct curtain *c, const struct from *from, char *err, size_t err_size)
+static bool seek_to_start(struct curtain *c, const struct replay_start *start, char *err, size_t err_size)
 {
-    c->drawn = c->sounding = false;
-    if (from->snapshot) {
-        from->snapshot->used = ++c->clock;
-        board_restore(c->board, from->snapshot->at);
-    } else if (!from->present) {
-        struct board *was = c->board;
-        if (!lib_power(c, err, err_size)) {
-            c->board = was; /* in the memory that lib_power has overwritten; valid again only after a restore */
+    c->drawn = c->mixed = false;
+    if (start->snapshot) {
+        start->snapshot->last_used = ++c->use_clock;
+        board_restore(c->board, start->snapshot->data);
+    } else if (!start->is_current) {
+        struct board *board = c->board;
+        if (!lib_power_on(c, err, err_size)) {
+            c->board = board; /* in the memory that lib_power_on has overwritten; valid again only after a restore */
             return false;
         }
     }
     return true;
 }
 
-/* Replays the pads after frame from->frame; c->log becomes the log of all the pads. Returns false and sets err on
+/* Replays the pads after frame start->frame; c->log becomes the log of all the pads. Returns false and sets err on
  * failure. */
-static bool go(struct curtain *c, struct pads_run pads, const struct from *from, char *err, size_t err_size)
+static bool replay(struct curtain *c, struct pads_reader pads, const struct replay_start *start, char *err,
+                   size_t err_size)
 {
-    pads_log_begin(&c->log, c->begin.hash);
-    if (!set_out(c, from, err, err_size))
+    pads_log_begin(&c->log, c->run_start.hash);
+    if (!seek_to_start(c, start, err, err_size))
         return false;
-    while (pads_run_next(&pads))
+    while (pads_reader_next(&pads))
         for (uint32_t i = 0; i < pads.frames; i++) {
-            if (c->log.frames >= from->frame) {
-                if (board_last(c->board)->fault)
+            if (c->log.frames >= start->frame) {
+                if (board_last_output(c->board)->fault)
                     return err_set(err, err_size, "invalid state: it has input after a fault in the game");
-                lib_keep_key(c);
+                lib_take_key_snapshot(c);
                 board_tick(c->board, pads.pads);
             }
             pads_log_add(&c->log, pads.pads);
@@ -159,25 +161,26 @@ static bool go(struct curtain *c, struct pads_run pads, const struct from *from,
 
 size_t curtain_state_size(const struct curtain *c)
 {
-    return HEAD + lib_start_room(&c->begin) + c->log.room + PADS_LOG_RUN;
+    return HEADER_SIZE + lib_start_max_size(&c->run_start) + c->log.cap + PADS_LOG_RUN_BYTES;
 }
 
 size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size)
 {
     uint8_t *out = state;
 
-    if (c->log.full) {
+    if (c->log.incomplete) {
         err_set(err, err_size, "too many input changes for a state of %zu bytes; raise state_room",
                 curtain_state_size(c));
         return 0;
     }
-    if (size < HEAD + lib_start_room(&c->begin) + c->log.used + PADS_LOG_RUN) {
+    if (size < HEADER_SIZE + lib_start_max_size(&c->run_start) + c->log.used + PADS_LOG_RUN_BYTES) {
         err_set(err, err_size, "buffer for the state: expected %zu bytes, got %zu", curtain_state_size(c), size);
         return 0;
     }
-    const size_t start = lib_start_write(&c->begin, out + HEAD), pads = pads_log_write(&c->log, out + HEAD + start);
+    const size_t start = lib_start_write(&c->run_start, out + HEADER_SIZE),
+                 pads = pads_log_write(&c->log, out + HEADER_SIZE + start);
     memcpy(out, magic, sizeof magic);
-    bytes_put32(out + 8, FORMAT);
+    bytes_put32(out + 8, STATE_FORMAT);
     bytes_put32(out + 12, CORE_VERSION);
     bytes_put64(out + 16, c->game_hash);
     bytes_put32(out + 24, c->log.frames);
@@ -185,49 +188,50 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     bytes_put32(out + 32, (uint32_t)pads);
     bytes_put32(out + 36, 0);
     bytes_put64(out + 40, board_hash(c->board));
-    bytes_put32(out + 48, hash_crc32(out + HEAD, start + pads));
+    bytes_put32(out + 48, hash_crc32(out + HEADER_SIZE, start + pads));
     bytes_put32(out + 52, hash_crc32(out, 52));
-    if (c->n > c->keys && !board_last(c->board)->fault && !find(c, c->log.frames, c->log.digest))
-        keep(c, oldest(c, c->keys, c->n));
-    return HEAD + start + pads;
+    if (c->n_snapshots > c->n_key_snapshots && !board_last_output(c->board)->fault &&
+        !find_snapshot(c, c->log.frames, c->log.digest))
+        take_snapshot(c, find_least_recent(c, c->n_key_snapshots, c->n_snapshots));
+    return HEADER_SIZE + start + pads;
 }
 
 /* Checks the bytes of a state, reads its start into c->spare and points *pads at its pads. Returns false and sets err
  * for any bytes that cannot be loaded. */
-static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct pads_run *pads, char *err,
+static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct pads_reader *pads, char *err,
                        size_t err_size)
 {
-    if (size < HEAD || memcmp(in, magic, sizeof magic) != 0)
+    if (size < HEADER_SIZE || memcmp(in, magic, sizeof magic) != 0)
         return err_set(err, err_size, "not a Curtain state");
     if (hash_crc32(in, 52) != bytes_get32(in + 52))
         return err_set(err, err_size, "damaged state: the checksum does not match");
-    if (bytes_get32(in + 8) != FORMAT || bytes_get32(in + 36) != 0)
-        return err_set(err, err_size, "state format: expected %d, got %u", FORMAT, (unsigned)bytes_get32(in + 8));
+    if (bytes_get32(in + 8) != STATE_FORMAT || bytes_get32(in + 36) != 0)
+        return err_set(err, err_size, "state format: expected %d, got %u", STATE_FORMAT, (unsigned)bytes_get32(in + 8));
     if (bytes_get32(in + 12) != CORE_VERSION)
         return err_set(err, err_size, "state core version: expected %d, got %u", CORE_VERSION,
                        (unsigned)bytes_get32(in + 12));
     if (bytes_get64(in + 16) != c->game_hash)
         return err_set(err, err_size, "the state belongs to a different game or a different build of this game");
     const size_t start = bytes_get32(in + 28), length = bytes_get32(in + 32);
-    if (start > size - HEAD || length > size - HEAD - start)
+    if (start > size - HEADER_SIZE || length > size - HEADER_SIZE - start)
         return err_set(err, err_size, "the state is truncated");
-    if (hash_crc32(in + HEAD, start + length) != bytes_get32(in + 48))
+    if (hash_crc32(in + HEADER_SIZE, start + length) != bytes_get32(in + 48))
         return err_set(err, err_size, "damaged state: the checksum does not match");
-    if (!lib_start_read(&c->spare, in + HEAD, start))
+    if (!lib_start_read(&c->state_start, in + HEADER_SIZE, start))
         return err_set(err, err_size, "invalid state: bad start data");
-    *pads = (struct pads_run){ .at = in + HEAD + start, .end = in + HEAD + start + length };
-    struct pads_run all = *pads;
+    *pads = (struct pads_reader){ .at = in + HEADER_SIZE + start, .end = in + HEADER_SIZE + start + length };
+    struct pads_reader scan = *pads;
     uint64_t frames = 0;
-    while (pads_run_next(&all))
-        frames += all.frames;
-    if (all.at != all.end || frames != bytes_get32(in + 24) || frames > PADS_LOG_FRAMES)
+    while (pads_reader_next(&scan))
+        frames += scan.frames;
+    if (scan.at != scan.end || frames != bytes_get32(in + 24) || frames > PADS_LOG_MAX_FRAMES)
         return err_set(err, err_size, "invalid state: bad input data");
-    return length <= c->log.room ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
+    return length <= c->log.cap ? true : err_set(err, err_size, "the state's run is too long; raise state_room");
 }
 
 /* Returns a hash of nvram, and sets *writes to the number of writes to nvram. If the hash differs after a load, the
  * next frame reports CURTAIN_SAVED. */
-static uint64_t hash_of_saves(const struct curtain *c, uint32_t *writes)
+static uint64_t hash_nvram(const struct curtain *c, uint32_t *writes)
 {
     size_t size;
     const void *nvram = board_nvram(c->board, &size, writes);
@@ -237,43 +241,44 @@ static uint64_t hash_of_saves(const struct curtain *c, uint32_t *writes)
 
 static void swap_starts(struct curtain *c)
 {
-    struct lib_start start = c->begin;
+    struct lib_start start = c->run_start;
 
-    c->begin = c->spare;
-    c->spare = start;
+    c->run_start = c->state_start;
+    c->state_start = start;
 }
 
 static void swap_logs(struct curtain *c)
 {
     struct pads_log log = c->log;
 
-    c->log = c->other;
-    c->other = log;
+    c->log = c->state_log;
+    c->state_log = log;
 }
 
 bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size)
 {
-    struct pads_run pads;
+    struct pads_reader pads;
     const uint8_t *in = state;
 
     if (!read_state(c, in, size, &pads, err, err_size))
         return false;
-    board_save(c->board, c->before);
-    board_output_save(c->board, c->before_out);
-    const uint64_t saves = hash_of_saves(c, &c->writes);
-    const struct from from = search(c, pads, c->spare.hash, board_last(c->board)->fault ? NULL : &c->log);
+    board_save(c->board, c->backup);
+    board_output_save(c->board, c->backup_output);
+    const uint64_t old_hash = hash_nvram(c, &c->nvram_writes);
+    const struct replay_start start =
+        find_replay_start(c, pads, c->state_start.hash, board_last_output(c->board)->fault ? NULL : &c->log);
     swap_starts(c);
     swap_logs(c);
-    if (go(c, pads, &from, err, err_size) &&
+    if (replay(c, pads, &start, err, err_size) &&
         (board_hash(c->board) == bytes_get64(in + 40) ||
          err_set(err, err_size, "replaying the state produced a different hash"))) {
-        c->saved = hash_of_saves(c, &c->writes) != saves || c->saved;
+        c->nvram_changed = hash_nvram(c, &c->nvram_writes) != old_hash || c->nvram_changed;
         return true;
     }
     swap_logs(c);
     swap_starts(c);
-    board_restore(c->board, c->before);
-    board_output_restore(c->board, c->before_out);
-    c->drawn = c->sounding = false;
+    board_restore(c->board, c->backup);
+    board_output_restore(c->board, c->backup_output);
+    c->drawn = c->mixed = false;
     return false;
 }

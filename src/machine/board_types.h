@@ -9,9 +9,9 @@
 #include <stdint.h>
 
 enum {
-    MAX_PARTS = 64,       /* state hashes in a track, one per part; a uint64_t holds a set of parts: 1 << part */
-    NVRAM_MOST = 1 << 20, /* bytes, the largest NVRAM image (nvram.h); a game's own limit is board.nvram */
-    MAX_TEXT = 65536      /* most bytes in a script string; a longer string raises FAULT_MEMORY */
+    MAX_PARTS = 64,      /* state hashes in a track, one per part; a uint64_t holds a set of parts: 1 << part */
+    MAX_NVRAM = 1 << 20, /* bytes, the largest NVRAM image (nvram.h); a game's own limit is board.nvram */
+    MAX_TEXT = 65536     /* most bytes in a script string; a longer string raises FAULT_MEMORY */
 };
 
 enum board_fault_kind {
@@ -53,26 +53,32 @@ struct board_start {
     struct practice practice;
     char lang[16];        /* language of the game's text, printable ASCII; "": the game's original language */
     const uint8_t *nvram; /* NULL: blank */
-    size_t nvram_size;    /* at most NVRAM_MOST */
+    size_t nvram_size;    /* at most MAX_NVRAM */
 };
 
-enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT, REQUEST_ASK };
+enum board_request { REQUEST_NONE, REQUEST_ATTRACT, REQUEST_QUIT, REQUEST_HOST_SCREEN };
 
 /* Host screens that a script can request. */
-enum board_ask { ASK_SETTINGS, ASK_REPLAYS, ASK_PRACTICE, ASK_KEYS, ASKS };
+enum board_host_screen {
+    HOST_SCREEN_SETTINGS,
+    HOST_SCREEN_REPLAYS,
+    HOST_SCREEN_PRACTICE,
+    HOST_SCREEN_KEYS,
+    HOST_SCREENS
+};
 
 /* Markers that help a player navigate a run, and the entries that PRACTICE_LIST reports. Adding a marker changes no
  * RAM. */
 enum board_marker_kind {
     MARKER_STAGE, /* a stage starts; name: the stage */
-    MARKER_MARK,  /* stage.mark; name: the mark, of: the stage */
+    MARKER_MARK,  /* stage.mark; name: the mark, parent: the stage */
     MARKER_WAVE,  /* a wave starts (stage.wave); name: the kind of the wave's enemies */
     MARKER_BOSS,  /* a boss flies in; name: the boss, title: the boss's title */
-    MARKER_PHASE, /* a boss phase starts; name: the phase's id, of: the boss, title: the phase's spell */
+    MARKER_PHASE, /* a boss phase starts; name: the phase's id, parent: the boss, title: the phase's spell */
     MARKER_DEATH, /* a player dies; name: "1" or "2" */
     MARKER_CLEAR, /* a stage was completed; name: the stage */
-    MARKER_WON,   /* a phase was beaten; name: the phase's id, of: the boss */
-    MARKER_LOST,  /* a phase ended without being beaten; name: the phase's id, of: the boss */
+    MARKER_WON,   /* a phase was beaten; name: the phase's id, parent: the boss */
+    MARKER_LOST,  /* a phase ended without being beaten; name: the phase's id, parent: the boss */
     MARKER_START, /* the section of a practice start begins or restarts */
 
     /* only in the output of PRACTICE_LIST, which also reports stages, marks, bosses and phases */
@@ -83,27 +89,27 @@ enum board_marker_kind {
     /* markers of a run, continued */
     MARKER_GAME, /* a game starts; name: the kind of the first player's ship, value: number of players */
     MARKER_OVER, /* a game ends; name: "clear" (all stages), "over" (no lives) or "quit", value: stages cleared */
-    MARKER_ROW,  /* a score is entered; name: the table, of: the ship, value: row in the ship's table, 1: best */
+    MARKER_ROW,  /* a score is entered; name: the table, parent: the ship, value: row in the ship's table, 1: best */
     MARKER_KINDS
 };
 
 /* Returns whether markers of this kind describe a run; the others belong to PRACTICE_LIST. */
-static inline bool board_marks_run(enum board_marker_kind kind)
+static inline bool board_is_run_marker(enum board_marker_kind kind)
 {
     return kind < MARKER_SHIP || kind > MARKER_LISTED;
 }
 
-enum { BOARD_MARKERS = 16 /* most markers per tick; further ones are dropped */ };
+enum { MAX_TICK_MARKERS = 16 /* most markers per tick; further ones are dropped */ };
 struct board_marker {
     enum board_marker_kind kind;
     int32_t value;
-    char name[32], of[32], title[48]; /* printable ASCII, cut to fit; "": none */
+    char name[32], parent[32], title[48]; /* printable ASCII, cut to fit; "": none */
 };
 
 /* A pool that refused an entity for the first time in this run. line: the log line, starting with the "FILE:LINE: " of
  * the script. */
-enum { FULLS = 13 /* most full pools reported in a tick */, LOG_BYTES = 4096 };
-struct board_full {
+enum { MAX_FULL_POOLS = 13 /* most full pools reported in a tick */, LOG_BYTES = 4096 };
+struct board_full_pool {
     const char *part; /* "bullets" */
     char line[256];
 };
@@ -111,16 +117,17 @@ struct board_full {
 /* The output of a tick for the cabinet, valid until the next tick. Never hashed. */
 struct board_out {
     enum board_request request;
-    char attract[64];   /* name of the demo lump, with REQUEST_ATTRACT */
-    enum board_ask ask; /* with REQUEST_ASK */
-    const char *log;    /* output of print in this tick, cut off after LOG_BYTES, then a line for each entry of `full`;
+    char attract[64];                   /* name of the demo lump, with REQUEST_ATTRACT */
+    enum board_host_screen host_screen; /* with REQUEST_HOST_SCREEN */
+    const char
+        *log; /* output of print in this tick, cut off after LOG_BYTES, then a line for each entry of `full_pool`;
                              lines end in \n */
     size_t log_size;
-    struct board_marker marker[BOARD_MARKERS];
+    struct board_marker marker[MAX_TICK_MARKERS];
     int markers;
-    struct board_full full[FULLS];
-    int fulls;
-    bool menu;                       /* a pre-game menu is shown: the host should show the keys to a new player */
+    struct board_full_pool full_pool[MAX_FULL_POOLS];
+    int full_pools;
+    bool menu_shown;                 /* a pre-game menu is shown: the host should show the keys to a new player */
     const struct board_fault *fault; /* NULL: none. A fault ends the run. */
 };
 
@@ -133,7 +140,7 @@ enum board_phase {
     PHASE_MOTION,  /* moving all entities; those that leave the keep box are held, marked or removed */
     PHASE_HITS,    /* collision detection, which raises events */
     PHASE_EVENTS,  /* applying the effects of events, and running script event handlers */
-    PHASE_REST,    /* updating the palette, collecting Lua garbage */
+    PHASE_CLEANUP, /* updating the palette, collecting Lua garbage */
     PHASES
 };
 typedef void board_phase_done(void *context, enum board_phase phase);

@@ -42,8 +42,8 @@ struct events {
 /* Returns the bytes of RAM that cap events take. */
 uint64_t events_size(uint32_t cap);
 
-/* Initialises an empty list of capacity cap in the events_size(cap) bytes at `at`, aligned for int64_t. */
-void events_layout(struct events *e, uint32_t cap, uint8_t *at);
+/* Initialises an empty list of capacity cap in the events_size(cap) bytes at `memory`, aligned for int64_t. */
+void events_init(struct events *e, uint32_t cap, uint8_t *memory);
 
 static inline struct event events_at(const struct events *e, uint32_t i)
 {

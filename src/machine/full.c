@@ -11,8 +11,8 @@
 struct wording {
     const struct chip *chip;
     const char *pool;
-    const char *effect; /* the effect of a full pool */
-    const char *set_by; /* name of the capacity in `board` of rom.lua */
+    const char *effect;   /* the effect of a full pool */
+    const char *capacity; /* name of the capacity in `board` of rom.lua */
 };
 
 static const struct wording wordings[] = {
@@ -40,13 +40,13 @@ static const struct wording *wording_of(const struct board *b, const struct slot
     for (size_t i = 0; i < sizeof wordings / sizeof *wordings; i++)
         for (int k = 0; k < PARTS; k++)
             if (machine_parts[k].chip == wordings[i].chip &&
-                (const uint8_t *)s == (const uint8_t *)b + machine_parts[k].at)
+                (const uint8_t *)s == (const uint8_t *)b + machine_parts[k].offset)
                 return &wordings[i];
     return NULL;
 }
 
-/* Appends a line to the log, which has room for FULLS lines after LOG_BYTES of print output. If the print output was
- * cut off, its last byte becomes \n. */
+/* Appends a line to the log, which has room for MAX_FULL_POOLS lines after LOG_BYTES of print output. If the print
+ * output was cut off, its last byte becomes \n. */
 static void add_line(struct output *o, const char *line)
 {
     size_t n = strlen(line), room = sizeof o->log - o->log_size;
@@ -74,38 +74,39 @@ static void remove_line(struct output *o, const char *line)
     }
 }
 
-void board_full_forget(struct board *b)
+void board_withdraw_full_reports(struct board *b)
 {
     struct output *o = b->output;
 
-    for (int i = 0; i < o->out.fulls; i++)
-        remove_line(o, o->out.full[i].line);
-    o->out.fulls = 0;
+    for (int i = 0; i < o->out.full_pools; i++)
+        remove_line(o, o->out.full_pool[i].line);
+    o->out.full_pools = 0;
 }
 
-void board_full(struct board *b, const struct slots *s)
+void board_report_full(struct board *b, const struct slots *s)
 {
     const struct wording *w = s->refused == 1 ? wording_of(b, s) : NULL;
     struct output *o = b->output;
-    struct board_full *f, unheard;
-    char place[VM_PLACE];
+    struct board_full_pool *f, discarded;
+    char place[VM_PLACE_SIZE];
 
     if (!w)
         return;
-    const uint32_t each = w->chip == &laser_points_chip ? LASER_PIECE : 1; /* capacity units of `board` per slot */
-    b->calls->where(b, place, sizeof place);
-    f = o->out.fulls < FULLS ? &o->out.full[o->out.fulls++] : &unheard;
+    const uint32_t units_per_slot =
+        w->chip == &laser_points_chip ? LASER_PIECE_POINTS : 1; /* capacity units of `board` per slot */
+    b->calls->get_place(b, place, sizeof place);
+    f = o->out.full_pools < MAX_FULL_POOLS ? &o->out.full_pool[o->out.full_pools++] : &discarded;
     f->part = w->chip->name;
     snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", place, w->pool,
-             s->cap * each, w->effect, w->set_by);
+             s->cap * units_per_slot, w->effect, w->capacity);
     add_line(o, f->line);
 }
 
-void board_sparks(struct board *b, const struct spark_burst *burst)
+void board_burst_sparks(struct board *b, const struct spark_burst *burst)
 {
-    uint32_t had = b->sparks.s.refused;
+    uint32_t refused_before = b->sparks.s.refused;
 
     sparks_burst(&b->sparks, burst);
-    if (b->sparks.s.refused != had)
-        board_full(b, &b->sparks.s);
+    if (b->sparks.s.refused != refused_before)
+        board_report_full(b, &b->sparks.s);
 }

@@ -32,17 +32,17 @@ enum handle_kind {
     H_LASERS,
     H_OPTION,
     H_BULLETML,
-    HANDLES
+    HANDLE_KINDS
 };
 
-static inline int64_t handle_of(enum handle_kind kind, uint32_t gen, uint32_t slot)
+static inline int64_t handle_make(enum handle_kind kind, uint32_t gen, uint32_t slot)
 {
     return (int64_t)(1ull << 62 | (uint64_t)gen << 32 | (uint64_t)kind << 24 | slot);
 }
 
-static inline bool handle_is(int64_t h)
+static inline bool handle_is_well_formed(int64_t h)
 {
-    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLES;
+    return (uint64_t)h >> 62 == 1 && (h >> 24 & 255) >= 1 && (h >> 24 & 255) < HANDLE_KINDS;
 }
 
 static inline enum handle_kind handle_kind(int64_t h)
@@ -50,7 +50,7 @@ static inline enum handle_kind handle_kind(int64_t h)
     return (enum handle_kind)(h >> 24 & 255);
 }
 
-static inline bool handle_kind_group(enum handle_kind kind)
+static inline bool handle_kind_is_group(enum handle_kind kind)
 {
     const unsigned groups = 1u << H_GROUP | 1u << H_SHOTS | 1u << H_ENEMIES | 1u << H_ITEMS | 1u << H_LASERS;
 
@@ -59,7 +59,7 @@ static inline bool handle_kind_group(enum handle_kind kind)
 
 static inline uint32_t handle_gen(int64_t h)
 {
-    return (uint32_t)(h >> 32) & GENERATIONS;
+    return (uint32_t)(h >> 32) & RETIRED_GENERATION;
 }
 
 static inline uint32_t handle_slot(int64_t h)

@@ -1,7 +1,7 @@
 /*
  * input.h - the pads as a game sees them: held, pressed, released and repeated buttons, and a buffer of presses.
  *
- * A press is a frame in which a button went down. It can be taken once (input_take) while it is at most PRESS_KEPT
+ * A press is a frame in which a button went down. It can be taken once (input_take) while it is at most MAX_PRESS_AGE
  * frames old. The game and the pause screen have separate presses: a press during a pause does not count for the game,
  * and the game's presses do not age during a pause.
  */
@@ -11,7 +11,7 @@
 #include "../base/pads.h"
 #include "../base/slots.h"
 
-enum { REPEAT_AFTER = 20, REPEAT_EVERY = 5, PRESS_KEPT = 60 }; /* frames */
+enum { REPEAT_AFTER = 20, REPEAT_EVERY = 5, MAX_PRESS_AGE = 60 }; /* frames */
 
 enum press_side { PRESS_GAME, PRESS_PAUSE, PRESS_SIDES, PRESS_NOBODY = PRESS_SIDES };
 
@@ -20,9 +20,9 @@ struct input {
     uint16_t *held;
     uint16_t *pressed; /* down in this frame, up in the previous one */
     uint16_t *released;
-    uint16_t *repeated; /* pressed, and again every few frames while held */
-    uint32_t *since;    /* PAD_BUTTONS values per player: frames held */
-    uint64_t *presses;  /* PRESS_SIDES * PAD_BUTTONS values per player; bit k: pressed k frames ago, not yet taken */
+    uint16_t *repeated;    /* pressed, and again every few frames while held */
+    uint32_t *held_frames; /* PAD_BUTTONS values per player: frames held */
+    uint64_t *presses;     /* PRESS_SIDES * PAD_BUTTONS values per player; bit k: pressed k frames ago, not yet taken */
 };
 
 extern const struct chip input_chip;
@@ -34,13 +34,13 @@ extern const struct chip input_chip;
 void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry);
 
 /* Clears the pressed, released and repeated buttons, so that nothing carries over into the next frame. */
-void input_done(struct input *in);
+void input_clear_edges(struct input *in);
 
-/* Takes the oldest press of a button among the presses that are at most n frames old (0 to PRESS_KEPT; 0: this frame).
- * Returns whether there was one. */
+/* Takes the oldest press of a button among the presses that are at most n frames old (0 to MAX_PRESS_AGE; 0: this
+ * frame). Returns whether there was one. */
 bool input_take(struct input *in, uint32_t p, uint32_t button, uint32_t n, enum press_side side);
 
 /* Drops all presses of these buttons (PAD_ bits) by player p from the buffer of `side`. */
-void input_forget(struct input *in, uint32_t p, enum press_side side, unsigned buttons);
+void input_drop_presses(struct input *in, uint32_t p, enum press_side side, unsigned buttons);
 
 #endif

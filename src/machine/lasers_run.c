@@ -8,14 +8,14 @@
 #include "../base/geom.h"
 #include "../base/int.h"
 
-static const int64_t most_move = (int64_t)MAX_SPEED << 16;
+static const int64_t max_move = (int64_t)MAX_SPEED << 16;
 
 uint32_t lasers_age(const struct board *b, uint32_t i)
 {
     return bullets_age(&b->laser_heads, i, b->core.clock);
 }
 
-uint32_t lasers_age_seen(const struct board *b, uint32_t i)
+uint32_t lasers_shown_age(const struct board *b, uint32_t i)
 {
     uint32_t age = lasers_age(b, i);
 
@@ -29,7 +29,7 @@ enum laser_state lasers_state_of(const struct board *b, uint32_t i, uint32_t age
     return lasers_state(&b->lasers, i, age);
 }
 
-static bool dangerous(const struct board *b, uint32_t i, uint32_t age)
+static bool is_dangerous(const struct board *b, uint32_t i, uint32_t age)
 {
     enum laser_state s = lasers_state_of(b, i, age);
 
@@ -37,48 +37,48 @@ static bool dangerous(const struct board *b, uint32_t i, uint32_t age)
 }
 
 /* Updates the position of the tail of a beam or bolt: the end opposite its head. */
-static void place_end(struct board *b, uint32_t i)
+static void update_tail(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     const struct bullets *h = &b->laser_heads;
-    const bool beam = l->form[i] == LASER_BEAM;
+    const bool is_beam = l->form[i] == LASER_BEAM;
     fx dx, dy;
 
     if (l->form[i] == LASER_CURVE)
         return;
-    trig_polar(beam ? l->length[i] : l->grown[i], h->dir[i], &dx, &dy);
-    l->x0[i] = beam ? h->x[i] + dx : h->x[i] - dx;
-    l->y0[i] = beam ? h->y[i] + dy : h->y[i] - dy;
+    trig_polar(is_beam ? l->length[i] : l->grown_length[i], h->dir[i], &dx, &dy);
+    l->x0[i] = is_beam ? h->x[i] + dx : h->x[i] - dx;
+    l->y0[i] = is_beam ? h->y[i] + dy : h->y[i] - dy;
 }
 
-void lasers_settle(struct board *b, uint32_t i)
+void lasers_update_tail(struct board *b, uint32_t i)
 {
-    place_end(b, i);
+    update_tail(b, i);
 }
 
-void lasers_place(struct board *b, uint32_t i, fx x, fx y)
+void lasers_move_to(struct board *b, uint32_t i, fx x, fx y)
 {
     struct bullets *h = &b->laser_heads;
 
     lasers_shift(&b->lasers, &b->laser_points, i, fx_sub(x, h->x[i]), fx_sub(y, h->y[i]));
     h->x[i] = x;
     h->y[i] = y;
-    place_end(b, i);
+    update_tail(b, i);
 }
 
-int32_t lasers_fire(struct board *b, const struct bullet_shape *head, struct laser_shape *shape)
+int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct laser_spec *shape)
 {
-    struct slots *full;
-    int32_t i = lasers_add(&b->lasers, &b->laser_points, shape, head->x, head->y, &full);
+    struct slots *full_pool;
+    int32_t i = lasers_add(&b->lasers, &b->laser_points, shape, head->x, head->y, &full_pool);
 
     if (i == NO_SLOT) {
-        board_full(b, full);
+        board_report_full(b, full_pool);
         return i;
     }
     int32_t slot = bullets_fire(&b->laser_heads, head, b->core.clock);
     assert(slot == i); /* invariant: the two pools have the same slots */
     (void)slot;
-    place_end(b, (uint32_t)i);
+    update_tail(b, (uint32_t)i);
     return i;
 }
 
@@ -91,55 +91,56 @@ void lasers_remove(struct board *b, uint32_t i)
 
 /* ---- moving lasers ---- */
 
-/* Stores the present position of an entity or, with `before`, its position before this frame's move. Entities other
- * than lasers have already moved. For a laser both are the position before the move, so that the order of slots does
- * not matter. */
-static bool where(const struct motion_world *w, int64_t around, uint32_t moved, bool before, fx *x, fx *y)
+/* Stores the present position of an entity or, with `before_move`, its position before this frame's move. Entities
+ * other than lasers have already moved. For a laser both are the position before the move, so that the order of slots
+ * does not matter. */
+static bool entity_position(const struct motion_world *w, int64_t entity, uint32_t moved, bool before_move, fx *x,
+                            fx *y)
 {
     const struct board *b = w->context;
-    const enum handle_kind kind = handle_kind(around);
+    const enum handle_kind kind = handle_kind(entity);
     const struct bullets *s = kind == H_SHOT ? &b->shots : &b->bullets;
-    const uint32_t i = handle_slot(around);
+    const uint32_t i = handle_slot(entity);
 
     (void)moved;
-    if (!board_alive(b, around) || !board_where(b, around, x, y))
+    if (!board_alive(b, entity) || !board_get_position(b, entity, x, y))
         return false;
     if (kind == H_LASER) {
-        *x = b->lasers.was_x[i];
-        *y = b->lasers.was_y[i];
+        *x = b->lasers.prev_x[i];
+        *y = b->lasers.prev_y[i];
     }
-    if (!before)
+    if (!before_move)
         return true;
     if (kind == H_SHOT || kind == H_BULLET) {
         *x -= s->vx[i];
         *y -= s->vy[i];
     } else if (kind == H_ENEMY) {
-        *x = b->enemies.was_x[i];
-        *y = b->enemies.was_y[i];
+        *x = b->enemies.prev_x[i];
+        *y = b->enemies.prev_y[i];
     } else if (kind == H_PLAYER) {
-        *x = b->player.was_x[i];
-        *y = b->player.was_y[i];
+        *x = b->player.prev_x[i];
+        *y = b->player.prev_y[i];
     } else if (kind == H_OPTION) {
-        *x = b->options.was_x[i];
-        *y = b->options.was_y[i];
+        *x = b->options.prev_x[i];
+        *y = b->options.prev_y[i];
     } else if (kind == H_ITEM) {
-        *x = b->items.was_x[i];
-        *y = b->items.was_y[i];
+        *x = b->items.prev_x[i];
+        *y = b->items.prev_y[i];
     }
     return true;
 }
 
-static struct motion_world world(const struct board *b, bool shoots)
+static struct motion_world laser_world(const struct board *b, bool shoots)
 {
-    struct motion_world w = board_world(b, shoots);
+    struct motion_world w = board_motion_world(b, shoots);
 
     w.kinds = NULL;
-    w.where = where;
+    w.get_position = entity_position;
     return w;
 }
 
 /* Stores the direction of an entity. Returns false if entities of this kind have no direction. */
-static bool looks(const struct board *b, int64_t h, ang *dir)
+static bool get_direction(const struct board *b, int64_t h, ang *dir)
 {
     const uint32_t i = handle_slot(h);
 
@@ -158,27 +159,27 @@ static bool looks(const struct board *b, int64_t h, ang *dir)
     }
 }
 
-static fx within_world(int64_t v)
+static fx clamp_to_world(int64_t v)
 {
-    return (fx)int64_clamp(v, -(int64_t)WORLD * 65536, (int64_t)WORLD * 65536);
+    return (fx)int64_clamp(v, -(int64_t)WORLD_EDGE * 65536, (int64_t)WORLD_EDGE * 65536);
 }
 
 /* Moves laser i to the entity it follows. Returns false if that entity is dead. */
-static bool follow(struct board *b, uint32_t i)
+static bool follow_entity(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     ang dir;
     fx x, y;
 
-    if (!board_alive(b, l->follow[i]) || !board_where(b, l->follow[i], &x, &y))
+    if (!board_alive(b, l->follow_target[i]) || !board_get_position(b, l->follow_target[i], &x, &y))
         return false;
-    b->laser_heads.x[i] = within_world((int64_t)x + l->dx[i]);
-    b->laser_heads.y[i] = within_world((int64_t)y + l->dy[i]);
-    if (l->flags[i] & LASER_TURNS && looks(b, l->follow[i], &dir)) {
-        if (l->flags[i] & LASER_TURNED)
-            b->laser_heads.dir[i] += dir - l->followed[i];
-        l->flags[i] |= LASER_TURNED;
-        l->followed[i] = dir;
+    b->laser_heads.x[i] = clamp_to_world((int64_t)x + l->dx[i]);
+    b->laser_heads.y[i] = clamp_to_world((int64_t)y + l->dy[i]);
+    if (l->flags[i] & LASER_TURNS && get_direction(b, l->follow_target[i], &dir)) {
+        if (l->flags[i] & LASER_HAS_TARGET_DIR)
+            b->laser_heads.dir[i] += dir - l->target_dir[i];
+        l->flags[i] |= LASER_HAS_TARGET_DIR;
+        l->target_dir[i] = dir;
     }
     return true;
 }
@@ -188,19 +189,19 @@ static bool is_outside(const struct board *b, uint32_t i)
 {
     fx x, y, x0 = FX_MAX, y0 = FX_MAX, x1 = FX_MIN, y1 = FX_MIN;
 
-    for (uint32_t k = 0; k < lasers_corners(b, i); k++) {
-        lasers_corner(b, i, k, &x, &y);
+    for (uint32_t k = 0; k < lasers_corner_count(b, i); k++) {
+        lasers_get_corner(b, i, k, &x, &y);
         x0 = fx_min(x0, x);
         y0 = fx_min(y0, y);
         x1 = fx_max(x1, x);
         y1 = fx_max(y1, y);
     }
-    return x1 < b->keep.x0 || x0 > b->keep.x1 || y1 < b->keep.y0 || y0 > b->keep.y1;
+    return x1 < b->keep_box.x0 || x0 > b->keep_box.x1 || y1 < b->keep_box.y0 || y0 > b->keep_box.y1;
 }
 
-static bool is_kept(const struct board *b, fx x, fx y)
+static bool is_in_keep_box(const struct board *b, fx x, fx y)
 {
-    return x >= b->keep.x0 && x <= b->keep.x1 && y >= b->keep.y0 && y <= b->keep.y1;
+    return x >= b->keep_box.x0 && x <= b->keep_box.x1 && y >= b->keep_box.y0 && y <= b->keep_box.y1;
 }
 
 /* Updates a bolt after its head moved. A bolt grows from the point where it was fired until it has its full length. */
@@ -208,10 +209,10 @@ static void move_bolt(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     const struct bullets *h = &b->laser_heads;
-    fx far = fx_hypot(fx_sub(h->x[i], l->was_x[i]), fx_sub(h->y[i], l->was_y[i]));
+    fx distance = fx_hypot(fx_sub(h->x[i], l->prev_x[i]), fx_sub(h->y[i], l->prev_y[i]));
 
-    l->grown[i] = (fx)int64_min((int64_t)l->grown[i] + far, l->length[i]);
-    place_end(b, i);
+    l->grown_length[i] = (fx)int64_min((int64_t)l->grown_length[i] + distance, l->length[i]);
+    update_tail(b, i);
     if (is_outside(b, i))
         l->flags[i] |= LASER_GONE;
 }
@@ -221,25 +222,25 @@ static void move_curve(struct board *b, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     const struct bullets *h = &b->laser_heads;
-    const int64_t dx = (int64_t)h->x[i] - l->was_x[i], dy = (int64_t)h->y[i] - l->was_y[i];
+    const int64_t dx = (int64_t)h->x[i] - l->prev_x[i], dy = (int64_t)h->y[i] - l->prev_y[i];
 
-    if (int64_abs(dx) > most_move || int64_abs(dy) > most_move) /* the head jumped: move the body with it */
+    if (int64_abs(dx) > max_move || int64_abs(dy) > max_move) /* the head jumped: move the body with it */
         lasers_shift(l, &b->laser_points, i, fx_sat(dx), fx_sat(dy));
     lasers_advance(l, &b->laser_points, i, h->x[i], h->y[i]);
-    if (!is_kept(b, h->x[i], h->y[i]))
-        l->flags[i] |= LASER_LEFT;
-    if (l->flags[i] & LASER_LEFT && is_outside(b, i))
+    if (!is_in_keep_box(b, h->x[i], h->y[i]))
+        l->flags[i] |= LASER_HEAD_OUTSIDE;
+    if (l->flags[i] & LASER_HEAD_OUTSIDE && is_outside(b, i))
         l->flags[i] |= LASER_GONE;
 }
 
 /* Returns whether either end of laser i moved further, on an axis, than an entity can move in a frame. */
-static bool jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
+static bool has_jumped(const struct lasers *l, const struct bullets *h, uint32_t i)
 {
-    const int64_t far =
-        int64_max(int64_max(int64_abs((int64_t)h->x[i] - l->was_x[i]), int64_abs((int64_t)h->y[i] - l->was_y[i])),
-                  int64_max(int64_abs((int64_t)l->x0[i] - l->was_x0[i]), int64_abs((int64_t)l->y0[i] - l->was_y0[i])));
+    const int64_t distance = int64_max(
+        int64_max(int64_abs((int64_t)h->x[i] - l->prev_x[i]), int64_abs((int64_t)h->y[i] - l->prev_y[i])),
+        int64_max(int64_abs((int64_t)l->x0[i] - l->prev_x0[i]), int64_abs((int64_t)l->y0[i] - l->prev_y0[i])));
 
-    return far > most_move;
+    return distance > max_move;
 }
 
 /* Moves laser i by its spin and its program. Returns false if the program removed the laser. */
@@ -250,13 +251,13 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
 
     if (l->spin[i] && age >= (uint32_t)l->warn[i]) {
         h->dir[i] += l->spin[i];
-        bullets_steer(h, i);
+        bullets_update_velocity(h, i);
     }
     if (l->form[i] == LASER_BEAM) {
-        place_end(b, i);
+        update_tail(b, i);
         return true;
     }
-    if (!(l->flags[i] & LASER_LEFT) && !bullets_go_on(h, w, i))
+    if (!(l->flags[i] & LASER_HEAD_OUTSIDE) && !bullets_move_one(h, w, i))
         return false;
     if (h->flags[i] & BULLET_DELAYED)
         return true;
@@ -268,47 +269,47 @@ static bool fly(struct board *b, const struct motion_world *w, uint32_t i, uint3
 }
 
 /* Moves laser i by one frame. Returns false if the laser ends; lasers_move then removes it. */
-static bool move(struct board *b, const struct motion_world *w, uint32_t i)
+static bool move_laser(struct board *b, const struct motion_world *w, uint32_t i)
 {
     struct lasers *l = &b->lasers;
     struct bullets *h = &b->laser_heads;
-    const bool stands = h->stands && h->stands[i] & STOOD;
+    const bool is_frozen = h->freeze_flags && h->freeze_flags[i] & FREEZE_LAST_MOVE;
     const uint32_t age = lasers_age(b, i);
 
-    l->flags[i] &= (uint8_t)~LASER_STILL;
-    if (stands)
-        l->flags[i] |= LASER_STILL;
-    else if (lasers_over(l, i, age) || (l->follow[i] && !follow(b, i)))
+    l->flags[i] &= (uint8_t)~LASER_UNSWEPT;
+    if (is_frozen)
+        l->flags[i] |= LASER_UNSWEPT;
+    else if (lasers_has_faded(l, i, age) || (l->follow_target[i] && !follow_entity(b, i)))
         return false;
     else if (!fly(b, w, i, age))
         return false;
-    const bool was_harmless = l->form[i] == LASER_BEAM && (age == 0 || !dangerous(b, i, age - 1));
-    if (was_harmless || jumped(l, h, i))
-        l->flags[i] |= LASER_STILL;
+    const bool was_harmless = l->form[i] == LASER_BEAM && (age == 0 || !is_dangerous(b, i, age - 1));
+    if (was_harmless || has_jumped(l, h, i))
+        l->flags[i] |= LASER_UNSWEPT;
     return true;
 }
 
-static void note_where_all_were(struct lasers *l, const struct bullets *h)
+static void save_old_positions(struct lasers *l, const struct bullets *h)
 {
     EACH_LIVE (i, &l->s) {
-        l->was_x[i] = h->x[i];
-        l->was_y[i] = h->y[i];
-        l->was_x0[i] = l->x0[i];
-        l->was_y0[i] = l->y0[i];
+        l->prev_x[i] = h->x[i];
+        l->prev_y[i] = h->y[i];
+        l->prev_x0[i] = l->x0[i];
+        l->prev_y0[i] = l->y0[i];
     }
 }
 
 void lasers_move(struct board *b)
 {
-    const struct motion_world w[2] = { world(b, false), world(b, true) };
+    const struct motion_world w[2] = { laser_world(b, false), laser_world(b, true) };
     struct lasers *l = &b->lasers;
 
-    bullets_begin(&b->laser_heads);
-    note_where_all_were(l, &b->laser_heads);
+    bullets_begin_move(&b->laser_heads);
+    save_old_positions(l, &b->laser_heads);
     for (int follows = 0; follows < 2; follows++) /* lasers that follow an entity move last */
         EACH_LIVE (i, &l->s) {
             const bool shoots = b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS;
-            if ((l->follow[i] != 0) != follows || move(b, &w[shoots], i))
+            if ((l->follow_target[i] != 0) != follows || move_laser(b, &w[shoots], i))
                 continue;
             if (b->laser_heads.s.used[i / SLOTS_BLOCK] >> (i % SLOTS_BLOCK) & 1)
                 bullets_drop(&b->laser_heads, i);
@@ -326,12 +327,12 @@ void lasers_end_frame(struct board *b)
 
 /* ---- a laser's line: corners, and tests against shapes ---- */
 
-uint32_t lasers_corners(const struct board *b, uint32_t i)
+uint32_t lasers_corner_count(const struct board *b, uint32_t i)
 {
-    return b->lasers.form[i] == LASER_CURVE ? b->lasers.count[i] : 2;
+    return b->lasers.form[i] == LASER_CURVE ? b->lasers.n_points[i] : 2;
 }
 
-void lasers_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
+void lasers_get_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
 {
     const struct lasers *l = &b->lasers;
 
@@ -343,104 +344,104 @@ void lasers_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
         *x = l->x0[i], *y = l->y0[i];
 }
 
-void lasers_corner_was(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
+void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y)
 {
     const struct lasers *l = &b->lasers;
 
-    if (l->flags[i] & LASER_STILL)
-        lasers_corner(b, i, k, x, y);
+    if (l->flags[i] & LASER_UNSWEPT)
+        lasers_get_corner(b, i, k, x, y);
     else if (l->form[i] != LASER_CURVE && k == 0)
-        *x = l->was_x[i], *y = l->was_y[i];
+        *x = l->prev_x[i], *y = l->prev_y[i];
     else if (l->form[i] != LASER_CURVE)
-        *x = l->was_x0[i], *y = l->was_y0[i];
-    else if (k + 1 < l->count[i])
+        *x = l->prev_x0[i], *y = l->prev_y0[i];
+    else if (k + 1 < l->n_points[i])
         lasers_point(l, &b->laser_points, i, k + 1, x, y);
     else
         *x = l->x0[i], *y = l->y0[i];
 }
 
-uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struct board *b, fx x, fx y, void *context),
-                       void *context)
+uint32_t lasers_each_position(struct board *b, uint32_t i, fx spacing,
+                              void (*each)(struct board *b, fx x, fx y, void *context), void *context)
 {
-    const uint32_t n = lasers_corners(b, i);
+    const uint32_t n = lasers_corner_count(b, i);
     uint32_t places = 0;
-    int64_t next = every / 2; /* fx from the last corner to the next position */
+    int64_t next = spacing / 2; /* fx from the last corner to the next position */
     fx x, y, to_x, to_y;
 
-    lasers_corner(b, i, 0, &x, &y);
+    lasers_get_corner(b, i, 0, &x, &y);
     for (uint32_t k = 1; k < n; k++, x = to_x, y = to_y) {
-        lasers_corner(b, i, k, &to_x, &to_y);
-        const int64_t dx = (int64_t)to_x - x, dy = (int64_t)to_y - y, far = fx_hypot(fx_sat(dx), fx_sat(dy));
-        for (; next < far; next += every, places++)
-            each(b, (fx)(x + dx * next / far), (fx)(y + dy * next / far), context);
-        next -= far;
+        lasers_get_corner(b, i, k, &to_x, &to_y);
+        const int64_t dx = (int64_t)to_x - x, dy = (int64_t)to_y - y, length = fx_hypot(fx_sat(dx), fx_sat(dy));
+        for (; next < length; next += spacing, places++)
+            each(b, (fx)(x + dx * next / length), (fx)(y + dy * next / length), context);
+        next -= length;
     }
     if (places)
         return places;
-    lasers_corner(b, i, 0, &x, &y);
+    lasers_get_corner(b, i, 0, &x, &y);
     each(b, x, y, context);
     return 1;
 }
 
 /* Returns whether the segment from corner k to the next corner comes within r of the line from (x, y) to (to_x, to_y).
  */
-static bool piece_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
+static bool segment_touches(const struct board *b, uint32_t i, uint32_t k, fx x, fx y, fx to_x, fx to_y, int64_t r)
 {
     struct geom_bar bar;
     fx ax, ay, bx, by;
 
-    lasers_corner(b, i, k, &ax, &ay);
-    lasers_corner(b, i, k + 1 < lasers_corners(b, i) ? k + 1 : k, &bx, &by);
+    lasers_get_corner(b, i, k, &ax, &ay);
+    lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &bx, &by);
     bar = (struct geom_bar){ (int64_t)ax - x, (int64_t)ay - y, (int64_t)x - to_x, (int64_t)y - to_y,
                              (int64_t)bx - x, (int64_t)by - y, (int64_t)x - to_x, (int64_t)y - to_y };
     return geom_swept_bar(&bar, r);
 }
 
-static uint32_t pieces(const struct board *b, uint32_t i)
+static uint32_t segment_count(const struct board *b, uint32_t i)
 {
-    const uint32_t n = lasers_corners(b, i);
+    const uint32_t n = lasers_corner_count(b, i);
 
     return n > 1 ? n - 1 : 1;
 }
 
-enum { NEAR = 256 /* number of fx in 1/256 px. In units of 1/256 px, products of distances are below 2^63 */ };
+enum { FX_PER_UNIT = 256 /* number of fx in 1/256 px. In units of 1/256 px, products of distances are below 2^63 */ };
 
 /* Returns the squared distance from (x, y) to (to_x, to_y), in 1/256 px. */
-static int64_t apart(fx x, fx y, fx to_x, fx to_y)
+static int64_t distance_sq(fx x, fx y, fx to_x, fx to_y)
 {
-    const int64_t dx = ((int64_t)to_x - x) / NEAR, dy = ((int64_t)to_y - y) / NEAR;
+    const int64_t dx = ((int64_t)to_x - x) / FX_PER_UNIT, dy = ((int64_t)to_y - y) / FX_PER_UNIT;
 
     return dx * dx + dy * dy;
 }
 
 /* Sets (*to_x, *to_y) to the point nearest to (x, y) on the segment from (ax, ay) to (*to_x, *to_y). */
-static void nearest_of_piece(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
+static void nearest_on_segment(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
 {
-    const int64_t wx = ((int64_t)*to_x - ax) / NEAR, wy = ((int64_t)*to_y - ay) / NEAR;
-    const int64_t dx = ((int64_t)x - ax) / NEAR, dy = ((int64_t)y - ay) / NEAR;
-    const int64_t whole = wx * wx + wy * wy, part = int64_clamp(dx * wx + dy * wy, 0, whole);
+    const int64_t wx = ((int64_t)*to_x - ax) / FX_PER_UNIT, wy = ((int64_t)*to_y - ay) / FX_PER_UNIT;
+    const int64_t dx = ((int64_t)x - ax) / FX_PER_UNIT, dy = ((int64_t)y - ay) / FX_PER_UNIT;
+    const int64_t length_sq = wx * wx + wy * wy, projection = int64_clamp(dx * wx + dy * wy, 0, length_sq);
 
-    if (part == whole)
+    if (projection == length_sq)
         return;
-    const int64_t share = part * 65536 / whole; /* whole > part >= 0 */
-    *to_x = (fx)(ax + ((int64_t)*to_x - ax) * share / 65536);
-    *to_y = (fx)(ay + ((int64_t)*to_y - ay) * share / 65536);
+    const int64_t fraction = projection * 65536 / length_sq; /* whole > part >= 0 */
+    *to_x = (fx)(ax + ((int64_t)*to_x - ax) * fraction / 65536);
+    *to_y = (fx)(ay + ((int64_t)*to_y - ay) * fraction / 65536);
 }
 
 void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y)
 {
-    const uint32_t n = lasers_corners(b, i);
+    const uint32_t n = lasers_corner_count(b, i);
     fx ax, ay, px, py, bx, by;
 
-    lasers_corner(b, i, 0, &ax, &ay);
+    lasers_get_corner(b, i, 0, &ax, &ay);
     *to_x = ax;
     *to_y = ay;
     for (uint32_t k = 1; k < n; k++, ax = bx, ay = by) {
-        lasers_corner(b, i, k, &bx, &by);
+        lasers_get_corner(b, i, k, &bx, &by);
         px = bx;
         py = by;
-        nearest_of_piece(x, y, ax, ay, &px, &py);
-        if (apart(px, py, x, y) < apart(*to_x, *to_y, x, y)) {
+        nearest_on_segment(x, y, ax, ay, &px, &py);
+        if (distance_sq(px, py, x, y) < distance_sq(*to_x, *to_y, x, y)) {
             *to_x = px;
             *to_y = py;
         }
@@ -453,29 +454,29 @@ static int64_t half_width(const struct board *b, uint32_t i)
     return lasers_width(&b->lasers, i, lasers_age(b, i)) / 2;
 }
 
-bool lasers_in_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a)
+bool lasers_overlap_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a)
 {
     const int64_t r = half_width(b, i) + a;
 
-    for (uint32_t k = 0; k < pieces(b, i); k++)
-        if (piece_touches(b, i, k, x, y, to_x, to_y, r))
+    for (uint32_t k = 0; k < segment_count(b, i); k++)
+        if (segment_touches(b, i, k, x, y, to_x, to_y, r))
             return true;
     return false;
 }
 
-bool lasers_in_circle(const struct board *b, uint32_t i, fx x, fx y, fx a)
+bool lasers_overlap_circle(const struct board *b, uint32_t i, fx x, fx y, fx a)
 {
-    return lasers_in_line(b, i, x, y, x, y, a);
+    return lasers_overlap_line(b, i, x, y, x, y, a);
 }
 
-bool lasers_in_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h)
+bool lasers_overlap_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h)
 {
     const int64_t r = half_width(b, i);
     fx ax, ay, bx, by;
 
-    for (uint32_t k = 0; k < pieces(b, i); k++) {
-        lasers_corner(b, i, k, &ax, &ay);
-        lasers_corner(b, i, k + 1 < lasers_corners(b, i) ? k + 1 : k, &bx, &by);
+    for (uint32_t k = 0; k < segment_count(b, i); k++) {
+        lasers_get_corner(b, i, k, &ax, &ay);
+        lasers_get_corner(b, i, k + 1 < lasers_corner_count(b, i) ? k + 1 : k, &bx, &by);
         if (geom_swept_circle_box((int64_t)ax - x, (int64_t)ay - y, (int64_t)bx - ax, (int64_t)by - ay, r, w, h))
             return true;
     }

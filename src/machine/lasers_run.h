@@ -8,7 +8,7 @@
 
 /* Fires a laser: adds the laser and its head, a bullet, in the same slot. Returns the slot, or NO_SLOT if a pool is
  * full, which is logged. */
-int32_t lasers_fire(struct board *b, const struct bullet_shape *head, struct laser_shape *shape);
+int32_t lasers_fire(struct board *b, const struct bullet_spec *head, struct laser_spec *shape);
 
 /* Removes laser i at once. */
 void lasers_remove(struct board *b, uint32_t i);
@@ -21,31 +21,31 @@ void lasers_end_frame(struct board *b);
 
 /* Updates the ends of laser i after a script moved, turned or resized it. The area that the laser passes over in this
  * change is not tested for hits. */
-void lasers_settle(struct board *b, uint32_t i);
+void lasers_update_tail(struct board *b, uint32_t i);
 
 /* Moves laser i to (x, y) for a script; a curve moves with its whole body. */
-void lasers_place(struct board *b, uint32_t i, fx x, fx y);
+void lasers_move_to(struct board *b, uint32_t i, fx x, fx y);
 
-/* Returns the age of laser i, in frames. lasers_age_seen is for drawing and inspecting between frames: it returns the
+/* Returns the age of laser i, in frames. lasers_shown_age is for drawing and inspecting between frames: it returns the
  * age that hit detection used in the last frame. */
 uint32_t lasers_age(const struct board *b, uint32_t i);
-uint32_t lasers_age_seen(const struct board *b, uint32_t i);
+uint32_t lasers_shown_age(const struct board *b, uint32_t i);
 
 /* Returns the state of laser i at an age. A delayed bolt or curve is in LASER_WARN. */
 enum laser_state lasers_state_of(const struct board *b, uint32_t i, uint32_t age);
 
-/* lasers_corners returns the number of corners of laser i's line, 2 for a beam or bolt; lasers_corner stores corner k,
- * where 0 is the head. */
-uint32_t lasers_corners(const struct board *b, uint32_t i);
-void lasers_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
+/* lasers_corner_count returns the number of corners of laser i's line, 2 for a beam or bolt; lasers_get_corner stores
+ * corner k, where 0 is the head. */
+uint32_t lasers_corner_count(const struct board *b, uint32_t i);
+void lasers_get_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
 
 /* Stores the position of corner k before this frame's move. */
-void lasers_corner_was(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
+void lasers_get_old_corner(const struct board *b, uint32_t i, uint32_t k, fx *x, fx *y);
 
-/* Calls `each` for positions along the line of laser i, `every` px apart, starting half that distance from the head.
- * Returns the number of calls. If the line is too short, calls `each` once, for the head. every > 0. */
-uint32_t lasers_places(struct board *b, uint32_t i, fx every, void (*each)(struct board *b, fx x, fx y, void *context),
-                       void *context);
+/* Calls `each` for positions along the line of laser i, `spacing` px apart, starting half that distance from the head.
+ * Returns the number of calls. If the line is too short, calls `each` once, for the head. spacing > 0. */
+uint32_t lasers_each_position(struct board *b, uint32_t i, fx spacing,
+                              void (*each)(struct board *b, fx x, fx y, void *context), void *context);
 
 /* Stores the point of laser i's line that is nearest to (x, y), to within 1/256 px. */
 void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx *to_y);
@@ -53,8 +53,8 @@ void lasers_nearest(const struct board *b, uint32_t i, fx x, fx y, fx *to_x, fx 
 /* Returns whether laser i, as it is drawn now (all points within half its width of the line), overlaps the circle
  * of radius a around (x, y), the box around (x, y) with half extents (w, h), or the set of all points within a of the
  * line from (x, y) to (to_x, to_y). */
-bool lasers_in_circle(const struct board *b, uint32_t i, fx x, fx y, fx a);
-bool lasers_in_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h);
-bool lasers_in_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a);
+bool lasers_overlap_circle(const struct board *b, uint32_t i, fx x, fx y, fx a);
+bool lasers_overlap_box(const struct board *b, uint32_t i, fx x, fx y, fx w, fx h);
+bool lasers_overlap_line(const struct board *b, uint32_t i, fx x, fx y, fx to_x, fx to_y, fx a);
 
 #endif

@@ -48,15 +48,15 @@ struct core {
     uint32_t frame; /* ticks since power-on */
     uint32_t clock; /* ticks of game time; stopped while frozen */
     uint32_t difficulty;
-    uint64_t random[4];      /* state of the game's random number generator */
-    int64_t frozen;          /* 0: no; above 0: handle of the only scope that runs; below 0: hit-stop, counts up */
-    uint64_t notes;          /* digest of the values passed to board.note */
-    uint32_t extended[PADS]; /* extends each player has received */
-    uint32_t over;           /* 1: EV_GAME_OVER has been raised */
-    uint32_t since;          /* value of `clock` when the game began */
-    uint8_t continues[PADS]; /* continues each player has left */
-    uint8_t continued[PADS]; /* continues each player has used */
-    uint64_t drawn;          /* numbers drawn from the generator since it was seeded */
+    uint64_t random[4];   /* state of the game's random number generator */
+    int64_t frozen;       /* 0: no; above 0: handle of the only scope that runs; below 0: hit-stop, counts up */
+    uint64_t note_digest; /* digest of the values passed to board.note */
+    uint32_t extends_received[PADS]; /* extends each player has received */
+    uint32_t game_over;              /* 1: EV_GAME_OVER has been raised */
+    uint32_t game_start;             /* value of `clock` when the game began */
+    uint8_t continues_left[PADS];    /* continues each player has left */
+    uint8_t continues_used[PADS];    /* continues each player has used */
+    uint64_t drawn;                  /* numbers drawn from the generator since it was seeded */
 };
 
 /* A running digest of the actions of scripts. The digests of two runs differ from the first frame in which the scripts
@@ -73,14 +73,14 @@ struct output {
     struct board_fault fault;
     size_t log_size;
     /* output of print, then a line per full pool */
-    char log[LOG_BYTES + FULLS * sizeof(((struct board_full *)0)->line)];
-    char shortage[VM_PLACE]; /* "FILE:LINE: " of the last failed allocation */
-    size_t long_text;        /* size in bytes of a string that was too long, 0: none */
-    char dead_field[32];     /* last property read from a despawned entity; dead_place: where it was read */
-    char dead_place[VM_PLACE];
-    bool deep;                 /* the last failed allocation happened in deeply nested calls */
+    char log[LOG_BYTES + MAX_FULL_POOLS * sizeof(((struct board_full_pool *)0)->line)];
+    char shortage_place[VM_PLACE_SIZE]; /* "FILE:LINE: " of the last failed allocation */
+    size_t too_long_size;               /* size in bytes of a string that was too long, 0: none */
+    char dead_field[32];                /* last property read from a despawned entity; dead_place: where it was read */
+    char dead_place[VM_PLACE_SIZE];
+    bool in_deep_calls;        /* the last failed allocation happened in deeply nested calls */
     const struct force *force; /* event that force_run is forcing now */
-    const char *line;          /* the line that board_eval is running now */
+    const char *eval_line;     /* the line that board_eval is running now */
     struct values *values;     /* output of board_eval_values */
     struct emissions emissions;
     board_phase_done *phase_done; /* set by board_on_phase; may be NULL */
@@ -92,17 +92,17 @@ struct board {
     struct board_start start;
     uint8_t *ram;
     size_t ram_size;
-    bool reset;              /* board.reset was called in this frame */
-    struct box keep, area;   /* entities outside `keep` despawn; players stay inside `area` */
-    struct sprite *pictures; /* the ROM's sprite images, by index */
-    struct words words;      /* text in the language of start.lang */
+    bool reset_requested;         /* board.reset was called in this frame */
+    struct box keep_box, area;    /* entities outside `keep_box` despawn; players stay inside `area` */
+    struct sprite *sprite_images; /* the ROM's sprite images, by index */
+    struct words words;           /* text in the language of start.lang */
     struct output *output;
     struct vm vm;
     const struct vm_calls *calls;
     struct name_list names[NAME_LISTS];
     struct option_plan **option_plans; /* by ship kind, in the Lua heap; NULL: no ship has options */
     struct events events;
-    struct ml_fresh ml_fresh;
+    struct ml_fired_list ml_fresh;
     struct board_counts counts;
 
     /* parts, in the order of machine_parts[] */
@@ -140,7 +140,7 @@ struct board {
     struct registers registers;
     struct options options;
     struct option_kinds option_kinds;
-    struct option_ways option_ways;
+    struct option_paths option_ways;
     struct seq music;
     struct cues cues;
     struct voices voices;
@@ -153,24 +153,24 @@ struct board {
 /* A part: its chip, and the location of the chip's struct in struct board. */
 struct part {
     const struct chip *chip;
-    size_t at, size; /* offset and size, in bytes */
+    size_t offset, size; /* offset and size, in bytes */
 };
 enum {
     PARTS = 42,
-    PARTS_ALWAYS = 20 /* these first parts always have a hash; the others have none if their capacity is 0 */
+    PARTS_ALWAYS_HASHED = 20 /* these first parts always have a hash; the others have none if their capacity is 0 */
 };
 extern const struct part machine_parts[PARTS];
 
 /* The number of slots and the column groups of each part. */
-struct part_room {
+struct part_capacities {
     uint32_t slots[PARTS], groups[PARTS];
 };
-struct part_room parts_room(const struct manifest *m);
+struct part_capacities parts_capacities(const struct manifest *m);
 
 /* Returns the struct of part i. */
 static inline void *part_of(const struct board *b, int i)
 {
-    return (uint8_t *)(uintptr_t)b + machine_parts[i].at;
+    return (uint8_t *)(uintptr_t)b + machine_parts[i].offset;
 }
 
 /* Returns the slots of the part with this name ("bullets"), or NULL if there is none. */
@@ -178,64 +178,65 @@ const struct slots *part_named(const struct board *b, const char *name);
 
 enum { MOTION_WORK = 8 /* work per motion step */ };
 
-/* board_world returns the state that motion programs read. The targets are the enemies if `shots` is set, otherwise the
- * players, as returned by board_players. */
-struct motion_world board_world(const struct board *b, bool shots);
-struct targets board_players(const struct board *b);
+/* board_motion_world returns the state that motion programs read. The targets are the enemies if `for_shots` is set,
+ * otherwise the players, as returned by board_player_targets. */
+struct motion_world board_motion_world(const struct board *b, bool for_shots);
+struct targets board_player_targets(const struct board *b);
 
 /* Moves all entities. Entities that leave the field but may still touch something are held or marked, so that hit_run
  * tests them. */
-void board_move(struct board *b);
+void board_move_entities(struct board *b);
 
 /* Returns the next number of the game's random number generator: a number in [0, below) or, if `below` is 0, any 64-bit
  * number. board: a struct board. */
-uint64_t board_chance(void *board, uint64_t below);
+uint64_t board_random(void *board, uint64_t below);
 
 /* Adds work done in C to the tick's total, to which vm_charge also adds; a unit takes at most about 10 ns. Returns
- * false if the total exceeds the tick's limit; then the caller must call board_too_much. Call only inside vm_call. */
-static inline bool board_work(struct board *b, uint64_t work)
+ * false if the total exceeds the tick's limit; then the caller must call board_raise_overload. Call only inside
+ * vm_call. */
+static inline bool board_charge_work(struct board *b, uint64_t work)
 {
     b->vm.work += work;
     return b->vm.work <= b->vm.limit;
 }
 
 /* Raises a fault that pcall does not catch. Call only inside vm_call. */
-void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
+void board_raise_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Raises FAULT_LOOP: too much work in one frame. The message says which work is excessive, with counts, and what to
  * change. */
-void board_too_much(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void board_raise_overload(struct board *b, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* Adds the work of drawing the board in its present state to the tick's total; raises a fault if the total would exceed
  * the limit. Call only inside vm_call. */
 void board_charge_picture(struct board *b);
 
 /* Raises an event with the operands a and b2 (events.h), or a fault if the event list is full. */
-void board_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
+void board_raise_event(struct board *b, enum event_kind kind, int64_t a, int64_t b2);
 
-/* Adds a marker to the tick's output, unless the output already has BOARD_MARKERS markers. */
-void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *of, const char *title,
-                      int32_t value);
+/* Adds a marker to the tick's output, unless the output already has MAX_TICK_MARKERS markers. */
+void board_add_marker(struct board *b, enum board_marker_kind kind, const char *name, const char *parent,
+                      const char *title, int32_t value);
 
 /* Returns whether this board was started only to list the sections for practice (PRACTICE_LIST). */
-bool board_lists(const struct board *b);
+bool board_is_listing(const struct board *b);
 
 /* Returns which presses pad.take reads now: PRESS_GAME or, while a screen freezes the game, PRESS_PAUSE. */
-static inline enum press_side board_presses(const struct board *b)
+static inline enum press_side board_press_side(const struct board *b)
 {
     return b->core.frozen > 0 ? PRESS_PAUSE : PRESS_GAME;
 }
 
 /* Returns the buttons (PAD_ bits) of player p that are currently hidden from scripts and ships; none while the board is
  * frozen. */
-static inline unsigned board_withheld(const struct board *b, uint32_t p)
+static inline unsigned board_withheld_buttons(const struct board *b, uint32_t p)
 {
-    return b->core.frozen ? 0 : player_withheld(&b->player, p);
+    return b->core.frozen ? 0 : player_ignored_buttons(&b->player, p);
 }
 
-/* Calls sparks_burst, then board_full if the pool refused a spark. */
-void board_sparks(struct board *b, const struct spark_burst *burst);
+/* Calls sparks_burst, then board_report_full if the pool refused a spark. */
+void board_burst_sparks(struct board *b, const struct spark_burst *burst);
 
 /* Position and initial motion of dropped items. */
 struct item_drop {
@@ -247,23 +248,23 @@ struct item_drop {
 };
 
 /* Spawns n[k] items of kind[k], for k from 0 to kinds - 1. The directions of all these items together are spread
- * evenly over d->spread. Calls board_full for each item that does not fit in the pool. */
-void board_drop(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds);
+ * evenly over d->spread. Calls board_report_full for each item that does not fit in the pool. */
+void board_drop_items(struct board *b, const struct item_drop *d, const uint16_t *kind, const uint16_t *n, int kinds);
 
 /* Spawns an item at rest at (x, y), in place of another entity. */
-void board_turn_into(struct board *b, uint16_t kind, fx x, fx y);
+void board_replace_with_item(struct board *b, uint16_t kind, fx x, fx y);
 
 /* Stores how each player attracts items. */
-void board_pulls(const struct board *b, struct item_pull pull[PADS]);
+void board_get_pulls(const struct board *b, struct item_pull pull[PADS]);
 
-/* board_register_row returns the row of register `reg` of player p's ship, and board_register its value.
+/* board_register_row returns the row of register `reg` of player p's ship, and board_get_register its value.
  * board_set_register sets the value, clamped to the register's range. */
 static inline uint32_t board_register_row(const struct board *b, uint32_t p, uint32_t reg)
 {
-    return b->player_kinds.first[b->player.kind[p]] + reg;
+    return b->player_kinds.first_register[b->player.kind[p]] + reg;
 }
 
-static inline int32_t board_register(const struct board *b, uint32_t p, uint32_t reg)
+static inline int32_t board_get_register(const struct board *b, uint32_t p, uint32_t reg)
 {
     return registers_get(&b->registers, board_register_row(b, p, reg), p);
 }
@@ -273,43 +274,43 @@ static inline void board_set_register(struct board *b, uint32_t p, uint32_t reg,
     registers_set(&b->registers, board_register_row(b, p, reg), p, v);
 }
 
-/* board_run_register returns the value of the run's register `reg`, board_run_full whether the value is at its
- * maximum. board_set_run_register sets the value, clamped to the register's range. */
-static inline int32_t board_run_register(const struct board *b, uint32_t reg)
+/* board_get_run_register returns the value of the run's register `reg`, board_run_register_is_full whether the value is
+ * at its maximum. board_set_run_register sets the value, clamped to the register's range. */
+static inline int32_t board_get_run_register(const struct board *b, uint32_t reg)
 {
-    return registers_get(&b->registers, b->registers.first + reg, 0);
+    return registers_get(&b->registers, b->registers.first_run_row + reg, 0);
 }
 
-static inline bool board_run_full(const struct board *b, uint32_t reg)
+static inline bool board_run_register_is_full(const struct board *b, uint32_t reg)
 {
-    return registers_full(&b->registers, b->registers.first + reg, 0);
+    return registers_is_full(&b->registers, b->registers.first_run_row + reg, 0);
 }
 
 static inline void board_set_run_register(struct board *b, uint32_t reg, int64_t v)
 {
-    registers_set(&b->registers, b->registers.first + reg, 0, v);
+    registers_set(&b->registers, b->registers.first_run_row + reg, 0, v);
 }
 
 /* Spawns the spark, if any, that bullet i's kind leaves behind when a bullet is cleared. */
-void board_vanish(struct board *b, uint32_t i);
+void board_spawn_vanish_spark(struct board *b, uint32_t i);
 
 /* Logs that the pool s is full, once in a run: at its first refusal. Call after s refused an entity. */
-void board_full(struct board *b, const struct slots *s);
+void board_report_full(struct board *b, const struct slots *s);
 
-/* Withdraws this frame's reports by board_full. Used when an endless loop has filled the pools, so that only the fault
- * of the loop is reported. */
-void board_full_forget(struct board *b);
+/* Withdraws this frame's reports by board_report_full. Used when an endless loop has filled the pools, so that only the
+ * fault of the loop is reported. */
+void board_withdraw_full_reports(struct board *b);
 
 /* Adds points (may be negative) to player i's score, clamped to 0..999,999,999,999, and awards a life at each of the
  * manifest's extends. */
-void board_score(struct board *b, uint32_t i, int64_t points);
+void board_add_score(struct board *b, uint32_t i, int64_t points);
 
 /* Returns the name declared for this index (the last one, if there are several), or NULL. Valid until the next tick. */
 static inline const char *board_name(const struct board *b, enum name_kind kind, int index)
 {
     const struct name_list *t = &b->names[kind];
 
-    return index >= 0 && (uint32_t)index < t->n ? t->at[index] : NULL;
+    return index >= 0 && (uint32_t)index < t->n ? t->name[index] : NULL;
 }
 
 /* Folds v into the script digest. */
@@ -327,20 +328,20 @@ bool board_alive(const struct board *b, int64_t h);
 
 /* Returns whether the entity of handle h can still be read. That includes, until the frame's handlers have run,
  * enemies that died or left, and bullets, shots and items that left the field and are still held. */
-bool board_there(const struct board *b, int64_t h);
+bool board_is_readable(const struct board *b, int64_t h);
 
 /* Returns the handle of the entity that sprite i follows, or 0. */
-int64_t board_followed(const struct board *b, uint32_t i);
+int64_t board_followed_by_sprite(const struct board *b, uint32_t i);
 
 /* Returns the player number, 1 or 2, for a live player or option handle; otherwise 0. */
 uint8_t board_player_of(const struct board *b, int64_t h);
 
-/* Stores the position of the entity of handle h. Returns false if the entity cannot be read (board_there) or has no
- * position. */
-bool board_where(const struct board *b, int64_t h, fx *x, fx *y);
+/* Stores the position of the entity of handle h. Returns false if the entity cannot be read (board_is_readable) or has
+ * no position. */
+bool board_get_position(const struct board *b, int64_t h, fx *x, fx *y);
 
 /* Returns the index of the ROM palette that is most similar to the colours in RAM (pal_likeness), which is taken to be
  * the loaded one. Ties go to the palette named main, then to the first by name. */
-int board_palette(const struct board *b);
+int board_loaded_palette(const struct board *b);
 
 #endif

@@ -27,8 +27,8 @@ enum name_kind {
 
 /* The names of one kind, allocated in the Lua heap; api_names.c adds them. */
 struct name_list {
-    const char **at; /* `room` entries, NULL where there is no name */
-    uint32_t n, room;
+    const char **name; /* `cap` entries, NULL where there is no name */
+    uint32_t n, cap;
 };
 
 #endif

@@ -6,12 +6,18 @@
 #include <string.h>
 
 static const struct column core_columns[] = {
-    REGISTER(core, frame),      REGISTER(core, clock),
-    REGISTER(core, difficulty), REGISTERS(core, random),
-    REGISTER(core, frozen),     REGISTER(core, notes),
-    REGISTERS(core, extended),  REGISTER(core, over),
-    REGISTER(core, since),      REGISTERS(core, continues),
-    REGISTERS(core, continued), DERIVED_REGISTER(core, drawn, "the number of random values drawn since the seed"),
+    REGISTER(core, frame),
+    REGISTER(core, clock),
+    REGISTER(core, difficulty),
+    REGISTERS(core, random),
+    REGISTER(core, frozen),
+    REGISTER(core, note_digest),
+    REGISTERS(core, extends_received),
+    REGISTER(core, game_over),
+    REGISTER(core, game_start),
+    REGISTERS(core, continues_left),
+    REGISTERS(core, continues_used),
+    DERIVED_REGISTER(core, drawn, "the number of random values drawn since the seed"),
 };
 static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
 
@@ -31,13 +37,13 @@ static uint32_t value_groups(int32_t n)
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
-           (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
            (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
 }
 
 static uint32_t shot_groups(const struct manifest *m)
 {
-    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) |
+    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) |
            (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
 }
 
@@ -49,7 +55,7 @@ static uint32_t enemy_groups(const struct manifest *m)
 
 static uint32_t laser_groups(const struct manifest *m)
 {
-    return (m->around ? SLOTS_GROUP(GROUP_AROUND) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+    return (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
 }
 
 /* The parts, in the order of struct board, RAM, hashes and demos. Each line gives the chip, the member of struct board,
@@ -70,7 +76,7 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(motions_chip, motions, m->motions, 0)                                                                         \
     PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
-    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_WIDE) : 0)        \
+    PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)  \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
@@ -80,22 +86,23 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(lines_chip, lines, m->lines, 0)                                                                               \
     PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
     PART(bg_lines_chip, bg_lines, m->bg ? BG_LAYERS * m->field_h : 0, 0)                                               \
-    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES : 0, 0)                                                          \
+    PART(bg_shades_chip, bg_shades, m->bg ? BG_TABLES_SIZE : 0, 0)                                                     \
     PART(screen_chip, screen, 0, 0)                                                                                    \
     PART(lasers_chip, lasers, m->lasers, 0)                                                                            \
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
     PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
-    PART(laser_points_chip, laser_points, m->lasers ? (m->curve_points + LASER_PIECE - 1) / LASER_PIECE : 0, 0)        \
+    PART(laser_points_chip, laser_points,                                                                              \
+         m->lasers ? (m->curve_points + LASER_PIECE_POINTS - 1) / LASER_PIECE_POINTS : 0, 0)                           \
     PART(registers_chip, registers, m->registers, 0)                                                                   \
     PART(options_chip, options, m->options, 0)                                                                         \
     PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
-    PART(option_ways_chip, option_ways, m->options ? PADS : 0, 0)                                                      \
+    PART(option_paths_chip, option_ways, m->options ? PADS : 0, 0)                                                     \
     PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
     PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
-    PART(voices_chip, voices, m->sound ? VOICE_ROOM : 0, 0)                                                            \
-    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_ROOTS), 0)                                                   \
+    PART(voices_chip, voices, m->sound ? VOICE_CAPACITY : 0, 0)                                                        \
+    PART(ml_roots_chip, ml_roots, int_min(m->bulletml, ML_MAX_ROOTS), 0)                                               \
     PART(ml_runners_chip, ml_runners, m->bulletml, 0)                                                                  \
-    PART(ml_frames_chip, ml_frames, ML_FRAMES * m->bulletml, 0)                                                        \
+    PART(ml_frames_chip, ml_frames, ML_FRAMES_PER_RUNNER * m->bulletml, 0)                                             \
     PART(ml_params_chip, ml_params, m->bulletml, 0)
 
 #define AS_PART(chip, name, slots, groups)     { &chip, offsetof(struct board, name), sizeof((struct board *)0)->name },
@@ -106,9 +113,9 @@ static uint32_t laser_groups(const struct manifest *m)
 const struct part machine_parts[PARTS] = { PART_LIST(AS_PART) };
 _Static_assert(PART_LIST(AS_ONE) == PARTS, "PART_LIST must have PARTS lines");
 
-struct part_room parts_room(const struct manifest *m)
+struct part_capacities parts_capacities(const struct manifest *m)
 {
-    return (struct part_room){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
+    return (struct part_capacities){ { PART_LIST(AS_CAPACITY) }, { PART_LIST(AS_GROUPS) } };
 }
 
 const struct slots *part_named(const struct board *b, const char *name)

@@ -11,12 +11,12 @@ static const struct column columns[] = {
     COLUMN(tasks, flags),
     COLUMN(tasks, born),
     DERIVED(tasks, thread, "refers to a thread in the registry"),
-    DERIVED(tasks, from, "refers to a string in the registry"),
+    DERIVED(tasks, origin, "refers to a string in the registry"),
     DERIVED(tasks, next, "links the live slots in the order of their serials"),
     DERIVED(tasks, prev, "links the live slots in the order of their serials"),
     DERIVED_REGISTER(tasks, first, "the live slot with the lowest serial"),
     DERIVED_REGISTER(tasks, last, "the live slot with the highest serial"),
-    REGISTER(tasks, serials),
+    REGISTER(tasks, serial_count),
     DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
     DERIVED_REGISTER(tasks, skipped, "0 when a turn begins"),
     DERIVED_REGISTER(tasks, now_owner, "0 between frames"),
@@ -45,53 +45,53 @@ bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen)
     return false;
 }
 
-const char *tasks_from(const struct board *b, const struct lua_State *L)
+const char *tasks_origin(const struct board *b, const struct lua_State *L)
 {
     const struct tasks *t = &b->tasks;
 
-    return t->current != NO_SLOT && t->thread[t->current] == L ? t->from[t->current] : NULL;
+    return t->current != NO_SLOT && t->thread[t->current] == L ? t->origin[t->current] : NULL;
 }
 
-int64_t tasks_owner(const struct board *b)
+int64_t tasks_current_owner(const struct board *b)
 {
     return b->tasks.now_owner;
 }
 
-bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner)
+bool tasks_get_owner_of_new(const struct board *b, bool outlives_scene, int64_t *owner)
 {
-    *owner = stay ? 0 : b->tasks.now_scene;
+    *owner = outlives_scene ? 0 : b->tasks.now_scene;
     return tasks_owner_alive(b, *owner);
 }
 
-struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene)
+struct tasks_context tasks_enter_scene(struct board *b, int64_t scene)
 {
-    struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+    struct tasks_context was = { b->tasks.now_owner, b->tasks.now_scene };
 
     /* entities made by an enemy without a scene must not end with the scene of its killer */
-    tasks_act_for(b, (struct tasks_now){ scene ? scene : was.scene ? 0 : was.owner, scene });
+    tasks_set_context(b, (struct tasks_context){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }
 
-void tasks_act_for(struct board *b, struct tasks_now was)
+void tasks_set_context(struct board *b, struct tasks_context context)
 {
-    b->tasks.now_owner = was.owner;
-    b->tasks.now_scene = was.scene;
+    b->tasks.now_owner = context.owner;
+    b->tasks.now_scene = context.scene;
 }
 
-void tasks_act_for_task(struct board *b, uint32_t i)
+void tasks_set_task_context(struct board *b, uint32_t i)
 {
-    tasks_act_for(b, (struct tasks_now){ b->tasks.owner[i], b->tasks.scene[i] });
+    tasks_set_context(b, (struct tasks_context){ b->tasks.owner[i], b->tasks.scene[i] });
 }
 
-void tasks_act_for_turn(struct board *b)
+void tasks_restore_context(struct board *b)
 {
     if (b->tasks.current == NO_SLOT)
-        tasks_act_for(b, (struct tasks_now){ 0, 0 });
+        tasks_set_context(b, (struct tasks_context){ 0, 0 });
     else
-        tasks_act_for_task(b, (uint32_t)b->tasks.current);
+        tasks_set_task_context(b, (uint32_t)b->tasks.current);
 }
 
-uint32_t tasks_serial(const struct board *b)
+uint32_t tasks_current_serial(const struct board *b)
 {
     return b->tasks.current == NO_SLOT ? 0 : b->tasks.serial[b->tasks.current];
 }

@@ -33,12 +33,12 @@ struct tasks {
     uint8_t *flags;
     uint32_t *born;
     struct lua_State **thread; /* NULL: a scope */
-    const char **from;     /* "FILE:LINE: " of the author's line that started an @std task; NULL: a script's own task */
+    const char **origin;   /* "FILE:LINE: " of the author's line that started an @std task; NULL: a script's own task */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
-    uint32_t serials; /* number of serials given out so far */
-    int32_t current;  /* slot of the running task, NO_SLOT: none */
-    uint32_t skipped; /* waits the running task has skipped in this turn */
+    uint32_t serial_count; /* number of serials given out so far */
+    int32_t current;       /* slot of the running task, NO_SLOT: none */
+    uint32_t skipped;      /* waits the running task has skipped in this turn */
     int64_t now_owner,
         now_scene; /* owner of the tasks that the running script starts; scene of the entities that it makes */
 };
@@ -51,36 +51,36 @@ bool tasks_owner_alive(const struct board *b, int64_t owner);
 bool tasks_alive(const struct board *b, uint32_t slot, uint32_t gen);
 
 /* The owner and scene on whose behalf a script runs. */
-struct tasks_now {
+struct tasks_context {
     int64_t owner, scene;
 };
 
 /* Returns the owner of the tasks that the running script starts. */
-int64_t tasks_owner(const struct board *b);
+int64_t tasks_current_owner(const struct board *b);
 
-/* Stores the owner of an enemy or sprite that the running script makes: the script's scene or, with `stay`, none, so
- * that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts can make
- * no entities in it. */
-bool tasks_owner_of_new(const struct board *b, bool stay, int64_t *owner);
+/* Stores the owner of an enemy or sprite that the running script makes: the script's scene or, with `outlives_scene`,
+ * none, so that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts
+ * can make no entities in it. */
+bool tasks_get_owner_of_new(const struct board *b, bool outlives_scene, int64_t *owner);
 
 /* Sets the owner and scene for an enemy's handler. If the enemy has a scene, the handler runs in that scene, which is
  * also the owner. Otherwise the handler runs in no scene, and the owner stays that of the script that caused the event,
  * unless that script runs in a scene: then the owner is the board, because the tasks and entities of the handler must
- * not end with the scene of another script. Returns the previous values, for tasks_act_for to restore. */
-struct tasks_now tasks_act_for_scene(struct board *b, int64_t scene);
-void tasks_act_for(struct board *b, struct tasks_now was);
+ * not end with the scene of another script. Returns the previous values, for tasks_set_context to restore. */
+struct tasks_context tasks_enter_scene(struct board *b, int64_t scene);
+void tasks_set_context(struct board *b, struct tasks_context context);
 
 /* Sets the owner and scene to those of the task, for its code, including the code that runs when the task ends. */
-void tasks_act_for_task(struct board *b, uint32_t slot);
+void tasks_set_task_context(struct board *b, uint32_t slot);
 
 /* Restores the owner and scene of the running task, after the task caught an error raised in an enemy's handler. */
-void tasks_act_for_turn(struct board *b);
+void tasks_restore_context(struct board *b);
 
 /* Returns the "FILE:LINE: " of the author's line that started the @std task running in L, or NULL if L is not running
  * an @std task. */
-const char *tasks_from(const struct board *b, const struct lua_State *L);
+const char *tasks_origin(const struct board *b, const struct lua_State *L);
 
 /* Returns the serial of the running task, or 0. */
-uint32_t tasks_serial(const struct board *b);
+uint32_t tasks_current_serial(const struct board *b);
 
 #endif

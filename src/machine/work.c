@@ -13,13 +13,13 @@
 
 static void raise_fault(struct board *b, enum board_fault_kind kind, const char *format, va_list args)
 {
-    char text[320];
+    char message[320];
 
-    vsnprintf(text, sizeof text, format, args);
-    b->calls->fault(b, kind, text);
+    vsnprintf(message, sizeof message, format, args);
+    b->calls->fault(b, kind, message);
 }
 
-void board_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
+void board_raise_fault(struct board *b, enum board_fault_kind kind, const char *format, ...)
 {
     va_list args;
 
@@ -28,7 +28,7 @@ void board_fault(struct board *b, enum board_fault_kind kind, const char *format
     va_end(args);
 }
 
-void board_too_much(struct board *b, const char *format, ...)
+void board_raise_overload(struct board *b, const char *format, ...)
 {
     va_list args;
 
@@ -43,8 +43,8 @@ void board_charge_picture(struct board *b)
     struct video_work w;
 
     if (video_fits(b, vm->limit - vm->work, &w))
-        board_work(b, w.work);
+        board_charge_work(b, w.work);
     else
-        board_too_much(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller", w.what,
-                       w.instead);
+        board_raise_overload(b, "drawing: too much work in one frame (mostly %s); %s or make them smaller", w.largest,
+                             w.advice);
 }

@@ -7,26 +7,32 @@
 #include "../base/err.h"
 
 const char *const ml_operands[ML_OPS] = {
-    [ML_END] = "",         [ML_NEXT] = "",   [ML_WAIT] = "v",       [ML_REPEAT] = "v",         [ML_AGAIN] = "p",
-    [ML_CALL] = "pn*",     [ML_GO] = "pn*",  [ML_LEAVE] = "pn*",    [ML_RETURN] = "",          [ML_FIRE] = "",
-    [ML_FIRE_REF] = "pn*", [ML_FIRED] = "",  [ML_SHOT_SPEED] = "v", [ML_SHOT_DIRECTION] = "v", [ML_BULLET_REF] = "pn*",
-    [ML_BULLET] = "lp",    [ML_VANISH] = "", [ML_TURN] = "vv",      [ML_SPEED] = "vv",         [ML_ACCEL] = "vvv",
+    [ML_END] = "",           [ML_NEXT] = "",
+    [ML_WAIT] = "v",         [ML_REPEAT] = "v",
+    [ML_END_REPEAT] = "p",   [ML_CALL] = "pn*",
+    [ML_TAIL_CALL] = "pn*",  [ML_LEAVE] = "pn*",
+    [ML_RETURN] = "",        [ML_FIRE] = "",
+    [ML_FIRE_REF] = "pn*",   [ML_FIRE_RETURN] = "",
+    [ML_SHOT_SPEED] = "v",   [ML_SHOT_DIRECTION] = "v",
+    [ML_BULLET_REF] = "pn*", [ML_BULLET] = "lp",
+    [ML_VANISH] = "",        [ML_TURN] = "vv",
+    [ML_SPEED] = "vv",       [ML_ACCEL] = "vvv",
 };
 
 /* Finds the sections of the lump, without checking their contents. Returns the size that the header implies. */
 static uint64_t layout(struct ml *m, const uint8_t *data)
 {
-    const uint64_t n[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
-                           bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
-    const uint64_t number = ML_HEADER, top = number + 8 * n[2], label = top + 4 * n[0], word = label + 4 * n[1],
-                   step = word + 4 * n[3], text = step + 4 * n[4];
+    const uint64_t counts[] = { bytes_get32(data + 8),  bytes_get32(data + 12), bytes_get32(data + 16),
+                                bytes_get32(data + 20), bytes_get32(data + 24), bytes_get32(data + 28) };
+    const uint64_t number = ML_HEADER, top = number + 8 * counts[2], label = top + 4 * counts[0],
+                   word = label + 4 * counts[1], step = word + 4 * counts[3], text = step + 4 * counts[4];
 
-    *m = (struct ml){ .tops = (uint32_t)n[0],
-                      .labels = (uint32_t)n[1],
-                      .numbers = (uint32_t)n[2],
-                      .words = (uint32_t)n[3],
-                      .steps = (uint32_t)n[4],
-                      .bytes = (uint32_t)n[5],
+    *m = (struct ml){ .tops = (uint32_t)counts[0],
+                      .labels = (uint32_t)counts[1],
+                      .numbers = (uint32_t)counts[2],
+                      .words = (uint32_t)counts[3],
+                      .steps = (uint32_t)counts[4],
+                      .text_size = (uint32_t)counts[5],
                       .horizontal = bytes_get32(data + 4) };
     m->number = data + number;
     m->top = data + top;
@@ -34,7 +40,7 @@ static uint64_t layout(struct ml *m, const uint8_t *data)
     m->word = data + word;
     m->step = data + step;
     m->text = data + text;
-    return text + n[5];
+    return text + counts[5];
 }
 
 void ml_open(struct ml *m, const uint8_t *data)
@@ -42,32 +48,32 @@ void ml_open(struct ml *m, const uint8_t *data)
     layout(m, data);
 }
 
-static bool command_at(const struct ml *m, uint32_t at)
+static bool is_command_at(const struct ml *m, uint32_t at)
 {
     return at < m->words && ml_word(m, at) & ML_COMMAND;
 }
 
 static bool value_ok(const struct ml *m, uint32_t v)
 {
-    if (!(v & ML_WORKED_OUT))
+    if (!(v & ML_COMPUTED))
         return v < m->numbers;
-    v &= ~ML_WORKED_OUT;
+    v &= ~ML_COMPUTED;
     return v < m->steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
 }
 
-/* Checks one operand, whose type is `form` (see ml_operands). If the operand is a count, stores it in *n. */
-static bool operand_ok(const struct ml *m, char form, uint32_t v, uint32_t *n)
+/* Checks one operand, whose type is `type` (see ml_operands). If the operand is a count, stores it in *n. */
+static bool operand_ok(const struct ml *m, char type, uint32_t v, uint32_t *n)
 {
-    switch (form) {
+    switch (type) {
     case 'v':
         return value_ok(m, v);
     case 'p':
-        return command_at(m, v);
+        return is_command_at(m, v);
     case 'l':
         return v <= m->labels;
     default:
         *n = v;
-        return v <= ML_MOST_PARAMS;
+        return v <= ML_MAX_PARAMS;
     }
 }
 
@@ -81,8 +87,8 @@ static bool command_ok(const struct ml *m, uint32_t *at)
         ML_TYPE(w) % ML_TYPE_Y >= ML_TYPES)
         return false;
     ++*at;
-    for (const char *form = ml_operands[ML_OP(w)]; *form && *form != '*'; form++, ++*at)
-        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !operand_ok(m, *form, ml_word(m, *at), &n))
+    for (const char *type = ml_operands[ML_OP(w)]; *type && *type != '*'; type++, ++*at)
+        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !operand_ok(m, *type, ml_word(m, *at), &n))
             return false;
     for (; n; n--, ++*at)
         if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !value_ok(m, ml_word(m, *at)))
@@ -117,12 +123,12 @@ static bool step_ok(const struct ml *m, uint32_t w, int *stack)
         *stack = 0;
         return w == STEP_DONE;
     case STEP_NUMBER:
-        return argument < m->numbers && ++*stack <= ML_STACK;
+        return argument < m->numbers && ++*stack <= ML_STACK_SIZE;
     case STEP_PARAM:
-        return argument <= ML_PARAMS && ++*stack <= ML_STACK;
+        return argument <= ML_PARAMS && ++*stack <= ML_STACK_SIZE;
     case STEP_RAND:
     case STEP_RANK:
-        return !argument && ++*stack <= ML_STACK;
+        return !argument && ++*stack <= ML_STACK_SIZE;
     case STEP_ADD:
     case STEP_SUBTRACT:
     case STEP_MULTIPLY:
@@ -148,12 +154,12 @@ static bool steps_ok(const struct ml *m)
 static bool tables_ok(const struct ml *m)
 {
     for (uint32_t i = 0; i < m->tops; i++)
-        if (!command_at(m, ml_top(m, i)))
+        if (!is_command_at(m, ml_top(m, i)))
             return false;
     for (uint32_t i = 0; i < m->labels; i++)
-        if (bytes_get32(m->label + 4 * (size_t)i) >= m->bytes)
+        if (bytes_get32(m->label + 4 * (size_t)i) >= m->text_size)
             return false;
-    return !m->bytes || m->text[m->bytes - 1] == 0;
+    return !m->text_size || m->text[m->text_size - 1] == 0;
 }
 
 bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
@@ -164,12 +170,12 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
         return err_set(err, err_size, "not a BulletML program");
     if (bytes_get32(data + 4) > 1)
         return err_set(err, err_size, "unknown format");
-    const uint64_t need = layout(&m, data);
+    const uint64_t expected = layout(&m, data);
     if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
-        m.steps > ML_MAX_WORDS || m.bytes > ML_MAX_TEXT)
+        m.steps > ML_MAX_WORDS || m.text_size > ML_MAX_TEXT)
         return err_set(err, err_size, "too large for a BulletML program");
-    if (need != size)
-        return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, need);
+    if (expected != size)
+        return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, expected);
     if (!steps_ok(&m))
         return err_set(err, err_size, "an expression in its program is invalid");
     if (!commands_ok(&m))
@@ -179,12 +185,12 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
     return true;
 }
 
-static uint64_t size_of(int64_t v)
+static uint64_t magnitude(int64_t v)
 {
     return v < 0 ? 0 - (uint64_t)v : (uint64_t)v;
 }
 
-static int64_t with_sign(uint64_t v, bool negative)
+static int64_t apply_sign(uint64_t v, bool negative)
 {
     if (v > INT64_MAX)
         return negative ? INT64_MIN : INT64_MAX;
@@ -193,34 +199,34 @@ static int64_t with_sign(uint64_t v, bool negative)
 
 int64_t ml_multiply(int64_t a, int64_t b)
 {
-    const uint64_t ua = size_of(a), ub = size_of(b), low = ua * ub, up = low + ((uint64_t)1 << 31);
-    const uint64_t high = fx_mul_high(ua, ub) + (up < low);
+    const uint64_t ua = magnitude(a), ub = magnitude(b), low = ua * ub, rounded = low + ((uint64_t)1 << 31);
+    const uint64_t high = fx_mul_high(ua, ub) + (rounded < low);
 
-    return with_sign(high >> 32 ? UINT64_MAX : high << 32 | up >> 32, (a ^ b) < 0);
+    return apply_sign(high >> 32 ? UINT64_MAX : high << 32 | rounded >> 32, (a ^ b) < 0);
 }
 
 /* Computes 2^32 a / b: the integer part of a / b, then 32 fraction bits, then the rounding. */
 int64_t ml_divide(int64_t a, int64_t b)
 {
-    const uint64_t ua = size_of(a), ub = size_of(b);
+    const uint64_t ua = magnitude(a), ub = magnitude(b);
 
     if (!ub)
         return a > 0 ? INT64_MAX : a < 0 ? INT64_MIN : 0;
-    uint64_t q = ua / ub, rest = ua % ub;
+    uint64_t q = ua / ub, rem = ua % ub;
     if (q >> 31)
-        return with_sign(UINT64_MAX, (a ^ b) < 0);
-    if (!(rest >> 32)) {
-        q = q << 32 | (rest << 32) / ub;
-        rest = (rest << 32) % ub;
+        return apply_sign(UINT64_MAX, (a ^ b) < 0);
+    if (!(rem >> 32)) {
+        q = q << 32 | (rem << 32) / ub;
+        rem = (rem << 32) % ub;
     } else
         for (int i = 0; i < 32; i++) {
-            const bool over = rest >> 63;
-            rest <<= 1;
+            const bool carry = rem >> 63;
+            rem <<= 1;
             q <<= 1;
-            if (over || rest >= ub) {
-                rest -= ub;
+            if (carry || rem >= ub) {
+                rem -= ub;
                 q++;
             }
         }
-    return with_sign(q + (rest >= ub - rest), (a ^ b) < 0);
+    return apply_sign(q + (rem >= ub - rem), (a ^ b) < 0);
 }

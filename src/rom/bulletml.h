@@ -15,9 +15,9 @@
  * operation, which are words without ML_COMMAND: v is a value, p the place of a command (its index in word), n a count
  * of values, l the index of a label + 1, or 0. The first and the last command are ML_END.
  *
- * A value is the index of a constant, or ML_WORKED_OUT and the index of the first step that computes it; its steps run
+ * A value is the index of a constant, or ML_COMPUTED and the index of the first step that computes it; its steps run
  * up to STEP_DONE. A step contains ML_STEP and ML_ARGUMENT. In a program that passed ml_check, every place is that of a
- * command, and every value is valid and needs at most ML_STACK numbers on the stack. ml_check does not verify that
+ * command, and every value is valid and needs at most ML_STACK_SIZE numbers on the stack. ml_check does not verify that
  * repeats and calls are properly nested; the interpreter stays in bounds even if they are not.
  */
 #ifndef ROM_BULLETML_H
@@ -29,15 +29,15 @@
 #include "../base/bytes.h"
 #include "../base/fx.h"
 
-#define ML_MAGIC      0x314c4d42u /* "BML1" */
-#define ML_COMMAND    0x80000000u
-#define ML_WORKED_OUT 0x40000000u
+#define ML_MAGIC    0x314c4d42u /* "BML1" */
+#define ML_COMMAND  0x80000000u
+#define ML_COMPUTED 0x40000000u
 
 enum {
-    ML_HEADER = 32,      /* bytes */
-    ML_STACK = 16,       /* maximum numbers on the stack while a value is computed */
-    ML_PARAMS = 9,       /* $1 to $9 */
-    ML_MOST_PARAMS = 64, /* maximum parameters that a reference can give; all are computed */
+    ML_HEADER = 32,     /* bytes */
+    ML_STACK_SIZE = 16, /* maximum numbers on the stack while a value is computed */
+    ML_PARAMS = 9,      /* $1 to $9 */
+    ML_MAX_PARAMS = 64, /* maximum parameters that a reference can give; all are computed */
     ML_MAX_TOPS = 64,
     ML_MAX_LABELS = 4096,
     ML_MAX_NUMBERS = 1 << 20,
@@ -49,22 +49,22 @@ enum {
 enum ml_type { ML_NONE, ML_AIM, ML_ABSOLUTE, ML_RELATIVE, ML_SEQUENCE, ML_TYPES };
 
 enum ml_op {
-    ML_END,              /* no more actions */
-    ML_NEXT,             /* the bullet's next action follows; it starts in the next frame */
-    ML_AGAIN,            /* p: end of a repeat's body, which starts at p */
-    ML_RETURN,           /* return from ML_CALL; ML_END if there is nothing to return to */
-    ML_ENDS = ML_RETURN, /* the commands up to here are not elements; they run even while a wait lasts */
-    ML_WAIT,             /* v: frames */
-    ML_REPEAT,           /* v: runs the commands up to its ML_AGAIN v times, at least once */
-    ML_CALL,             /* p n v..: runs p up to ML_RETURN, with the n values as $1 to $n */
-    ML_GO,               /* p n v..: ML_CALL at the end of an action, as a tail call: does not return */
-    ML_LEAVE,            /* p n v..: like ML_GO, but also drops all open calls and repeats; for top actions */
-    ML_FIRE,             /* starts to prepare a shot: speed and direction are unset */
-    ML_FIRE_REF,         /* p n v..: like ML_CALL, for a fire */
-    ML_FIRED,            /* end of a labelled fire: returns to the ML_FIRE_REF that led here, if any */
-    ML_SHOT_SPEED,       /* v, with its ML_TYPE */
-    ML_SHOT_DIRECTION,   /* v, with its ML_TYPE */
-    ML_BULLET_REF,       /* p n v..: like ML_CALL, for a bullet */
+    ML_END,                      /* no more actions */
+    ML_NEXT,                     /* the bullet's next action follows; it starts in the next frame */
+    ML_END_REPEAT,               /* p: end of a repeat's body, which starts at p */
+    ML_RETURN,                   /* return from ML_CALL; ML_END if there is nothing to return to */
+    ML_LAST_CONTROL = ML_RETURN, /* the commands up to here are not elements; they run even while a wait lasts */
+    ML_WAIT,                     /* v: frames */
+    ML_REPEAT,                   /* v: runs the commands up to its ML_END_REPEAT v times, at least once */
+    ML_CALL,                     /* p n v..: runs p up to ML_RETURN, with the n values as $1 to $n */
+    ML_TAIL_CALL,                /* p n v..: ML_CALL at the end of an action, as a tail call: does not return */
+    ML_LEAVE,          /* p n v..: like ML_TAIL_CALL, but also drops all open calls and repeats; for top actions */
+    ML_FIRE,           /* starts to prepare a shot: speed and direction are unset */
+    ML_FIRE_REF,       /* p n v..: like ML_CALL, for a fire */
+    ML_FIRE_RETURN,    /* end of a labelled fire: returns to the ML_FIRE_REF that led here, if any */
+    ML_SHOT_SPEED,     /* v, with its ML_TYPE */
+    ML_SHOT_DIRECTION, /* v, with its ML_TYPE */
+    ML_BULLET_REF,     /* p n v..: like ML_CALL, for a bullet */
     ML_BULLET, /* l p: fires the shot; p: its actions, 0: none. Returns to the ML_BULLET_REF that led here, if any */
     ML_VANISH,
     ML_TURN,  /* v v: term, direction, with its ML_TYPE */
@@ -74,16 +74,16 @@ enum ml_op {
 };
 enum { ML_TYPE_Y = 8 };
 
-/* ML_OP is a command's operation, ML_TYPE its enum ml_type, ML_LINE the line of its element in the document (ML_LINES:
- * that line or a later one). */
+/* ML_OP is a command's operation, ML_TYPE its enum ml_type, ML_LINE the line of its element in the document
+ * (ML_MAX_LINE: that line or a later one). */
 #define ML_OP(word)   ((word)&0xff)
 #define ML_TYPE(word) ((word) >> 8 & 0xff)
 #define ML_LINE(word) ((word) >> 16 & 0x7fff)
-enum { ML_LINES = 0x7fff };
+enum { ML_MAX_LINE = 0x7fff };
 
-static inline uint32_t ml_command(enum ml_op op, unsigned type, int line)
+static inline uint32_t ml_make_command(enum ml_op op, unsigned type, int line)
 {
-    return ML_COMMAND | (uint32_t)op | type << 8 | (uint32_t)(line > ML_LINES ? ML_LINES : line) << 16;
+    return ML_COMMAND | (uint32_t)op | type << 8 | (uint32_t)(line > ML_MAX_LINE ? ML_MAX_LINE : line) << 16;
 }
 
 /* The steps that compute a value, on a stack. */
@@ -106,7 +106,7 @@ enum ml_step {
 /* The sections of a program. */
 struct ml {
     const uint8_t *number, *top, *label, *word, *step, *text;
-    uint32_t tops, labels, numbers, words, steps, bytes;
+    uint32_t tops, labels, numbers, words, steps, text_size;
     bool horizontal;
 };
 
@@ -167,20 +167,20 @@ static inline int64_t ml_negate(int64_t a)
 
 static inline int64_t ml_subtract(int64_t a, int64_t b)
 {
-    const int64_t less = (int64_t)((uint64_t)a - (uint64_t)b);
+    const int64_t difference = (int64_t)((uint64_t)a - (uint64_t)b);
 
-    return ((a ^ b) & (a ^ less)) < 0 ? (a >> 63) ^ INT64_MAX : less;
+    return ((a ^ b) & (a ^ difference)) < 0 ? (a >> 63) ^ INT64_MAX : difference;
 }
 
 /* Converts a count of frames or repeats to a whole number by truncation, except that a value at most 2^-20 short of a
  * whole number is rounded to it. INT64_MAX, the result of an overflow, becomes 0, as documents expect. */
 static inline int32_t ml_whole(int64_t v)
 {
-    const int64_t hair = 1 << 12;
+    const int64_t tolerance = 1 << 12;
 
     if (v == INT64_MAX)
         return 0;
-    return (int32_t)(v < 0 ? -(ml_add(ml_negate(v), hair) >> 32) : ml_add(v, hair) >> 32);
+    return (int32_t)(v < 0 ? -(ml_add(ml_negate(v), tolerance) >> 32) : ml_add(v, tolerance) >> 32);
 }
 
 /* Returns a * b / 2^shift, rounded to nearest, for 1 <= shift <= 63. The result's magnitude must be below 2^63. */
@@ -212,17 +212,17 @@ static inline int64_t ml_rand(uint32_t *state)
 }
 
 /* Directions are degrees in Q31.32, 0 <= d < 360; as in documents, 0 is up and angles grow clockwise. */
-#define ML_TURN_ROUND (360 * ML_ONE)
+#define ML_FULL_TURN (360 * ML_ONE)
 
 /* Returns d wrapped to 0 <= d < 360 degrees. */
 static inline int64_t ml_wrap(int64_t d)
 {
-    if ((uint64_t)d < (uint64_t)ML_TURN_ROUND)
+    if ((uint64_t)d < (uint64_t)ML_FULL_TURN)
         return d;
-    if (d >= -ML_TURN_ROUND && d < 2 * ML_TURN_ROUND)
-        return d < 0 ? d + ML_TURN_ROUND : d - ML_TURN_ROUND;
-    d %= ML_TURN_ROUND;
-    return d < 0 ? d + ML_TURN_ROUND : d;
+    if (d >= -ML_FULL_TURN && d < 2 * ML_FULL_TURN)
+        return d < 0 ? d + ML_FULL_TURN : d - ML_FULL_TURN;
+    d %= ML_FULL_TURN;
+    return d < 0 ? d + ML_FULL_TURN : d;
 }
 
 /* ml_angle converts degrees, 0 <= d < 360, to the nearest angle (2^32 per turn). ml_degrees converts an angle to

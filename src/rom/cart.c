@@ -16,7 +16,7 @@
 #include "../sound/adpcm.h"
 #include "../sound/tune.h"
 
-static bool find(const struct rom *rom, const char *name, struct lump *l)
+static bool find_lump(const struct rom *rom, const char *name, struct lump *l)
 {
     int i = rom_find(rom, name);
 
@@ -26,35 +26,36 @@ static bool find(const struct rom *rom, const char *name, struct lump *l)
 }
 
 /* Finds the lump named folder + name + tail. Returns false if there is no such lump. */
-static bool find_in(const struct rom *rom, const char *folder, const char *name, const char *tail, struct lump *l)
+static bool find_lump_in(const struct rom *rom, const char *folder, const char *name, const char *suffix,
+                         struct lump *l)
 {
-    char full[ROM_NAME];
-    int n = snprintf(full, sizeof full, "%s%s%s", folder, name, tail);
+    char full[ROM_MAX_NAME];
+    int n = snprintf(full, sizeof full, "%s%s%s", folder, name, suffix);
 
-    return n > 0 && n < ROM_NAME && find(rom, full, l);
+    return n > 0 && n < ROM_MAX_NAME && find_lump(rom, full, l);
 }
 
 /* Returns the index of the first lump with a prefix, and stores the number of such lumps in *n. after: the prefix
  * with its last byte incremented. */
-static int range(const struct rom *rom, const char *prefix, const char *after, int *n)
+static int find_prefix_range(const struct rom *rom, const char *prefix, const char *after, int *n)
 {
-    int first = rom_first(rom, prefix);
+    int first = rom_find_first(rom, prefix);
 
-    *n = rom_first(rom, after) - first;
+    *n = rom_find_first(rom, after) - first;
     return first;
 }
 
 static bool open_manifest(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
-    char why[256];
+    char detail[256];
 
-    if (!find(c->rom, "manifest", &l))
+    if (!find_lump(c->rom, "manifest", &l))
         return err_set(err, err_size, "no lump \"manifest\"");
-    if (!manifest_unpack(l.data, l.size, &c->m, why, sizeof why))
-        return err_set(err, err_size, "lump \"manifest\": %s", why);
-    if (!find_in(c->rom, "script/", c->m.entry, ".lua", &l))
-        return err_set(err, err_size, "no lump \"script/%s.lua\", the entry script", c->m.entry);
+    if (!manifest_unpack(l.data, l.size, &c->manifest, detail, sizeof detail))
+        return err_set(err, err_size, "lump \"manifest\": %s", detail);
+    if (!find_lump_in(c->rom, "script/", c->manifest.entry, ".lua", &l))
+        return err_set(err, err_size, "no lump \"script/%s.lua\", the entry script", c->manifest.entry);
     return true;
 }
 
@@ -62,30 +63,30 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_palette = range(c->rom, "palette/", "palette0", &c->palettes);
+    c->first_palette = find_prefix_range(c->rom, "palette/", "palette0", &c->palettes);
     for (int i = 0; i < c->palettes; i++) {
         rom_lump(c->rom, c->first_palette + i, &l);
-        if (l.size != CART_PALETTE)
+        if (l.size != CART_PALETTE_SIZE)
             return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
-                           CART_PALETTE);
+                           CART_PALETTE_SIZE);
     }
     return cart_palette(c, "main") != NULL ? true : err_set(err, err_size, "no lump \"palette/main\"");
 }
 
 /* Returns the blend rule with the same results as a table, or BLIT_TABLE if there is none. */
-static uint8_t rule_of(const uint8_t table[CART_BLEND])
+static uint8_t find_rule(const uint8_t table[CART_BLEND_SIZE])
 {
     for (uint8_t rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
         int i = 0;
-        while (i < CART_BLEND && table[i] == blit_ramp(rule, (uint8_t)(i >> 8), (uint8_t)i))
+        while (i < CART_BLEND_SIZE && table[i] == blit_ramp_entry(rule, (uint8_t)(i >> 8), (uint8_t)i))
             i++;
-        if (i == CART_BLEND)
+        if (i == CART_BLEND_SIZE)
             return rule;
     }
     return BLIT_TABLE;
 }
 
-static bool sized(const struct lump *l, uint32_t size, char *err, size_t err_size)
+static bool check_size(const struct lump *l, uint32_t size, char *err, size_t err_size)
 {
     return l->size == size ||
            err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %" PRIu32, l->name, l->size, size);
@@ -95,26 +96,26 @@ static bool open_shades(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->main.shades = NULL;
-    if (!find(c->rom, "shades", &l))
+    c->main_look.shades = NULL;
+    if (!find_lump(c->rom, "shades", &l))
         return true;
-    c->main.shades = l.data;
-    return sized(&l, CART_SHADES, err, err_size);
+    c->main_look.shades = l.data;
+    return check_size(&l, CART_SHADES_SIZE, err, err_size);
 }
 
 static bool open_blends(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_blend = range(c->rom, "blend/", "blend0", &c->blends);
+    c->first_blend = find_prefix_range(c->rom, "blend/", "blend0", &c->blends);
     if (c->blends > CART_MAX_BLENDS)
         return err_set(err, err_size, "%d lumps named \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
     for (int i = 0; i < c->blends; i++) {
         rom_lump(c->rom, c->first_blend + i, &l);
-        if (!sized(&l, CART_BLEND, err, err_size))
+        if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
             return false;
-        c->main.blend[i] = l.data;
-        c->main.mix[i] = rule_of(l.data);
+        c->main_look.blend[i] = l.data;
+        c->main_look.mix[i] = find_rule(l.data);
     }
     return true;
 }
@@ -123,23 +124,23 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
 static bool open_look(struct cart *c, int i, char *err, size_t err_size)
 {
     struct cart_look *look = &c->looks[i];
-    char folder[2 * ROM_NAME];
+    char folder[2 * ROM_MAX_NAME];
     struct lump l;
 
-    *look = c->main;
-    if (find_in(c->rom, "shade/", cart_palette_name(c, i), "", &l)) {
+    *look = c->main_look;
+    if (find_lump_in(c->rom, "shade/", cart_palette_name(c, i), "", &l)) {
         look->shades = l.data;
-        if (!sized(&l, CART_SHADES, err, err_size))
+        if (!check_size(&l, CART_SHADES_SIZE, err, err_size))
             return false;
     }
     snprintf(folder, sizeof folder, "blends/%s/", cart_palette_name(c, i));
     for (int k = 0; k < c->blends; k++) {
-        if (!find_in(c->rom, folder, cart_blend_name(c, k), "", &l))
+        if (!find_lump_in(c->rom, folder, cart_blend_name(c, k), "", &l))
             continue;
-        if (!sized(&l, CART_BLEND, err, err_size))
+        if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
             return false;
         look->blend[k] = l.data;
-        look->mix[k] = rule_of(l.data);
+        look->mix[k] = find_rule(l.data);
     }
     return true;
 }
@@ -148,8 +149,8 @@ static bool open_looks(struct cart *c, char *err, size_t err_size)
 {
     int shades, blends;
 
-    range(c->rom, "shade/", "shade0", &shades);
-    range(c->rom, "blends/", "blends0", &blends);
+    find_prefix_range(c->rom, "shade/", "shade0", &shades);
+    find_prefix_range(c->rom, "blends/", "blends0", &blends);
     c->has_looks = shades + blends > 0;
     if (c->has_looks && c->palettes > CART_MAX_LOOKS)
         return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
@@ -164,15 +165,15 @@ static bool open_faces(struct cart *c, char *err, size_t err_size)
 {
     struct face face;
     struct lump l;
-    char why[128];
+    char detail[128];
 
-    c->first_face = range(c->rom, "fonts/", "fonts0", &c->faces);
+    c->first_face = find_prefix_range(c->rom, "fonts/", "fonts0", &c->faces);
     if (c->faces > CART_MAX_FACES)
         return err_set(err, err_size, "%d lumps named \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
     for (int i = 0; i < c->faces; i++) {
         rom_lump(c->rom, c->first_face + i, &l);
-        if (!face_open(&face, l.data, l.size, why, sizeof why))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+        if (!face_open(&face, l.data, l.size, detail, sizeof detail))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
     }
     return true;
 }
@@ -181,16 +182,16 @@ static bool open_langs(struct cart *c, char *err, size_t err_size)
 {
     struct words words;
     struct lump l;
-    char why[128];
+    char detail[128];
 
-    c->first_lang = range(c->rom, "lang/", "lang0", &c->langs);
+    c->first_lang = find_prefix_range(c->rom, "lang/", "lang0", &c->langs);
     for (int i = 0; i < c->langs; i++) {
         rom_lump(c->rom, c->first_lang + i, &l);
-        if (!manifest_word_ok(cart_lang_name(c, i)))
+        if (!manifest_setting_name_ok(cart_lang_name(c, i)))
             return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
-                           MAX_WORD - 1);
-        if (!words_open(&words, l.data, l.size, why, sizeof why))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+                           MAX_SETTING_NAME - 1);
+        if (!words_open(&words, l.data, l.size, detail, sizeof detail))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
     }
     return true;
 }
@@ -201,18 +202,18 @@ static bool open_font(struct cart *c, char *err, size_t err_size)
 
     c->glyphs = NULL;
     c->n_glyphs = 0;
-    if (!find(c->rom, "font", &l))
+    if (!find_lump(c->rom, "font", &l))
         return true;
-    if (l.size == 0 || l.size % CART_GLYPH != 0 || l.size / CART_GLYPH > CART_MAX_GLYPHS)
+    if (l.size == 0 || l.size % CART_GLYPH_SIZE != 0 || l.size / CART_GLYPH_SIZE > CART_MAX_GLYPHS)
         return err_set(err, err_size,
                        "lump \"font\": %" PRIu32 " bytes long, expected %d bytes for each of 1 to %d characters",
-                       l.size, CART_GLYPH, CART_MAX_GLYPHS);
+                       l.size, CART_GLYPH_SIZE, CART_MAX_GLYPHS);
     for (uint32_t i = 0; i < l.size; i++)
         if (l.data[i] > 15)
             return err_set(err, err_size, "lump \"font\": shade %d in character %" PRIu32 ", expected 0 to 15",
-                           l.data[i], CART_FIRST_CHAR + i / CART_GLYPH);
+                           l.data[i], CART_FIRST_CHAR + i / CART_GLYPH_SIZE);
     c->glyphs = l.data;
-    c->n_glyphs = (int)(l.size / CART_GLYPH);
+    c->n_glyphs = (int)(l.size / CART_GLYPH_SIZE);
     return true;
 }
 
@@ -226,23 +227,23 @@ static void read_sprite(const struct lump *l, struct sprite *s)
     s->ox = (int16_t)bytes_get16(p + 6);
     s->oy = (int16_t)bytes_get16(p + 8);
     s->frames = bytes_get16(p + 10);
-    s->every = bytes_get16(p + 12);
+    s->frame_ticks = bytes_get16(p + 12);
     s->rotations = bytes_get16(p + 14);
     s->bank = bytes_get16(p + 16);
     s->pix = p + CART_GFX_HEADER;
 }
 
-static bool in(int v, int lo, int hi)
+static bool in_range(int v, int lo, int hi)
 {
     return v >= lo && v <= hi;
 }
 
 static bool header_ok(const struct sprite *s)
 {
-    return in(s->w, 1, CART_MAX_SIDE) && in(s->h, 1, CART_MAX_SIDE) && s->pitch % 8 == 0 &&
-           in(s->pitch, s->w, CART_MAX_SIDE) && in(s->ox, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) &&
-           in(s->oy, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) && in(s->frames, 1, CART_MAX_FRAMES) && s->every >= 1 &&
-           in(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
+    return in_range(s->w, 1, CART_MAX_SIDE) && in_range(s->h, 1, CART_MAX_SIDE) && s->pitch % 8 == 0 &&
+           in_range(s->pitch, s->w, CART_MAX_SIDE) && in_range(s->ox, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) &&
+           in_range(s->oy, -CART_MAX_SIDE, 2 * CART_MAX_SIDE) && in_range(s->frames, 1, CART_MAX_FRAMES) &&
+           s->frame_ticks >= 1 && in_range(s->rotations, 1, CART_MAX_ROTATIONS) && s->bank <= 15;
 }
 
 /* Checks a row of a picture, eight pixels at a time. A pixel must be 0, or have the bank in its upper four bits and not
@@ -289,7 +290,7 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_sprite = range(c->rom, "gfx/", "gfx0", &c->sprites);
+    c->first_sprite = find_prefix_range(c->rom, "gfx/", "gfx0", &c->sprites);
     for (int i = 0; i < c->sprites; i++) {
         rom_lump(c->rom, c->first_sprite + i, &l);
         if (!check_sprite(&l, err, err_size))
@@ -300,11 +301,11 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 
 /* ---- hitboxes ---- */
 
-void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT])
+void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE])
 {
     bytes_put32(out, hit->shape);
     bytes_put32(out + 4, hit->rows);
-    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+    for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++) {
         bytes_put32(out + 8 + 16 * i, (uint32_t)hit->row[i].a);
         bytes_put32(out + 12 + 16 * i, (uint32_t)hit->row[i].b);
         bytes_put32(out + 16 + 16 * i, (uint32_t)hit->row[i].x);
@@ -316,7 +317,7 @@ static void read_hit(const uint8_t *p, struct cart_hit *hit)
 {
     hit->shape = bytes_get32(p);
     hit->rows = bytes_get32(p + 4);
-    for (uint32_t i = 0; i < SHAPE_PARTS; i++) {
+    for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++) {
         hit->row[i].a = (int32_t)bytes_get32(p + 8 + 16 * i);
         hit->row[i].b = (int32_t)bytes_get32(p + 12 + 16 * i);
         hit->row[i].x = (int32_t)bytes_get32(p + 16 + 16 * i);
@@ -328,12 +329,12 @@ static void read_hit(const uint8_t *p, struct cart_hit *hit)
  * does not use are 0. */
 static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
 {
-    const int64_t most = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
+    const int64_t limit = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
     const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
 
     if (i >= h->rows)
         return a == 0 && b == 0 && x == 0 && y == 0;
-    if (a < 0 || b < 0 || b > most || reach > most)
+    if (a < 0 || b < 0 || b > limit || reach > limit)
         return false;
     return (h->shape == SHAPE_BOX || b == 0) &&
            (h->shape == SHAPE_CAPSULE || h->shape == SHAPE_CIRCLES || (x == 0 && y == 0));
@@ -343,9 +344,9 @@ static bool hit_ok(const struct cart_hit *h)
 {
     if (h->shape != SHAPE_CIRCLE && h->shape != SHAPE_BOX && h->shape != SHAPE_CAPSULE && h->shape != SHAPE_CIRCLES)
         return false;
-    if (h->rows < 1 || h->rows > (h->shape == SHAPE_CIRCLES ? SHAPE_PARTS : 1))
+    if (h->rows < 1 || h->rows > (h->shape == SHAPE_CIRCLES ? SHAPE_MAX_CIRCLES : 1))
         return false;
-    for (uint32_t i = 0; i < SHAPE_PARTS; i++)
+    for (uint32_t i = 0; i < SHAPE_MAX_CIRCLES; i++)
         if (!hit_row_ok(h, i))
             return false;
     return true;
@@ -355,15 +356,15 @@ static bool open_hits(struct cart *c, char *err, size_t err_size)
 {
     struct cart_hit h;
     struct lump l;
-    int n, first = range(c->rom, "hit/", "hit0", &n);
+    int n, first = find_prefix_range(c->rom, "hit/", "hit0", &n);
 
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
         if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
             return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
-        if (l.size == CART_HIT)
+        if (l.size == CART_HIT_SIZE)
             read_hit(l.data, &h);
-        if (l.size != CART_HIT || !hit_ok(&h))
+        if (l.size != CART_HIT_SIZE || !hit_ok(&h))
             return err_set(err, err_size, "lump \"%s\": not a hitbox", l.name);
     }
     return true;
@@ -373,7 +374,7 @@ bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *o
 {
     struct lump l;
 
-    if (!find_in(cart->rom, "hit/", name, "", &l))
+    if (!find_lump_in(cart->rom, "hit/", name, "", &l))
         return false;
     read_hit(l.data, out);
     return true;
@@ -385,10 +386,10 @@ static void read_map(const struct lump *l, struct map *m)
 
     m->cols = bytes_get16(p);
     m->rows = bytes_get16(p + 2);
-    m->side = bytes_get16(p + 4);
+    m->tile_side = bytes_get16(p + 4);
     m->tiles = bytes_get16(p + 6);
     m->bank = bytes_get16(p + 8);
-    m->whole = bytes_get16(p + 10) != 0;
+    m->all_solid = bytes_get16(p + 10) != 0;
     m->cells = p + CART_MAP_HEADER;
     m->solid = m->cells + 2 * (size_t)m->cols * (size_t)m->rows;
     m->pix = m->solid + m->tiles;
@@ -396,16 +397,17 @@ static void read_map(const struct lump *l, struct map *m)
 
 static bool map_header_ok(const struct map *m)
 {
-    return (m->side == 8 || m->side == 16 || m->side == 32) && in(m->cols, 1, CART_MAP_SIDE / m->side) &&
-           in(m->rows, 1, CART_MAP_SIDE / m->side) && m->cols * m->rows <= CART_MAP_CELLS && m->tiles >= 1 &&
-           m->bank <= 15;
+    return (m->tile_side == 8 || m->tile_side == 16 || m->tile_side == 32) &&
+           in_range(m->cols, 1, CART_MAX_MAP_SIDE / m->tile_side) &&
+           in_range(m->rows, 1, CART_MAX_MAP_SIDE / m->tile_side) && m->cols * m->rows <= CART_MAX_MAP_CELLS &&
+           m->tiles >= 1 && m->bank <= 15;
 }
 
 /* Checks a tile: tile 0 must be empty, pixels must be 0 or in the bank, and m->solid must be 1 if no pixel is 0,
  * otherwise 0. */
 static bool tile_ok(const struct map *m, int tile)
 {
-    const int n = m->side * m->side;
+    const int n = m->tile_side * m->tile_side;
     const uint8_t *p = m->pix + (size_t)tile * (size_t)n;
     bool solid = true;
 
@@ -427,18 +429,19 @@ static bool check_map(const struct lump *l, char *err, size_t err_size)
     if (!map_header_ok(&m) || bytes_get16(l->data + 10) > 1 || bytes_get32(l->data + 12) != 0)
         return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
-    uint64_t size = CART_MAP_HEADER + 2 * cells + (uint64_t)m.tiles * (1 + (uint64_t)m.side * (uint64_t)m.side);
+    uint64_t size =
+        CART_MAP_HEADER + 2 * cells + (uint64_t)m.tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
     if (l->size != size)
         return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
                        size);
-    bool whole = true;
+    bool all_solid = true;
     for (uint64_t i = 0; i < cells; i++) {
         if (bytes_get16(m.cells + 2 * i) >= m.tiles)
             return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " has tile %d, but the map has %d tiles",
                            l->name, i, bytes_get16(m.cells + 2 * i), m.tiles);
-        whole = whole && m.solid[bytes_get16(m.cells + 2 * i)];
+        all_solid = all_solid && m.solid[bytes_get16(m.cells + 2 * i)];
     }
-    if (whole != m.whole)
+    if (all_solid != m.all_solid)
         return err_set(err, err_size, "lump \"%s\": wrong flag for empty cells", l->name);
     for (int i = 0; i < m.tiles; i++)
         if (!tile_ok(&m, i))
@@ -450,7 +453,7 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_map = range(c->rom, "map/", "map0", &c->maps);
+    c->first_map = find_prefix_range(c->rom, "map/", "map0", &c->maps);
     if (c->maps > CART_MAX_MAPS)
         return err_set(err, err_size, "%d lumps named \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
     for (int i = 0; i < c->maps; i++) {
@@ -464,16 +467,16 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
 static bool open_bulletml(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
-    char why[96];
+    char detail[96];
 
-    c->first_bulletml = range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
+    c->first_bulletml = find_prefix_range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
     if (c->bulletmls > CART_MAX_BULLETML)
         return err_set(err, err_size, "%d lumps named \"bulletml/...\", expected at most %d", c->bulletmls,
                        CART_MAX_BULLETML);
     for (int i = 0; i < c->bulletmls; i++) {
         rom_lump(c->rom, c->first_bulletml + i, &l);
-        if (!ml_check(l.data, l.size, why, sizeof why))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+        if (!ml_check(l.data, l.size, detail, sizeof detail))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
     }
     return true;
 }
@@ -483,24 +486,24 @@ static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
 {
     struct lump l;
 
-    return strncmp(tune->name, "tune/", 5) == 0 && find_in(c->rom, "wave/", tune->name + 5, "", &l) &&
-           samples_open(l.data, l.size, sides);
+    return strncmp(tune->name, "tune/", 5) == 0 && find_lump_in(c->rom, "wave/", tune->name + 5, "", &l) &&
+           samples_are_valid(l.data, l.size, sides);
 }
 
 /* Checks n tunes, music or sounds, from lump `first` on. */
 static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
 {
     struct lump l;
-    char why[128];
+    char detail[128];
 
     if (n > CART_MAX_TUNES)
         return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", n, CART_MAX_TUNES);
     for (int i = 0; i < n; i++) {
         rom_lump(c->rom, first + i, &l);
-        if (!tune_open(l.data, l.size, why, sizeof why))
-            return err_set(err, err_size, "lump \"%s\": %s", l.name, why);
+        if (!tune_validate(l.data, l.size, detail, sizeof detail))
+            return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
         const struct tune t = tune_of(l.data);
-        if (tune_streams(&t) && !stream_ok(c, &l, t.sides))
+        if (tune_is_stream(&t) && !stream_ok(c, &l, t.channels))
             return err_set(err, err_size, "lump \"%s\": samples (lump wave/%s) are missing or damaged", l.name,
                            strchr(l.name, '/') + 1);
     }
@@ -515,15 +518,15 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
     struct lump first;
 
-    c->first_tune = range(c->rom, "tune/", "tune0", &c->tunes);
-    c->first_sound = range(c->rom, "sound/", "sound0", &c->sounds);
+    c->first_tune = find_prefix_range(c->rom, "tune/", "tune0", &c->tunes);
+    c->first_sound = find_prefix_range(c->rom, "sound/", "sound0", &c->sounds);
     if (c->sounds + c->tunes > 0) { /* sounds and music are adjacent in the ROM */
         rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
-        c->tune_data = first.data - TUNES_FIRST;
+        c->tune_data = first.data - TUNES_FIRST_PLACE;
     }
     for (int i = 0; i < CART_CUES; i++) {
         const int sound = cart_find_sound(c, cart_cues[i]);
-        c->cue[i] = sound < 0 ? 0 : cart_sound(c, sound);
+        c->cue_place[i] = sound < 0 ? 0 : cart_sound_place(c, sound);
     }
     return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
            open_tunes(c, c->first_sound, c->sounds, err, err_size);
@@ -558,18 +561,18 @@ const char *cart_sprite_name(const struct cart *cart, int i)
 }
 
 /* Returns the index of the lump named folder + name, relative to lump `first`, or -1. */
-static int index_in(const struct cart *cart, const char *folder, const char *name, int first)
+static int find_index(const struct cart *cart, const char *folder, const char *name, int first)
 {
-    char full[ROM_NAME];
+    char full[ROM_MAX_NAME];
     int n = snprintf(full, sizeof full, "%s%s", folder, name);
-    int i = n > 0 && n < ROM_NAME ? rom_find(cart->rom, full) : -1;
+    int i = n > 0 && n < ROM_MAX_NAME ? rom_find(cart->rom, full) : -1;
 
     return i < 0 ? -1 : i - first;
 }
 
 int cart_find_sprite(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "gfx/", name, cart->first_sprite);
+    return find_index(cart, "gfx/", name, cart->first_sprite);
 }
 
 const char *cart_blend_name(const struct cart *cart, int i)
@@ -590,18 +593,19 @@ const char *cart_lang_name(const struct cart *cart, int i)
     return l.name + strlen("lang/");
 }
 
-bool cart_lang(const struct cart *cart, const char *name, struct words *out)
+bool cart_open_lang(const struct cart *cart, const char *name, struct words *out)
 {
     struct lump l;
     char err[128];
 
     *out = (struct words){ NULL, 0 };
-    return !name[0] || (find_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
+    return !name[0] ||
+           (find_lump_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
 }
 
 int cart_find_blend(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "blend/", name, cart->first_blend);
+    return find_index(cart, "blend/", name, cart->first_blend);
 }
 
 void cart_map(const struct cart *cart, int i, struct map *out)
@@ -642,7 +646,7 @@ const char *cart_map_name(const struct cart *cart, int i)
 
 int cart_find_map(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "map/", name, cart->first_map);
+    return find_index(cart, "map/", name, cart->first_map);
 }
 
 void cart_bulletml(const struct cart *cart, int i, struct ml *out)
@@ -665,14 +669,14 @@ const char *cart_bulletml_name(const struct cart *cart, int i)
 
 int cart_find_bulletml(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "bulletml/", name, cart->first_bulletml);
+    return find_index(cart, "bulletml/", name, cart->first_bulletml);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)
 {
     struct lump l;
 
-    return find_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
+    return find_lump_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
 }
 
 const char *cart_face_name(const struct cart *cart, int i)
@@ -695,23 +699,23 @@ struct face cart_face(const struct cart *cart, int i)
 
 int cart_find_face(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "fonts/", name, cart->first_face);
+    return find_index(cart, "fonts/", name, cart->first_face);
 }
 
 bool cart_has_glyph(const struct cart *cart, uint32_t code)
 {
     struct font font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs };
     struct face_glyph g;
-    bool has = text_blank(code) || text_has(&font, code);
+    bool is_found = text_is_blank(code) || text_has_glyph(&font, code);
 
-    for (int i = 0; i < cart->faces && !has; i++) {
+    for (int i = 0; i < cart->faces && !is_found; i++) {
         struct face face = cart_face(cart, i);
-        has = face_find(&face, code, &g);
+        is_found = face_find(&face, code, &g);
     }
-    return has;
+    return is_found;
 }
 
-static const char *name_in(const struct cart *cart, const char *folder, int lump)
+static const char *name_in_folder(const struct cart *cart, const char *folder, int lump)
 {
     struct lump l;
 
@@ -719,7 +723,7 @@ static const char *name_in(const struct cart *cart, const char *folder, int lump
     return l.name + strlen(folder);
 }
 
-static uint32_t place_of(const struct cart *cart, int lump)
+static uint32_t lump_place(const struct cart *cart, int lump)
 {
     struct lump l;
 
@@ -730,39 +734,39 @@ static uint32_t place_of(const struct cart *cart, int lump)
 const char *cart_tune_name(const struct cart *cart, int i)
 {
     assert(i >= 0 && i < cart->tunes);
-    return name_in(cart, "tune/", cart->first_tune + i);
+    return name_in_folder(cart, "tune/", cart->first_tune + i);
 }
 
-uint32_t cart_tune(const struct cart *cart, int i)
+uint32_t cart_tune_place(const struct cart *cart, int i)
 {
     assert(i >= 0 && i < cart->tunes);
-    return place_of(cart, cart->first_tune + i);
+    return lump_place(cart, cart->first_tune + i);
 }
 
 int cart_find_tune(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "tune/", name, cart->first_tune);
+    return find_index(cart, "tune/", name, cart->first_tune);
 }
 
 const char *cart_sound_name(const struct cart *cart, int i)
 {
     assert(i >= 0 && i < cart->sounds);
-    return name_in(cart, "sound/", cart->first_sound + i);
+    return name_in_folder(cart, "sound/", cart->first_sound + i);
 }
 
-uint32_t cart_sound(const struct cart *cart, int i)
+uint32_t cart_sound_place(const struct cart *cart, int i)
 {
     assert(i >= 0 && i < cart->sounds);
-    return place_of(cart, cart->first_sound + i);
+    return lump_place(cart, cart->first_sound + i);
 }
 
 int cart_find_sound(const struct cart *cart, const char *name)
 {
-    return index_in(cart, "sound/", name, cart->first_sound);
+    return find_index(cart, "sound/", name, cart->first_sound);
 }
 
 /* Returns the place of the samples of the tune at place `tune`, which is a recording; 0: none. */
-static uint32_t samples_of(const struct cart *cart, uint32_t tune)
+static uint32_t samples_place(const struct cart *cart, uint32_t tune)
 {
     const uint32_t at = bytes_get32(cart->tune_data + tune + 12);
     struct lump l;
@@ -770,9 +774,9 @@ static uint32_t samples_of(const struct cart *cart, uint32_t tune)
 
     if (at)
         return tune + at;
-    while (i < cart->tunes && cart_tune(cart, i) != tune)
+    while (i < cart->tunes && cart_tune_place(cart, i) != tune)
         i++;
-    if (i == cart->tunes || !find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
+    if (i == cart->tunes || !find_lump_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
         return 0;
     return (uint32_t)(l.data - cart->tune_data);
 }
@@ -781,43 +785,43 @@ size_t cart_wave_size(const struct cart *cart, int i)
 {
     struct lump l;
 
-    return i >= 0 && find_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
+    return i >= 0 && find_lump_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
 }
 
-uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst)
+uint32_t cart_recording_place(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
-    const bool named = inst_sample(inst)[0] != 0;
-    const int sound = named ? cart_find_sound(cart, inst_sample(inst)) : -1;
-    const uint32_t from = sound < 0 ? tune : cart_sound(cart, sound);
-    const struct tune t = tune_of(cart->tune_data + from);
+    const bool is_named = inst_sample_name(inst)[0] != 0;
+    const int sound = is_named ? cart_find_sound(cart, inst_sample_name(inst)) : -1;
+    const uint32_t source = sound < 0 ? tune : cart_sound_place(cart, sound);
+    const struct tune t = tune_of(cart->tune_data + source);
 
-    if (inst[0] != INST_SAMPLE || (named && sound < 0) || t.sides == 0)
+    if (inst[0] != INST_SAMPLE || (is_named && sound < 0) || t.channels == 0)
         return 0;
-    const uint32_t first = samples_of(cart, from);
-    if (first == 0 || t.sides == 1 || named || inst == tune_inst(&t, 0))
+    const uint32_t first = samples_place(cart, source);
+    if (first == 0 || t.channels == 1 || is_named || inst == tune_inst(&t, 0))
         return first;
     const struct sample s = sample_of(cart->tune_data + first);
     return first + (uint32_t)sample_size(s.n, s.coding);
 }
 
-static bool text_in(const struct cart *cart, const char *folder, const char *name, const char *tail, const char **text,
-                    size_t *size)
+static bool find_text(const struct cart *cart, const char *folder, const char *name, const char *suffix,
+                      const char **text, size_t *size)
 {
     struct lump l;
 
-    if (!find_in(cart->rom, folder, name, tail, &l))
+    if (!find_lump_in(cart->rom, folder, name, suffix, &l))
         return false;
     *text = (const char *)l.data;
     *size = l.size;
     return true;
 }
 
-bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size)
+bool cart_find_script(const struct cart *cart, const char *name, const char **text, size_t *size)
 {
-    return text_in(cart, "script/", name, ".lua", text, size);
+    return find_text(cart, "script/", name, ".lua", text, size);
 }
 
-bool cart_text(const struct cart *cart, const char *name, const char **text, size_t *size)
+bool cart_find_text(const struct cart *cart, const char *name, const char **text, size_t *size)
 {
-    return text_in(cart, "data/", name, "", text, size);
+    return find_text(cart, "data/", name, "", text, size);
 }

@@ -5,20 +5,20 @@
  *         script/X.lua    scripts of the game; script/@std/X.lua: modules of the standard library,
  *                         of which a ROM can lack some
  *         palette/main    768 bytes, 256 x R G B; palette/X: further palettes
- *         shades          CART_SHADES bytes, for palette/main: for each of 256 entries, the entry shown where a view
- *                         dims (board.h) by a quarter; then by a half; then by three quarters; older ROMs lack it
+ *         shades          CART_SHADES_SIZE bytes, for palette/main: for each of 256 entries, the entry shown where a
+ *                         view dims (board.h) by a quarter; then by a half; then by three quarters; older ROMs lack it
  *         shade/X         like shades, but for palette/X; only if it differs from shades
- *         blend/X         CART_BLEND bytes: the palette entry for each entry underneath (256 * entry) and each entry on
- *                         top; at most CART_MAX_BLENDS lumps
+ *         blend/X         CART_BLEND_SIZE bytes: the palette entry for each entry underneath (256 * entry) and each
+ *                         entry on top; at most CART_MAX_BLENDS lumps
  *         blends/P/X      the table of blend X while palette/P is loaded; only if it differs from blend/X
  *         fonts/X         a proportional font: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
  *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
  *                         6 zero bytes; struct sprite), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
- *         hit/X           the hitbox drawn with sprite X, CART_HIT bytes: u32 shape (motion.h), u32 rows, then four
- *                         times i32 a b x y, as in the rows of a kind (a capsule: x, y is one end of its axis); unused
- *                         rows are 0. Ticks read this lump
+ *         hit/X           the hitbox drawn with sprite X, CART_HIT_SIZE bytes: u32 shape (motion.h), u32 rows, then
+ *                         four times i32 a b x y, as in the rows of a kind (a capsule: x, y is one end of its axis);
+ *                         unused rows are 0. Ticks read this lump
  *         lang/X          a language: words.h
  *         bulletml/X      a BulletML document's program: bulletml.h
  *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
@@ -45,14 +45,14 @@
 
 enum {
     CART_GFX_HEADER = 24,
-    CART_HIT = 72,
-    CART_PALETTE = 768, /* bytes */
-    CART_BLEND = 65536, /* bytes */
-    CART_SHADES = 768,  /* bytes */
+    CART_HIT_SIZE = 72,
+    CART_PALETTE_SIZE = 768, /* bytes */
+    CART_BLEND_SIZE = 65536, /* bytes */
+    CART_SHADES_SIZE = 768,  /* bytes */
     CART_MAX_BLENDS = 3,
     CART_MAX_LOOKS = 65, /* maximum number of palettes if any palette has its own tables */
     CART_MAX_FACES = 8,
-    CART_GLYPH = 64, /* bytes per character */
+    CART_GLYPH_SIZE = 64, /* bytes per character */
     CART_FIRST_CHAR = 32,
     CART_MAX_GLYPHS = 224,
     CART_MAX_SIDE = 1024, /* maximum width, height and pitch of a sprite's picture, px */
@@ -60,14 +60,14 @@ enum {
     CART_MAX_ROTATIONS = 256,
     CART_MAP_HEADER = 16,
     CART_MAX_MAPS = 1024,
-    CART_MAP_SIDE = 16384, /* maximum width and height of a map, px */
-    CART_MAP_CELLS = 1 << 20,
+    CART_MAX_MAP_SIDE = 16384, /* maximum width and height of a map, px */
+    CART_MAX_MAP_CELLS = 1 << 20,
     CART_MAX_TUNES = 1024, /* maximum pieces of music; also maximum sounds */
     CART_MAX_BULLETML = 1024
 };
 
 /* Sounds that play automatically if the game has them; cart_cues has their names. */
-enum { TUNES_FIRST = 16 /* the place of the first sound or piece of music */ };
+enum { TUNES_FIRST_PLACE = 16 /* the place of the first sound or piece of music */ };
 enum cart_cue {
     CUE_SHOT,
     CUE_HIT,
@@ -102,15 +102,15 @@ struct cart_look {
 
 struct cart {
     const struct rom *rom;
-    struct manifest m;
+    struct manifest manifest;
     int first_sprite, sprites; /* lumps gfx/...; sprite i is lump first_sprite + i */
     int first_palette, palettes;
-    bool has_looks; /* a palette has its own tables; otherwise all palettes use `main` */
+    bool has_looks; /* a palette has its own tables; otherwise all palettes use `main_look` */
     int first_blend, blends;
     int first_lang, langs;
     int first_map, maps;
     int first_bulletml, bulletmls;
-    struct cart_look main;                  /* tables of palette/main, and of palettes that have none */
+    struct cart_look main_look;             /* tables of palette/main, and of palettes that have none */
     struct cart_look looks[CART_MAX_LOOKS]; /* tables of each palette, if has_looks */
     const uint8_t *glyphs;                  /* NULL: no font */
     int n_glyphs;
@@ -118,22 +118,22 @@ struct cart {
     int first_tune, tunes;
     const uint8_t *tune_data; /* the address of place 0 of sounds and music */
     int first_sound, sounds;
-    uint32_t cue[CART_CUES]; /* place of each automatic sound; 0: not in the game */
+    uint32_t cue_place[CART_CUES]; /* place of each automatic sound; 0: not in the game */
 };
 
 struct sprite {
-    uint16_t w, h, pitch;              /* px; pitch is a multiple of 8, pixels beyond w are 0 */
-    int16_t ox, oy;                    /* the anchor, px from the picture's top left corner */
-    uint16_t frames, every, rotations; /* every: ticks per picture; rotation r shows turn r / rotations */
-    uint16_t bank;                     /* pixels are 0 or bank * 16 + 1..15 */
+    uint16_t w, h, pitch;                    /* px; pitch is a multiple of 8, pixels beyond w are 0 */
+    int16_t ox, oy;                          /* the anchor, px from the picture's top left corner */
+    uint16_t frames, frame_ticks, rotations; /* frame_ticks: ticks per picture; rotation r shows turn r / rotations */
+    uint16_t bank;                           /* pixels are 0 or bank * 16 + 1..15 */
     const uint8_t *pix;
 };
 
 struct map {
     int cols, rows;       /* tiles */
-    int side;             /* px of a tile: 8, 16 or 32 */
+    int tile_side;        /* px of a tile: 8, 16 or 32 */
     int tiles, bank;      /* pixels are 0 or bank * 16 + 1..15 */
-    bool whole;           /* every cell's tile is solid */
+    bool all_solid;       /* every cell's tile is solid */
     const uint8_t *cells; /* cols * rows numbers below tiles, u16 */
     const uint8_t *solid; /* a byte per tile; 1: solid */
     const uint8_t *pix;
@@ -157,7 +157,7 @@ struct cart_hit {
         int32_t a, b, x, y;
     } row[4];
 };
-void cart_hit_pack(const struct cart_hit *hit, uint8_t out[CART_HIT]);
+void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE]);
 
 /* Reads the hitbox of the sprite with that name. Returns false if the sprite has no drawn hitbox. */
 bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out);
@@ -172,7 +172,7 @@ const char *cart_lang_name(const struct cart *cart, int i);
 
 /* Opens the translations of the language with that name; "" opens an empty table. Returns false if the game has no such
  * language. */
-bool cart_lang(const struct cart *cart, const char *name, struct words *out);
+bool cart_open_lang(const struct cart *cart, const char *name, struct words *out);
 
 /* cart_map stores map i in *out, 0 <= i < maps; cart_map_name returns its name without "map/". cart_find_map returns
  * the index of the map with that name, or -1. */
@@ -199,15 +199,15 @@ const char *cart_face_name(const struct cart *cart, int i);
 struct face cart_face(const struct cart *cart, int i);
 int cart_find_face(const struct cart *cart, const char *name);
 
-/* cart_tune_name returns the name of piece of music i, 0 <= i < tunes; cart_tune its place, which is the offset of its
- * lump (tune.h) from tune_data and never 0; cart_find_tune the index of the piece with that name, or -1. The other
- * three do the same for sounds, 0 <= i < sounds. Ticks compute with places, so places must depend on no lumps other
- * than sounds and music. */
+/* cart_tune_name returns the name of piece of music i, 0 <= i < tunes; cart_tune_place its place, which is the offset
+ * of its lump (tune.h) from tune_data and never 0; cart_find_tune the index of the piece with that name, or -1. The
+ * other three do the same for sounds, 0 <= i < sounds. Ticks compute with places, so places must depend on no lumps
+ * other than sounds and music. */
 const char *cart_tune_name(const struct cart *cart, int i);
-uint32_t cart_tune(const struct cart *cart, int i);
+uint32_t cart_tune_place(const struct cart *cart, int i);
 int cart_find_tune(const struct cart *cart, const char *name);
 const char *cart_sound_name(const struct cart *cart, int i);
-uint32_t cart_sound(const struct cart *cart, int i);
+uint32_t cart_sound_place(const struct cart *cart, int i);
 int cart_find_sound(const struct cart *cart, const char *name);
 
 /* Returns the size in bytes of the samples of a stream, piece of music i; 0 if the piece is not a stream or i is
@@ -216,17 +216,17 @@ size_t cart_wave_size(const struct cart *cart, int i);
 
 /* Returns the place of the recording that an instrument of the tune at place `tune` plays; 0: none. inst: the
  * instrument's bytes in the tune. */
-uint32_t cart_recording(const struct cart *cart, uint32_t tune, const uint8_t *inst);
+uint32_t cart_recording_place(const struct cart *cart, uint32_t tune, const uint8_t *inst);
 
 /* Returns whether a font of the game can show the character. Blanks can always be shown. */
 bool cart_has_glyph(const struct cart *cart, uint32_t code);
 
 /* Finds the text of a script, such as "stages/one" or "@std/pattern". Returns false if there is no such script. The
  * text is not NUL-terminated. */
-bool cart_script(const struct cart *cart, const char *name, const char **text, size_t *size);
+bool cart_find_script(const struct cart *cart, const char *name, const char **text, size_t *size);
 
 /* Finds the text of a data file, such as "names.txt". Returns false if there is no such file. The text is not
  * NUL-terminated. */
-bool cart_text(const struct cart *cart, const char *name, const char **text, size_t *size);
+bool cart_find_text(const struct cart *cart, const char *name, const char **text, size_t *size);
 
 #endif

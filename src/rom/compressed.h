@@ -20,23 +20,23 @@
  * leaves a ROM that would exceed them uncompressed. */
 enum {
     COMPRESSED_HEADER = 32,
-    COMPRESSED_MOST = 256 << 20, /* maximum bytes of the plain ROM */
-    COMPRESSED_TIMES = 1000      /* maximum ratio of the plain ROM's size to the file's size */
+    COMPRESSED_MAX_SIZE = 256 << 20, /* maximum bytes of the plain ROM */
+    COMPRESSED_MAX_RATIO = 1000      /* maximum ratio of the plain ROM's size to the file's size */
 };
 
 /* Returns whether data starts like a compressed ROM, which a plain ROM never does. */
-bool compressed_is(const void *data, size_t size);
+bool compressed_detect(const void *data, size_t size);
 
 /* Returns the bytes of the plain ROM; 0, with one sentence in err (without the file's name), if the file is damaged or
  * its header exceeds the maximums. */
-size_t compressed_size(const void *data, size_t size, char *err, size_t err_size);
+size_t compressed_plain_size(const void *data, size_t size, char *err, size_t err_size);
 
-/* Decompresses the plain ROM into out, which has compressed_size bytes. Returns false, with one sentence in err, if the
- * file is damaged. The caller must still check the result with rom_open. */
-bool compressed_read(const void *data, size_t size, void *out, char *err, size_t err_size);
+/* Decompresses the plain ROM into out, which has compressed_plain_size bytes. Returns false, with one sentence in err,
+ * if the file is damaged. The caller must still check the result with rom_open. */
+bool compressed_unpack(const void *data, size_t size, void *out, char *err, size_t err_size);
 
 /* Writes the header of a compressed file of `size` bytes at out. The LZMA stream must already be at out +
  * COMPRESSED_HEADER. rom is the plain ROM. */
-void compressed_seal(uint8_t *out, size_t size, const void *rom, size_t rom_size);
+void compressed_write_header(uint8_t *out, size_t size, const void *rom, size_t rom_size);
 
 #endif

@@ -10,7 +10,7 @@
 
 static const uint8_t *entry(const struct face *f, uint32_t i)
 {
-    return f->data + FACE_HEAD + (size_t)i * FACE_GLYPH;
+    return f->data + FACE_HEADER + (size_t)i * FACE_GLYPH_SIZE;
 }
 
 static uint32_t code_at(const struct face *f, uint32_t i)
@@ -48,21 +48,21 @@ static bool pixels_ok(const struct face_glyph *g)
 static bool glyph_ok(const struct face *f, uint32_t i, size_t size)
 {
     const uint8_t *p = entry(f, i);
-    const size_t first = FACE_HEAD + (size_t)f->n * FACE_GLYPH, at = bytes_get32(p + 4);
+    const size_t first = FACE_HEADER + (size_t)f->n * FACE_GLYPH_SIZE, at = bytes_get32(p + 4);
     struct face_glyph g;
 
     glyph_at(f, i, &g);
-    return g.w <= FACE_SIDE && g.h <= FACE_SIDE && g.advance <= FACE_HEIGHT && p[13] == 0 && p[14] == 0 && p[15] == 0 &&
-           at >= first && at <= size && (size_t)(g.pitch * g.h) <= size - at && pixels_ok(&g);
+    return g.w <= FACE_MAX_SIDE && g.h <= FACE_MAX_SIDE && g.advance <= FACE_MAX_HEIGHT && p[13] == 0 && p[14] == 0 &&
+           p[15] == 0 && at >= first && at <= size && (size_t)(g.pitch * g.h) <= size - at && pixels_ok(&g);
 }
 
 bool face_open(struct face *f, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    if (size < FACE_HEAD)
+    if (size < FACE_HEADER)
         return err_set(err, err_size, "not a font (%zu bytes)", size);
     *f = face_of(data);
-    if (f->height < 1 || f->height > FACE_HEIGHT || bytes_get16(data + 2) != 0 || f->n > FACE_MAX ||
-        size - FACE_HEAD < (size_t)f->n * FACE_GLYPH)
+    if (f->height < 1 || f->height > FACE_MAX_HEIGHT || bytes_get16(data + 2) != 0 || f->n > FACE_MAX_GLYPHS ||
+        size - FACE_HEADER < (size_t)f->n * FACE_GLYPH_SIZE)
         return err_set(err, err_size, "its header is out of range");
     for (uint32_t i = 0; i < f->n; i++) {
         if (i > 0 && code_at(f, i) <= code_at(f, i - 1))

@@ -14,11 +14,11 @@
 #include <stdint.h>
 
 enum {
-    FACE_HEAD = 8,
-    FACE_GLYPH = 16, /* bytes */
-    FACE_MAX = 65536,
-    FACE_SIDE = 64, /* maximum width and height of a glyph, px */
-    FACE_HEIGHT = 128
+    FACE_HEADER = 8,
+    FACE_GLYPH_SIZE = 16, /* bytes */
+    FACE_MAX_GLYPHS = 65536,
+    FACE_MAX_SIDE = 64, /* maximum width and height of a glyph, px */
+    FACE_MAX_HEIGHT = 128
 };
 
 struct face {

@@ -10,26 +10,26 @@
 
 #include <string.h>
 
-enum { EVEN = 1 << (LZMA_SCALE - 1) };
+enum { PROB_HALF = 1 << (LZMA_PROB_BITS - 1) };
 
 void lzma_model_reset(struct lzma_model *m)
 {
-    const lzma_odds even = EVEN;
+    const lzma_prob half = PROB_HALF;
 
-    for (size_t i = 0; i < sizeof *m; i += sizeof even) /* the struct contains only odds */
-        memcpy((uint8_t *)m + i, &even, sizeof even);
+    for (size_t i = 0; i < sizeof *m; i += sizeof half) /* the struct contains only odds */
+        memcpy((uint8_t *)m + i, &half, sizeof half);
 }
 
-int lzma_after_literal(int state)
+int lzma_state_after_literal(int state)
 {
     return state < 4 ? 0 : state < 10 ? state - 3 : state - 6;
 }
 
-int lzma_after(int state, enum lzma_match match)
+int lzma_state_after_match(int state, enum lzma_match match)
 {
     static const uint8_t next[] = { [LZMA_MATCH] = 7, [LZMA_REP] = 8, [LZMA_SHORT_REP] = 9 };
 
-    if (state < LZMA_LITERALS)
+    if (state < LZMA_LITERAL_STATES)
         return next[match];
     return match == LZMA_MATCH ? 10 : 11;
 }
@@ -39,7 +39,7 @@ int lzma_after(int state, enum lzma_match match)
 struct reader {
     const uint8_t *in, *end;
     uint32_t range, code;
-    bool over; /* the decoder needed bytes beyond the end of the stream */
+    bool overrun; /* the decoder needed bytes beyond the end of the stream */
     uint8_t *out;
     size_t at, size;
     uint32_t rep[LZMA_REPS]; /* match distances - 1, most recent first */
@@ -52,46 +52,46 @@ static void refill(struct reader *r)
     if (r->range >= LZMA_TOP)
         return;
     if (r->in == r->end)
-        r->over = true;
+        r->overrun = true;
     r->range <<= 8;
-    r->code = r->code << 8 | (r->over ? 0 : *r->in++);
+    r->code = r->code << 8 | (r->overrun ? 0 : *r->in++);
 }
 
-static unsigned read_bit(struct reader *r, lzma_odds *odds)
+static unsigned read_bit(struct reader *r, lzma_prob *prob)
 {
-    const uint32_t half = (r->range >> LZMA_SCALE) * *odds;
-    const unsigned bit = r->code >= half;
+    const uint32_t bound = (r->range >> LZMA_PROB_BITS) * *prob;
+    const unsigned bit = r->code >= bound;
 
     if (bit) {
-        r->range -= half;
-        r->code -= half;
-        *odds = (lzma_odds)(*odds - (*odds >> LZMA_PACE));
+        r->range -= bound;
+        r->code -= bound;
+        *prob = (lzma_prob)(*prob - (*prob >> LZMA_ADAPT_SHIFT));
     } else {
-        r->range = half;
-        *odds = (lzma_odds)(*odds + (((1 << LZMA_SCALE) - *odds) >> LZMA_PACE));
+        r->range = bound;
+        *prob = (lzma_prob)(*prob + (((1 << LZMA_PROB_BITS) - *prob) >> LZMA_ADAPT_SHIFT));
     }
     refill(r);
     return bit;
 }
 
 /* Reads a number of `bits` bits, most significant first. The odds of each bit depend on the bits before it. */
-static unsigned read_tree(struct reader *r, lzma_odds *odds, int bits)
+static unsigned read_tree(struct reader *r, lzma_prob *prob, int bits)
 {
     unsigned m = 1;
 
     for (int i = 0; i < bits; i++)
-        m = m << 1 | read_bit(r, odds + m);
+        m = m << 1 | read_bit(r, prob + m);
     return m - (1u << bits);
 }
 
 /* Like read_tree, but least significant bit first. */
-static uint32_t read_backwards(struct reader *r, lzma_odds *odds, int bits)
+static uint32_t read_reverse_tree(struct reader *r, lzma_prob *prob, int bits)
 {
     unsigned m = 1;
     uint32_t out = 0;
 
     for (int i = 0; i < bits; i++) {
-        const unsigned bit = read_bit(r, odds + m);
+        const unsigned bit = read_bit(r, prob + m);
         m = m << 1 | bit;
         out |= (uint32_t)bit << i;
     }
@@ -119,48 +119,48 @@ static void read_literal(struct reader *r)
 {
     unsigned m = 1;
 
-    if (r->state >= LZMA_LITERALS) {
+    if (r->state >= LZMA_LITERAL_STATES) {
         /* The byte that would continue the match. The literal usually differs, or the match would be longer. */
         const unsigned match = r->out[r->at - r->rep[0] - 1];
         for (int i = 7; i >= 0 && m < 0x100; i--) {
-            const unsigned would = match >> i & 1, bit = read_bit(r, &r->m.literal[1 + would][m]);
+            const unsigned match_bit = match >> i & 1, bit = read_bit(r, &r->m.literal[1 + match_bit][m]);
             m = m << 1 | bit;
-            if (bit != would)
+            if (bit != match_bit)
                 break;
         }
     }
     while (m < 0x100)
         m = m << 1 | read_bit(r, &r->m.literal[0][m]);
     r->out[r->at++] = (uint8_t)m;
-    r->state = lzma_after_literal(r->state);
+    r->state = lzma_state_after_literal(r->state);
 }
 
 static uint32_t read_length(struct reader *r, struct lzma_length *l)
 {
     if (!read_bit(r, &l->choice[0]))
-        return LZMA_SHORTEST + read_tree(r, l->low, 3);
+        return LZMA_MIN_MATCH + read_tree(r, l->low, 3);
     if (!read_bit(r, &l->choice[1]))
-        return LZMA_SHORTEST + 8 + read_tree(r, l->middle, 3);
-    return LZMA_SHORTEST + 16 + read_tree(r, l->high, 8);
+        return LZMA_MIN_MATCH + 8 + read_tree(r, l->middle, 3);
+    return LZMA_MIN_MATCH + 16 + read_tree(r, l->high, 8);
 }
 
 static uint32_t read_distance(struct reader *r, uint32_t length)
 {
-    const uint32_t kind = length - LZMA_SHORTEST < LZMA_LENGTHS ? length - LZMA_SHORTEST : LZMA_LENGTHS - 1;
+    const uint32_t kind = length - LZMA_MIN_MATCH < LZMA_SLOT_MODELS ? length - LZMA_MIN_MATCH : LZMA_SLOT_MODELS - 1;
     const uint32_t slot = read_tree(r, r->m.slot[kind], 6);
 
     if (slot < 4)
         return slot;
     const int bits = (int)(slot >> 1) - 1;
-    const uint32_t from = (2 | (slot & 1)) << bits;
-    if (slot < LZMA_NEAR)
-        return from + read_backwards(r, r->m.near + from - slot, bits);
-    const uint32_t high = read_direct_bits(r, bits - LZMA_ALIGN) << LZMA_ALIGN;
-    return from + high + read_backwards(r, r->m.align, LZMA_ALIGN);
+    const uint32_t base = (2 | (slot & 1)) << bits;
+    if (slot < LZMA_MODELLED_SLOTS)
+        return base + read_reverse_tree(r, r->m.near + base - slot, bits);
+    const uint32_t high = read_direct_bits(r, bits - LZMA_ALIGN_BITS) << LZMA_ALIGN_BITS;
+    return base + high + read_reverse_tree(r, r->m.align, LZMA_ALIGN_BITS);
 }
 
 /* Moves remembered distance i to the front. */
-static void recall(struct reader *r, int i)
+static void move_rep_to_front(struct reader *r, int i)
 {
     const uint32_t distance = r->rep[i];
 
@@ -175,16 +175,16 @@ static uint32_t read_rep_match(struct reader *r)
 
     if (!read_bit(r, &m->rep_0[r->state])) {
         if (!read_bit(r, &m->rep_0_long[r->state])) {
-            r->state = lzma_after(r->state, LZMA_SHORT_REP);
+            r->state = lzma_state_after_match(r->state, LZMA_SHORT_REP);
             return 1;
         }
     } else if (!read_bit(r, &m->rep_1[r->state])) {
-        recall(r, 1);
+        move_rep_to_front(r, 1);
     } else {
-        recall(r, 2 + (int)read_bit(r, &m->rep_2[r->state]));
+        move_rep_to_front(r, 2 + (int)read_bit(r, &m->rep_2[r->state]));
     }
     const uint32_t length = read_length(r, &m->rep_length);
-    r->state = lzma_after(r->state, LZMA_REP);
+    r->state = lzma_state_after_match(r->state, LZMA_REP);
     return length;
 }
 
@@ -195,13 +195,13 @@ static uint32_t read_match(struct reader *r)
 
     memmove(r->rep + 1, r->rep, (LZMA_REPS - 1) * sizeof *r->rep);
     r->rep[0] = read_distance(r, length);
-    r->state = lzma_after(r->state, LZMA_MATCH);
+    r->state = lzma_state_after_match(r->state, LZMA_MATCH);
     return length;
 }
 
 /* Copies a match of `length` bytes at distance rep[0]. Returns false if it starts before the output or runs past its
  * end. */
-static bool copy(struct reader *r, uint32_t length)
+static bool copy_match(struct reader *r, uint32_t length)
 {
     if (r->rep[0] >= r->at || length > r->size - r->at)
         return false;
@@ -212,9 +212,9 @@ static bool copy(struct reader *r, uint32_t length)
 }
 
 /* Returns whether the whole stream has been read: the encoded number is the start of the range, and no byte is left. */
-static bool ended(const struct reader *r)
+static bool is_finished(const struct reader *r)
 {
-    return r->code == 0 && r->in == r->end && !r->over;
+    return r->code == 0 && r->in == r->end && !r->overrun;
 }
 
 bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
@@ -226,8 +226,8 @@ bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
         return false;
     for (int i = 0; i < 4; i++)
         r.code = r.code << 8 | *r.in++;
-    while (!r.over) {
-        if (r.at == size && ended(&r))
+    while (!r.overrun) {
+        if (r.at == size && is_finished(&r))
             return true;
         if (!read_bit(&r, &r.m.match[r.state])) {
             if (r.at == size)
@@ -235,13 +235,13 @@ bool lzma_read(const uint8_t *in, size_t n, uint8_t *out, size_t size)
             read_literal(&r);
             continue;
         }
-        const bool again = read_bit(&r, &r.m.rep[r.state]);
-        if (again && r.at == 0)
+        const bool is_rep = read_bit(&r, &r.m.rep[r.state]);
+        if (is_rep && r.at == 0)
             return false;
-        const uint32_t length = again ? read_rep_match(&r) : read_match(&r);
-        if (!again && r.rep[0] == UINT32_MAX) /* an end marker, which some encoders write */
-            return r.at == size && ended(&r);
-        if (!copy(&r, length))
+        const uint32_t length = is_rep ? read_rep_match(&r) : read_match(&r);
+        if (!is_rep && r.rep[0] == UINT32_MAX) /* an end marker, which some encoders write */
+            return r.at == size && is_finished(&r);
+        if (!copy_match(&r, length))
             return false;
     }
     return false;

@@ -17,11 +17,11 @@
 #include "../entities/options.h"
 #include "../entities/registers.h"
 
-/* The lump's first word is its format. numbers_of: how many fields of manifest_numbers each format contains. Core
- * versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes format
- * 5 for games that run BulletML documents, and format 4 for other games. */
+/* The lump's first word is its format. numbers_in_format: how many fields of manifest_numbers each format contains.
+ * Core versions up to 4 wrote format 1, core version 5 format 2, core version 6 format 3. The current version writes
+ * format 5 for games that run BulletML documents, and format 4 for other games. */
 enum { FORMAT = 5, FORMAT_PLAIN = 4, NUMBERS_1 = 17 };
-static const int numbers_of[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
+static const int numbers_in_format[FORMAT + 1] = { 0, NUMBERS_1, 24, 31, 36, MANIFEST_NUMBERS };
 
 static const int64_t max_extend = (int64_t)1 << 53;
 
@@ -58,7 +58,7 @@ const struct manifest_number manifest_numbers[MANIFEST_NUMBERS] = {
     FLAG("board.hp", hp),
     FLAG("board.around", around),
     FLAG("board.frozen", frozen),
-    NUMBER("board.nvram", nvram_kib, 1, NV_MOST_KIB),
+    NUMBER("board.nvram", nvram_kib, 1, NV_MAX_KIB),
     FLAG("board.meet", meet),
     NUMBER("board.items", items, 0, 1 << 16),
     NUMBER("board.lines", lines, 0, 4096),
@@ -92,39 +92,39 @@ void manifest_default(struct manifest *m)
     m->motions = 256;
     m->tasks = 1024;
     m->lua_kib = 4096;
-    m->nvram_kib = NV_KIB;
-    m->registers = REGISTERS;
+    m->nvram_kib = NV_DEFAULT_KIB;
+    m->registers = DEFAULT_REGISTERS;
     m->players = 1;
     strcpy(m->difficulties[0], "normal");
     m->n_difficulties = 1;
 }
 
-static bool letter_or_digit(char c)
+static bool is_letter_or_digit(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
-bool manifest_word_ok(const char *s)
+bool manifest_setting_name_ok(const char *s)
 {
     size_t n = strlen(s);
 
     for (size_t i = 0; i < n; i++)
-        if (!letter_or_digit(s[i]) && s[i] != '_' && s[i] != '-')
+        if (!is_letter_or_digit(s[i]) && s[i] != '_' && s[i] != '-')
             return false;
-    return n > 0 && n < MAX_WORD;
+    return n > 0 && n < MAX_SETTING_NAME;
 }
 
 bool manifest_path_ok(const char *s)
 {
-    char before = '/';
+    char previous = '/';
 
-    for (; *s != '\0'; before = *s++) {
-        if (*s == '/' ? before == '/' : !letter_or_digit(*s) && strchr("_.-", *s) == NULL)
+    for (; *s != '\0'; previous = *s++) {
+        if (*s == '/' ? previous == '/' : !is_letter_or_digit(*s) && strchr("_.-", *s) == NULL)
             return false;
-        if (*s == '.' && before == '/')
+        if (*s == '.' && previous == '/')
             return false;
     }
-    return before != '/';
+    return previous != '/';
 }
 
 static bool all_zero(const void *p, size_t n)
@@ -154,7 +154,7 @@ static bool id_ok(const char *s)
     return n > 0 && strspn(s, "abcdefghijklmnopqrstuvwxyz0123456789_") == n;
 }
 
-static bool check_texts(const struct manifest *m, char *err, size_t err_size)
+static bool check_strings(const struct manifest *m, char *err, size_t err_size)
 {
     if (!text_ok(m->id, sizeof m->id) || !id_ok(m->id))
         return err_set(err, err_size, "id: expected 1 to %zu of the characters a-z 0-9 _", sizeof m->id - 1);
@@ -202,25 +202,25 @@ static bool check_extends(const struct manifest *m, char *err, size_t err_size)
 }
 
 /* Returns whether the first n of `max` words are valid and distinct, and the rest are zero. */
-static bool words_ok(const char words[][MAX_WORD], int n, int max)
+static bool setting_names_ok(const char names[][MAX_SETTING_NAME], int n, int max)
 {
     for (int i = 0; i < n; i++) {
-        if (!text_ok(words[i], MAX_WORD) || !manifest_word_ok(words[i]))
+        if (!text_ok(names[i], MAX_SETTING_NAME) || !manifest_setting_name_ok(names[i]))
             return false;
         for (int j = 0; j < i; j++)
-            if (strcmp(words[i], words[j]) == 0)
+            if (strcmp(names[i], names[j]) == 0)
                 return false;
     }
-    return all_zero(words + n, (size_t)(max - n) * MAX_WORD);
+    return all_zero(names + n, (size_t)(max - n) * MAX_SETTING_NAME);
 }
 
 static bool check_difficulties(const struct manifest *m, char *err, size_t err_size)
 {
     int n = m->n_difficulties;
 
-    if (n < 1 || n > MAX_DIFFICULTIES || !words_ok(m->difficulties, n, MAX_DIFFICULTIES))
+    if (n < 1 || n > MAX_DIFFICULTIES || !setting_names_ok(m->difficulties, n, MAX_DIFFICULTIES))
         return err_set(err, err_size, "difficulties: expected 1 to %d different words of at most %d letters",
-                       MAX_DIFFICULTIES, MAX_WORD - 1);
+                       MAX_DIFFICULTIES, MAX_SETTING_NAME - 1);
     if (m->difficulty < 0 || m->difficulty >= n)
         return err_set(err, err_size, "difficulty: not listed in difficulties");
     return true;
@@ -228,16 +228,17 @@ static bool check_difficulties(const struct manifest *m, char *err, size_t err_s
 
 static bool check_dip(const struct dip *d, char *err, size_t err_size)
 {
-    if (!text_ok(d->name, sizeof d->name) || !manifest_word_ok(d->name))
-        return err_set(err, err_size, "dip: expected names of 1 to %d letters, digits, _ or -", MAX_WORD - 1);
-    if (d->values < 0 || d->values > MAX_DIP_VALUES || !words_ok(d->value_name, d->values, MAX_DIP_VALUES))
+    if (!text_ok(d->name, sizeof d->name) || !manifest_setting_name_ok(d->name))
+        return err_set(err, err_size, "dip: expected names of 1 to %d letters, digits, _ or -", MAX_SETTING_NAME - 1);
+    if (d->n_values < 0 || d->n_values > MAX_DIP_VALUES ||
+        !setting_names_ok(d->value_name, d->n_values, MAX_DIP_VALUES))
         return err_set(err, err_size, "dip.%s: expected 1 to %d different words of at most %d letters", d->name,
-                       MAX_DIP_VALUES, MAX_WORD - 1);
-    if (d->number ? d->values != 0 : d->values == 0 || d->lo != 0 || d->hi != d->values - 1)
+                       MAX_DIP_VALUES, MAX_SETTING_NAME - 1);
+    if (d->is_number ? d->n_values != 0 : d->n_values == 0 || d->lo != 0 || d->hi != d->n_values - 1)
         return err_set(err, err_size, "dip.%s: expected either a range or 1 to %d values", d->name, MAX_DIP_VALUES);
-    if (d->lo > d->hi || d->value < d->lo || d->value > d->hi)
+    if (d->lo > d->hi || d->default_value < d->lo || d->default_value > d->hi)
         return err_set(err, err_size, "dip.%s: expected min <= default <= max, got %" PRId32 ", %" PRId32 ", %" PRId32,
-                       d->name, d->lo, d->value, d->hi);
+                       d->name, d->lo, d->default_value, d->hi);
     if ((int64_t)d->hi - d->lo >= MAX_DIP_RANGE)
         return err_set(err, err_size,
                        "dip.%s: expected at most %d numbers from min to max, got %" PRId32 " to %" PRId32, d->name,
@@ -262,7 +263,7 @@ static bool check_dips(const struct manifest *m, char *err, size_t err_size)
 
 bool manifest_check(const struct manifest *m, char *err, size_t err_size)
 {
-    return check_texts(m, err, err_size) && check_numbers(m, err, err_size) && check_extends(m, err, err_size) &&
+    return check_strings(m, err, err_size) && check_numbers(m, err, err_size) && check_extends(m, err, err_size) &&
            check_difficulties(m, err, err_size) && check_dips(m, err, err_size);
 }
 
@@ -270,7 +271,7 @@ bool manifest_check(const struct manifest *m, char *err, size_t err_size)
 struct walk {
     uint8_t *out;      /* NULL: reading */
     const uint8_t *in; /* NULL: writing */
-    bool good;
+    bool is_valid;
 };
 
 static void walk_text(struct walk *w, char *s, size_t n)
@@ -308,17 +309,17 @@ static void walk_64(struct walk *w, int64_t *v)
 
 static void walk_dip(struct walk *w, struct dip *d)
 {
-    int32_t number = d->number;
+    int32_t number = d->is_number;
 
     walk_text(w, d->name, sizeof d->name);
     walk_32(w, &number);
     walk_32(w, &d->lo);
     walk_32(w, &d->hi);
-    walk_32(w, &d->value);
-    walk_32(w, &d->values);
+    walk_32(w, &d->default_value);
+    walk_32(w, &d->n_values);
     walk_text(w, d->value_name[0], sizeof d->value_name);
-    d->number = number != 0;
-    w->good = w->good && (number == 0 || number == 1);
+    d->is_number = number != 0;
+    w->is_valid = w->is_valid && (number == 0 || number == 1);
 }
 
 static void walk_numbers(struct walk *w, struct manifest *m, int from, int to)
@@ -332,7 +333,7 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     int32_t format = expected;
 
     walk_32(w, &format);
-    w->good = format == expected;
+    w->is_valid = format == expected;
     walk_text(w, m->id, sizeof m->id);
     walk_text(w, m->title, sizeof m->title);
     walk_text(w, m->author, sizeof m->author);
@@ -347,12 +348,12 @@ static void walk_manifest(struct walk *w, struct manifest *m, int32_t expected)
     for (int i = 0; i < MAX_DIPS; i++)
         walk_dip(w, &m->dips[i]);
     walk_32(w, &m->n_dips);
-    walk_numbers(w, m, NUMBERS_1, numbers_of[expected]);
+    walk_numbers(w, m, NUMBERS_1, numbers_in_format[expected]);
 }
 
-static size_t bytes_of(int format)
+static size_t format_size(int format)
 {
-    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_of[format]);
+    return MANIFEST_BYTES - 4 * (size_t)(MANIFEST_NUMBERS - numbers_in_format[format]);
 }
 
 uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
@@ -363,15 +364,15 @@ uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES])
 
     memset(out, 0, MANIFEST_BYTES);
     walk_manifest(&w, &copy, format);
-    assert(w.out == out + bytes_of(format));
-    return (uint32_t)bytes_of(format);
+    assert(w.out == out + format_size(format));
+    return (uint32_t)format_size(format);
 }
 
 static bool unused_dips_zero(const struct manifest *m)
 {
     for (int i = m->n_dips; i < MAX_DIPS; i++) {
         const struct dip *d = &m->dips[i];
-        if (d->number || d->lo != 0 || d->hi != 0 || d->value != 0 || d->values != 0 ||
+        if (d->is_number || d->lo != 0 || d->hi != 0 || d->default_value != 0 || d->n_values != 0 ||
             !all_zero(d->name, sizeof d->name) || !all_zero(d->value_name, sizeof d->value_name))
             return false;
     }
@@ -383,15 +384,15 @@ bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char 
     struct walk w = { NULL, data, true };
     int format = FORMAT;
 
-    while (format > 0 && size != bytes_of(format))
+    while (format > 0 && size != format_size(format))
         format--;
     if (!format)
         return err_set(err, err_size, "%zu bytes long, expected %d", size, MANIFEST_BYTES);
     memset(m, 0, sizeof *m);
-    m->nvram_kib = NV_KIB;        /* format 1 has no nvram_kib */
-    m->registers = MAX_REGISTERS; /* formats 1 to 3 have no registers field; ships could have this many */
+    m->nvram_kib = NV_DEFAULT_KIB; /* format 1 has no nvram_kib */
+    m->registers = MAX_REGISTERS;  /* formats 1 to 3 have no registers field; ships could have this many */
     walk_manifest(&w, m, format);
-    if (!w.good)
+    if (!w.is_valid)
         return err_set(err, err_size, "unknown format");
     if (format == FORMAT && !m->bulletml)
         return err_set(err, err_size, "board.bulletml: 0 is not allowed in a manifest of format %d", FORMAT_PLAIN);

@@ -18,19 +18,19 @@ enum {
     MAX_DIP_RANGE = 1 << 16, /* maximum count of numbers from min to max, because hosts list all of them */
     MAX_DIFFICULTIES = 8,
     MAX_EXTENDS = 8,
-    NV_KIB = 32,            /* default nvram_kib */
-    NV_MOST_KIB = 1024,     /* maximum nvram_kib */
-    MAX_WORD = 16,          /* bytes of the name of a DIP, a DIP's value or a difficulty, with its NUL */
-    MANIFEST_BYTES = 5256,  /* maximum size of the lump; equal on all hosts */
-    MANIFEST_WORK = 8 << 20 /* bytes of scratch memory for manifest_read */
+    NV_DEFAULT_KIB = 32,            /* default nvram_kib */
+    NV_MAX_KIB = 1024,              /* maximum nvram_kib */
+    MAX_SETTING_NAME = 16,          /* bytes of the name of a DIP, a DIP's value or a difficulty, with its NUL */
+    MANIFEST_BYTES = 5256,          /* maximum size of the lump; equal on all hosts */
+    MANIFEST_SCRATCH_SIZE = 8 << 20 /* bytes of scratch memory for manifest_read */
 };
 
 struct dip {
-    char name[MAX_WORD];
-    bool number;           /* true: any number from lo to hi; false: the index of a named value, 0 to values - 1 */
-    int32_t lo, hi, value; /* value: the default setting */
-    int32_t values;        /* number of named values; 0 for a number */
-    char value_name[MAX_DIP_VALUES][MAX_WORD];
+    char name[MAX_SETTING_NAME];
+    bool is_number; /* true: any number from lo to hi; false: the index of a named value, 0 to values - 1 */
+    int32_t lo, hi, default_value; /* default_value: the default setting */
+    int32_t n_values;              /* number of named values; 0 for a number */
+    char value_name[MAX_DIP_VALUES][MAX_SETTING_NAME];
 };
 
 struct manifest {
@@ -62,9 +62,9 @@ struct manifest {
     int32_t players;
     int64_t extends[MAX_EXTENDS]; /* scores that grant a life, ascending */
     int32_t n_extends;
-    char difficulties[MAX_DIFFICULTIES][MAX_WORD]; /* easiest first */
-    int32_t n_difficulties, difficulty;            /* difficulty: index of the default */
-    struct dip dips[MAX_DIPS];                     /* ascending by name */
+    char difficulties[MAX_DIFFICULTIES][MAX_SETTING_NAME]; /* easiest first */
+    int32_t n_difficulties, difficulty;                    /* difficulty: index of the default */
+    struct dip dips[MAX_DIPS];                             /* ascending by name */
     int32_t n_dips;
 };
 
@@ -85,7 +85,7 @@ enum {
     ART_CHARS = 8192,      /* bytes of a list of characters, with its NUL */
     ART_NAME = 32,
     ART_FILE = 96,
-    ART_TILES = 4 /* maximum pictures of tiles per map */
+    MAX_ART_TILES = 4 /* maximum pictures of tiles per map */
 };
 
 struct art_palette {
@@ -99,10 +99,10 @@ struct art_blend {
 
 struct art_font {
     char name[ART_NAME], file[ART_FILE];
-    int32_t w, h;          /* of a character's cell, px; 0: the file is a BDF font */
-    char chars[ART_CHARS]; /* characters of the cells, in reading order */
-    char also[ART_CHARS];  /* characters to pack even if no text uses them */
-    bool fixed;            /* all cells have the same width */
+    int32_t w, h;                /* of a character's cell, px; 0: the file is a BDF font */
+    char chars[ART_CHARS];       /* characters of the cells, in reading order */
+    char extra_chars[ART_CHARS]; /* characters to pack even if no text uses them */
+    bool fixed;                  /* all cells have the same width */
     bool shadow;
     bool by_index;
 };
@@ -114,33 +114,33 @@ struct art_sheet {
     bool by_index; /* shades come from the picture's palette indices, not from its colours */
 };
 
-/* For an Aseprite file, w, h, frames or every 0: the file's value. */
+/* For an Aseprite file, w, h, frames or frame_ticks 0: the file's value. */
 struct art_sprite {
     char name[ART_NAME];
     int32_t sheet;      /* index in art.sheets */
     char tag[ART_NAME]; /* selects the frames of an Aseprite file; "": all */
     int32_t x, y, w, h;
-    int32_t frames, every, rotations;
-    int32_t percent; /* scale: percent of the size on the sheet */
-    int32_t ox, oy;  /* origin, in px of the sheet */
-    bool origin;     /* ox, oy are set; otherwise the origin is the centre */
+    int32_t frames, frame_ticks, rotations;
+    int32_t scale_percent; /* scale: percent of the size on the sheet */
+    int32_t ox, oy;        /* origin, in px of the sheet */
+    bool has_origin;       /* ox, oy are set; otherwise the origin is the centre */
 };
 
-/* A tile map. Its cells are in a file, or in art.cells from index `cells` on. */
+/* A tile map. Its cells are in a file, or in art.cells from index `first_cell` on. */
 struct art_map {
     char name[ART_NAME], file[ART_FILE], layer[ART_NAME]; /* file "": cells are in art.cells; layer: of a .tmx file */
-    char tiles[ART_TILES][ART_FILE];    /* n_tiles pictures of tiles; only a .tmx file can have several */
-    char palette[ART_NAME];             /* as in struct art_sheet */
-    int32_t n_tiles, size, bank, first; /* size: px of a tile; 0: given by the file */
+    char tiles[MAX_ART_TILES][ART_FILE];          /* n_tiles pictures of tiles; only a .tmx file can have several */
+    char palette[ART_NAME];                       /* as in struct art_sheet */
+    int32_t n_tiles, tile_size, bank, first_tile; /* tile_size: px of a tile; 0: given by the file */
     bool by_index;
-    int32_t cells, cols, rows;
+    int32_t first_cell, cols, rows;
 };
 
 /* Which part of a sample loops. */
-enum art_loops { LOOP_OF_FILE, LOOP_NONE, LOOP_WHOLE, LOOP_GIVEN };
+enum art_loop_kind { LOOP_OF_FILE, LOOP_NONE, LOOP_WHOLE, LOOP_GIVEN };
 struct art_loop {
-    enum art_loops kind;
-    bool seconds;         /* start and length are in seconds; otherwise in sample frames of the file */
+    enum art_loop_kind kind;
+    bool in_seconds;      /* start and length are in seconds; otherwise in sample frames of the file */
     double start, length; /* length 0: up to the end */
 };
 
@@ -161,8 +161,9 @@ struct art_sound {
     bool exact;  /* stored with 16 bits per sample */
     bool stereo; /* a file with two channels plays on two voices */
     struct art_loop loop;
-    int32_t tempo, bar; /* tempo: hundredths of a beat per minute, 0: not given; bar: beats in a bar */
-    double offset;      /* seconds before the first beat */
+    int32_t tempo,
+        beats_per_bar; /* tempo: hundredths of a beat per minute, 0: not given; beats_per_bar: beats in a bar */
+    double offset;     /* seconds before the first beat */
     int32_t first_marker, n_markers;
 };
 
@@ -194,7 +195,7 @@ struct manifest_number {
     const char *name;
     size_t offset;
     int32_t lo, hi;
-    bool flag; /* written as true or false in rom.lua */
+    bool is_flag; /* written as true or false in rom.lua */
 };
 enum { MANIFEST_NUMBERS = 37 };
 extern const struct manifest_number manifest_numbers[MANIFEST_NUMBERS];
@@ -213,14 +214,15 @@ uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua, n bytes. file is the file's name in messages. folder is the default of the id; invalid
- * characters in it become _. work is MANIFEST_WORK bytes of scratch memory, 16-byte aligned: the text is Lua, which
- * runs without functions and with bounded memory and time. On failure returns false, with one sentence in err
+ * characters in it become _. work is MANIFEST_SCRATCH_SIZE bytes of scratch memory, 16-byte aligned: the text is Lua,
+ * which runs without functions and with bounded memory and time. On failure returns false, with one sentence in err
  * ("rom.lua: board.bulets: unknown name (did you mean "bullets"?)"). */
 bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,
-                   struct art *art, void *work, char *err, size_t err_size);
+                   struct art *art, void *scratch, char *err, size_t err_size);
 
-/* Returns whether s is a valid name of a DIP, a DIP's value or a difficulty: [A-Za-z0-9_-]+, shorter than MAX_WORD. */
-bool manifest_word_ok(const char *s);
+/* Returns whether s is a valid name of a DIP, a DIP's value or a difficulty: [A-Za-z0-9_-]+, shorter than
+ * MAX_SETTING_NAME. */
+bool manifest_setting_name_ok(const char *s);
 
 /* Returns whether s is a valid path of a script, sheet or data file in the game's folder: parts of [A-Za-z0-9_.-]+
  * joined by /, none of which starts with a dot. */

@@ -35,7 +35,7 @@ bool rom_name_ok(const char *name)
     for (size_t i = 0; i < n; i++)
         if (name[i] < 32 || name[i] > 126)
             return false;
-    return n > 0 && n < ROM_NAME;
+    return n > 0 && n < ROM_MAX_NAME;
 }
 
 static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_size)
@@ -60,9 +60,9 @@ static bool check_header(const uint8_t *p, size_t size, char *err, size_t err_si
 
 static bool check_name(const struct rom *rom, uint32_t i, char *err, size_t err_size)
 {
-    size_t at = bytes_get32(entry(rom, i)), names = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
+    size_t at = bytes_get32(entry(rom, i)), names_start = ROM_HEADER + (size_t)rom->count * ROM_ENTRY;
 
-    if (at < names || at >= rom->size || memchr(rom->data + at, 0, rom->size - at) == NULL)
+    if (at < names_start || at >= rom->size || memchr(rom->data + at, 0, rom->size - at) == NULL)
         return err_set(err, err_size, "lump %" PRIu32 ": its name is outside the file", i);
     if (!rom_name_ok(name_of(rom, i)))
         return err_set(err, err_size, "lump %" PRIu32 ": its name is empty, too long or not plain ASCII", i);
@@ -113,7 +113,7 @@ bool rom_open(struct rom *rom, const void *data, size_t size, char *err, size_t 
     return true;
 }
 
-int rom_first(const struct rom *rom, const char *prefix)
+int rom_find_first(const struct rom *rom, const char *prefix)
 {
     uint32_t lo = 0, hi = rom->count;
 
@@ -129,7 +129,7 @@ int rom_first(const struct rom *rom, const char *prefix)
 
 int rom_find(const struct rom *rom, const char *name)
 {
-    int i = rom_first(rom, name);
+    int i = rom_find_first(rom, name);
 
     return (uint32_t)i < rom->count && strcmp(name_of(rom, (uint32_t)i), name) == 0 ? i : -1;
 }
@@ -160,7 +160,7 @@ uint64_t rom_hash(const struct rom *rom)
     return h;
 }
 
-static bool tick_reads(const char *name)
+static bool is_read_by_ticks(const char *name)
 {
     return strcmp(name, "manifest") == 0 || strncmp(name, "script/", 7) == 0 || strncmp(name, "data/", 5) == 0 ||
            strncmp(name, "lang/", 5) == 0 || strncmp(name, "tune/", 5) == 0 || strncmp(name, "hit/", 4) == 0;
@@ -171,7 +171,7 @@ uint64_t rom_game_hash(const struct rom *rom)
     uint64_t h = HASH_START;
 
     for (uint32_t i = 0; i < rom->count; i++)
-        if (tick_reads(name_of(rom, i)))
+        if (is_read_by_ticks(name_of(rom, i)))
             h = fold_lump(h, rom, i);
     return h;
 }

@@ -21,7 +21,7 @@ enum {
     ROM_HEADER = 32, /* bytes before the directory */
     ROM_ENTRY = 16,  /* bytes per lump in the directory */
     ROM_ALIGN = 16,
-    ROM_NAME = 128 /* maximum bytes of a name, with its NUL */
+    ROM_MAX_NAME = 128 /* maximum bytes of a name, with its NUL */
 };
 
 struct rom {
@@ -48,7 +48,7 @@ int rom_find(const struct rom *rom, const char *name);
 void rom_lump(const struct rom *rom, int i, struct lump *out);
 
 /* Returns the index of the first lump whose name does not sort before prefix; lumps with that prefix start there. */
-int rom_first(const struct rom *rom, const char *prefix);
+int rom_find_first(const struct rom *rom, const char *prefix);
 
 /* Returns a hash of the names and bytes of all lumps. */
 uint64_t rom_hash(const struct rom *rom);
@@ -57,7 +57,7 @@ uint64_t rom_hash(const struct rom *rom);
  * and hit/. bulletml/, art, sounds and demos are not included. */
 uint64_t rom_game_hash(const struct rom *rom);
 
-/* Returns whether name is valid for a lump: 1 to ROM_NAME - 1 printable ASCII characters. */
+/* Returns whether name is valid for a lump: 1 to ROM_MAX_NAME - 1 printable ASCII characters. */
 bool rom_name_ok(const char *name);
 
 /* Returns the size in bytes of a ROM of n lumps; 0: 4 GiB or more. */

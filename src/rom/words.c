@@ -8,34 +8,35 @@
 #include "../base/bytes.h"
 #include "../base/err.h"
 
-enum { HEAD = 4, ENTRY = 8 };
+enum { HEADER_SIZE = 4, ENTRY_SIZE = 8 };
 
-const char *words_entry(const struct words *w, uint32_t i, const char **words)
+const char *words_entry(const struct words *w, uint32_t i, const char **translation)
 {
-    const uint8_t *entry = w->data + HEAD + (size_t)i * ENTRY;
+    const uint8_t *entry = w->data + HEADER_SIZE + (size_t)i * ENTRY_SIZE;
 
-    if (words)
-        *words = (const char *)w->data + bytes_get32(entry + 4);
+    if (translation)
+        *translation = (const char *)w->data + bytes_get32(entry + 4);
     return (const char *)w->data + bytes_get32(entry);
 }
 
 /* Returns whether a string of valid length starts at offset `at`, which must not be before `first`. */
 static bool string_ok(const uint8_t *data, size_t size, size_t first, uint32_t at)
 {
-    size_t most = at < size ? size - at : 0;
+    size_t limit = at < size ? size - at : 0;
 
-    return at >= first && memchr(data + at, 0, most < WORDS_TEXT ? most : WORDS_TEXT) != NULL;
+    return at >= first && memchr(data + at, 0, limit < WORDS_MAX_TEXT ? limit : WORDS_MAX_TEXT) != NULL;
 }
 
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    *w = (struct words){ data, size >= HEAD ? bytes_get32(data) : 0 };
-    if (size < HEAD || w->n > WORDS_MAX || size - HEAD < (size_t)w->n * ENTRY || (size > HEAD && data[size - 1] != 0))
+    *w = (struct words){ data, size >= HEADER_SIZE ? bytes_get32(data) : 0 };
+    if (size < HEADER_SIZE || w->n > WORDS_MAX_ENTRIES || size - HEADER_SIZE < (size_t)w->n * ENTRY_SIZE ||
+        (size > HEADER_SIZE && data[size - 1] != 0))
         return err_set(err, err_size, "not a table of %" PRIu32 " translations (%zu bytes)", w->n, size);
     for (uint32_t i = 0; i < w->n; i++) {
-        const uint8_t *entry = data + HEAD + (size_t)i * ENTRY;
-        if (!string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry)) ||
-            !string_ok(data, size, HEAD + (size_t)w->n * ENTRY, bytes_get32(entry + 4)))
+        const uint8_t *entry = data + HEADER_SIZE + (size_t)i * ENTRY_SIZE;
+        if (!string_ok(data, size, HEADER_SIZE + (size_t)w->n * ENTRY_SIZE, bytes_get32(entry)) ||
+            !string_ok(data, size, HEADER_SIZE + (size_t)w->n * ENTRY_SIZE, bytes_get32(entry + 4)))
             return err_set(err, err_size, "translation %" PRIu32 " is missing", i);
         if (i > 0 && strcmp(words_entry(w, i - 1, NULL), words_entry(w, i, NULL)) >= 0)
             return err_set(err, err_size, "translation %" PRIu32 " is out of order (expected byte order)", i);
@@ -55,13 +56,13 @@ static int compare(const char *s, const char *text, size_t n)
 const char *words_find(const struct words *w, const char *text, size_t n)
 {
     uint32_t lo = 0, hi = w->data ? w->n : 0;
-    const char *words;
+    const char *translation;
 
     while (lo < hi) {
         uint32_t mid = lo + (hi - lo) / 2;
-        int order = compare(words_entry(w, mid, &words), text, n);
+        int order = compare(words_entry(w, mid, &translation), text, n);
         if (!order)
-            return words;
+            return translation;
         if (order < 0)
             lo = mid + 1;
         else

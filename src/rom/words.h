@@ -11,7 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { WORDS_MAX = 16384, WORDS_TEXT = 1024 /* maximum bytes of an original or a translation, with the NUL */ };
+enum {
+    WORDS_MAX_ENTRIES = 16384,
+    WORDS_MAX_TEXT = 1024 /* maximum bytes of an original or a translation, with the NUL */
+};
 
 struct words {
     const uint8_t *data; /* NULL: no language */
@@ -22,7 +25,7 @@ struct words {
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size);
 
 /* Returns the original string of entry i, and stores its translation in *words unless words is NULL. */
-const char *words_entry(const struct words *w, uint32_t i, const char **words);
+const char *words_entry(const struct words *w, uint32_t i, const char **translation);
 
 /* Returns the translation of a text of n bytes, or NULL if there is none. */
 const char *words_find(const struct words *w, const char *text, size_t n);

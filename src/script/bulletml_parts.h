@@ -10,15 +10,15 @@
 #include "vm.h"
 
 enum {
-    MOST_COMMANDS = 100000, /* per runner and frame */
-    MOST_DEPTH = 4096,      /* nested repeats and calls */
-    LONGEST = 1 << 30       /* frames, for a wait or a term */
+    MAX_COMMANDS = 100000, /* per runner and frame */
+    MAX_CALL_DEPTH = 4096, /* nested repeats and calls */
+    MAX_DURATION = 1 << 30 /* frames, for a wait or a term */
 };
 
 /* Returns the factor that the per-frame step of a change is scaled by: steps are stored in units of 2^-32 /
- * bulletml_fine, so that rounding errors stay small when many steps are added. A step too large to be scaled is stored
- * as 0; the value is then interpolated each frame. */
-static inline int64_t bulletml_fine(int change)
+ * bulletml_step_scale, so that rounding errors stay small when many steps are added. A step too large to be scaled is
+ * stored as 0; the value is then interpolated each frame. */
+static inline int64_t bulletml_step_scale(int change)
 {
     return change == CHANGE_DIRECTION ? 1 << 12 : 1 << 20;
 }
@@ -31,44 +31,44 @@ struct turn {
     uint32_t now; /* the board's clock, in frames */
     fx x, y;      /* position of the runner's bullet or, for a top-level runner, of the root */
     bool vanishes;
-    bool steers; /* direction, speed or velocity changed */
+    bool steered; /* direction, speed or velocity changed */
 };
 
 /* The values of $1, $2, ... in an action, fire or bullet. They may not be in the parameter pool yet. */
-struct given {
+struct param_values {
     int n;
     const int64_t *value;
     uint32_t list; /* slot + 1; 0: not in the pool */
 };
 
 /* A bullet about to be fired. */
-struct fired {
+struct new_bullet {
     int64_t direction, speed; /* degrees in [0, 360), and document speed; both Q31.32 */
     uint32_t label;           /* label + 1; 0: none */
     uint32_t at;              /* program position of the bullet's actions; 0: none */
 };
 
 /* Executes the runner's due commands. */
-void bulletml_do(struct turn *t);
+void bulletml_execute(struct turn *t);
 
 /* Fires f from the runner's position. */
-void bulletml_fire(const struct turn *t, const struct fired *f, struct given *given);
+void bulletml_fire(const struct turn *t, const struct new_bullet *f, struct param_values *params);
 
 /* Reference counting of parameter lists. A list is identified by slot + 1; 0 means no list and is ignored.
- * bulletml_keep adds a reference. bulletml_let_list drops a reference, and frees the list if it was the last one.
- * bulletml_list returns a new list of n values with one reference, or 0 if the pool is full. */
-void bulletml_keep(struct board *b, uint32_t list);
-void bulletml_let_list(struct board *b, uint32_t list);
-uint32_t bulletml_list(struct board *b, const int64_t *value, int n);
+ * bulletml_retain_list adds a reference. bulletml_release_list drops a reference, and frees the list if it was the last
+ * one. bulletml_new_list returns a new list of n values with one reference, or 0 if the pool is full. */
+void bulletml_retain_list(struct board *b, uint32_t list);
+void bulletml_release_list(struct board *b, uint32_t list);
+uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n);
 
 /* Returns the document's direction from the runner to the nearest player, in degrees, Q31.32. */
-int64_t bulletml_aim(const struct turn *t);
+int64_t bulletml_aim_direction(const struct turn *t);
 
 /* Raises a script fault that names the runner's document and the line of command w. */
-void bulletml_fault(const struct turn *t, uint32_t w, const char *what);
+void bulletml_fault(const struct turn *t, uint32_t w, const char *message);
 
 /* Raises the fault for exceeding the frame's work limit, with the number of runners and of commands executed in all
  * documents. w: the current command. */
-void bulletml_too_much(const struct turn *t, uint32_t w);
+void bulletml_fault_work(const struct turn *t, uint32_t w);
 
 #endif

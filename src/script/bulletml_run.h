@@ -7,10 +7,10 @@
 #include <lua.h>
 #include "../machine/machine.h"
 
-/* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_let_go spawns the bullets
- * that the documents fired in the frame; it is called after the frame's hits. */
+/* bulletml_run runs all documents for one frame; it is called before bullets move. bulletml_spawn_fired spawns the
+ * bullets that the documents fired in the frame; it is called after the frame's hits. */
 void bulletml_run(struct board *b);
-void bulletml_let_go(struct board *b);
+void bulletml_spawn_fired(struct board *b);
 
 /* The arguments for starting a document. */
 struct bulletml_start {
@@ -18,12 +18,12 @@ struct bulletml_start {
     int64_t owner, follow; /* handles; owner 0: the board; follow 0: nothing */
     fx x, y, dx, dy;       /* dx, dy: offset from the followed entity */
     uint16_t kind, tag;
-    const uint16_t *kinds; /* ML_KINDS entries: bullet kind by label */
-    uint8_t bank, flags;   /* flags: ROOT_* */
-    uint32_t seed;         /* not 0 */
-    int64_t rank, pace;    /* Q31.32; pace: px a frame for speed 1 */
+    const uint16_t *kinds;     /* ML_KINDS entries: bullet kind by label */
+    uint8_t bank, flags;       /* flags: ROOT_* */
+    uint32_t seed;             /* not 0 */
+    int64_t rank, speed_scale; /* Q31.32; speed_scale: px a frame for speed 1 */
     ang angle;
-    int params;
+    int param_count;
     const int64_t *param;
 };
 
@@ -33,10 +33,10 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start);
 /* Ends the document in slot i. Its bullets continue. */
 void bulletml_stop(struct board *b, uint32_t i);
 
-/* bulletml_set_handler sets on_fire of the root in slot i to the value on top of the stack (popped). bulletml_tell
- * calls that function with a bullet's handle and the name of a label; `label` is the label's index + 1, or 0 to pass
- * nil. */
+/* bulletml_set_handler sets on_fire of the root in slot i to the value on top of the stack (popped).
+ * bulletml_call_handler calls that function with a bullet's handle and the name of a label; `label` is the label's
+ * index + 1, or 0 to pass nil. */
 void bulletml_set_handler(lua_State *L, uint32_t i);
-void bulletml_tell(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
+void bulletml_call_handler(lua_State *L, struct board *b, int64_t bullet, uint32_t i, uint32_t label);
 
 #endif

@@ -38,7 +38,7 @@ void events_open(lua_State *L)
     new_registry_table(L, &emitted_key);
 }
 
-void events_on(lua_State *L, int kind)
+void events_add_handler(lua_State *L, int kind)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
     if (lua_rawgeti(L, -1, kind) == LUA_TNIL) {
@@ -52,7 +52,7 @@ void events_on(lua_State *L, int kind)
     lua_pop(L, 3);
 }
 
-static int kind_named(const char *name)
+static int find_kind(const char *name)
 {
     for (int k = 0; k < EVENT_NAMES; k++)
         if (events_names[k] && !strcmp(events_names[k], name))
@@ -62,7 +62,7 @@ static int kind_named(const char *name)
 
 bool events_emit(struct board *b, lua_State *L, const char *name, int n)
 {
-    int kind = kind_named(name);
+    int kind = find_kind(name);
 
     if (kind < 0)
         return false;
@@ -75,16 +75,16 @@ bool events_emit(struct board *b, lua_State *L, const char *name, int n)
     lua_Integer at = (lua_Integer)lua_rawlen(L, -2) + 1;
     lua_rawseti(L, -2, at);
     lua_pop(L, 1);
-    board_event(b, EV_SCRIPT, at, (int64_t)kind << 8 | n);
+    board_raise_event(b, EV_SCRIPT, at, (int64_t)kind << 8 | n);
     return true;
 }
 
-enum { AN_EVENT = 30, A_HANDLER = 10 /* work per event and per handler call, excluding the handler's own work */ };
+enum { EVENT_WORK = 30, HANDLER_WORK = 10 /* work per event and per handler call, excluding the handler's own work */ };
 
-static void count(struct board *b, uint64_t work)
+static void charge(struct board *b, uint64_t work)
 {
-    if (!board_work(b, work))
-        board_too_much(
+    if (!board_charge_work(b, work))
+        board_raise_overload(
             b, "events: too many handler calls in one frame (%u events); raise fewer events or declare fewer handlers",
             b->events.n);
 }
@@ -96,9 +96,9 @@ static void call_handlers(lua_State *L, int kind, int n)
 
     luaL_checkstack(L, n + 4, NULL);
     lua_rawgetp(L, LUA_REGISTRYINDEX, &handlers_key);
-    lua_Integer handlers = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
-    for (lua_Integer h = 1; h <= handlers; h++) {
-        count(vm_board(L), A_HANDLER);
+    lua_Integer handler_count = lua_rawgeti(L, -1, kind) == LUA_TTABLE ? (lua_Integer)lua_rawlen(L, -1) : 0;
+    for (lua_Integer h = 1; h <= handler_count; h++) {
+        charge(vm_board(L), HANDLER_WORK);
         lua_rawgeti(L, -1, h);
         for (int i = 0; i < n; i++)
             lua_pushvalue(L, first + i);
@@ -107,7 +107,7 @@ static void call_handlers(lua_State *L, int kind, int n)
     lua_settop(L, first - 1);
 }
 
-static void push_thing(lua_State *L, int64_t h)
+static void push_handle_or_nil(lua_State *L, int64_t h)
 {
     if (h)
         lua_pushinteger(L, h);
@@ -115,23 +115,23 @@ static void push_thing(lua_State *L, int64_t h)
         lua_pushnil(L);
 }
 
-static void tell(lua_State *L, const struct event *e)
+static void call_event_handlers(lua_State *L, const struct event *e)
 {
-    push_thing(L, e->a);
-    push_thing(L, e->b);
+    push_handle_or_nil(L, e->a);
+    push_handle_or_nil(L, e->b);
     call_handlers(L, (int)e->kind, 2);
 }
 
-void events_set_function(lua_State *L, uint16_t kind, const char *what)
+void events_set_property(lua_State *L, uint16_t kind, const char *property)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_pushfstring(L, "%s %d", what, (int)kind);
+    lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_pushvalue(L, -3);
     lua_rawset(L, -3);
     lua_pop(L, 2);
 }
 
-void events_set_death(lua_State *L, uint32_t slot)
+void events_set_on_death(lua_State *L, uint32_t slot)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_insert(L, -2);
@@ -147,17 +147,17 @@ void events_set_drops(lua_State *L, uint32_t slot)
     lua_pop(L, 1);
 }
 
-void events_push_set(lua_State *L, uint16_t kind, const char *what)
+void events_push_property(lua_State *L, uint16_t kind, const char *property)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    lua_pushfstring(L, "%s %d", what, (int)kind);
+    lua_pushfstring(L, "%s %d", property, (int)kind);
     lua_rawget(L, -2);
     lua_remove(L, -2);
 }
 
-bool events_push_function(lua_State *L, uint16_t kind, const char *what)
+bool events_push_function(lua_State *L, uint16_t kind, const char *property)
 {
-    events_push_set(L, kind, what);
+    events_push_property(L, kind, property);
     if (lua_isfunction(L, -1))
         return true;
     lua_pop(L, 1);
@@ -166,30 +166,30 @@ bool events_push_function(lua_State *L, uint16_t kind, const char *what)
 
 /* Drops items at (x, y) as listed by the value on top of the stack (popped); does nothing if that is not a drop
  * list. */
-static void drop(lua_State *L, struct board *b, fx x, fx y)
+static void drop_items(lua_State *L, struct board *b, fx x, fx y)
 {
     if (lua_type(L, -1) == LUA_TSTRING)
-        api_drop_list(L, b, x, y);
+        api_drop_items(L, b, x, y);
     else
         lua_pop(L, 1);
 }
 
 /* Drops the items of the enemy's own drop list or, if it has none, of its kind's. */
-static void enemy_drops(lua_State *L, struct board *b, uint32_t i)
+static void drop_enemy_items(lua_State *L, struct board *b, uint32_t i)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
-    bool own = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
+    bool has_own_list = lua_rawgeti(L, -1, -(lua_Integer)i - 1) == LUA_TSTRING;
     lua_remove(L, -2);
-    if (!own) {
+    if (!has_own_list) {
         lua_pop(L, 1);
-        events_push_set(L, b->enemies.kind[i], "drops");
+        events_push_property(L, b->enemies.kind[i], "drops");
     }
-    drop(L, b, b->enemies.x[i], b->enemies.y[i]);
+    drop_items(L, b, b->enemies.x[i], b->enemies.y[i]);
 }
 
 /* Pushes the enemy's own on_death or, if it has none, its kind's. Returns false, with nothing pushed, if neither
  * exists. */
-static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
+static bool push_on_death(lua_State *L, uint32_t slot, uint16_t kind)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &functions_key);
     lua_rawgeti(L, -1, (lua_Integer)slot + 1);
@@ -201,42 +201,42 @@ static bool push_death(lua_State *L, uint32_t slot, uint16_t kind)
 }
 
 /* Emits the sparks of a death. spark: spark kind + 1; 0: none. */
-static void death_sparks(struct board *b, uint16_t spark, fx x, fx y)
+static void emit_death_sparks(struct board *b, uint16_t spark, fx x, fx y)
 {
     if (spark)
-        board_sparks(
+        board_burst_sparks(
             b, &(struct spark_burst){
                    .x = x, .y = y, .speed = 2 << 16, .spread = UINT32_MAX, .kind = (uint16_t)(spark - 1), .n = 12 });
 }
 
 /* Calls the function below the n arguments on top of the stack (all popped) as a handler of enemy i, in the enemy's
  * scene. */
-static void call_own(struct board *b, lua_State *L, uint32_t i, int n)
+static void call_enemy_handler(struct board *b, lua_State *L, uint32_t i, int n)
 {
-    struct tasks_now was = tasks_act_for_scene(b, b->enemies.owner[i]);
+    struct tasks_context saved = tasks_enter_scene(b, b->enemies.owner[i]);
 
     lua_call(L, n, 0);
-    tasks_act_for(b, was);
+    tasks_set_context(b, saved);
 }
 
 /* Removes the parts of an enemy that died and emits their sparks, in slot order. A part that has parts is removed after
  * them. */
-static void burst_parts(struct board *b, uint32_t body)
+static void remove_parts(struct board *b, uint32_t body)
 {
     struct enemies *e = &b->enemies;
 
-    if (!e->parts || !e->parts[body])
+    if (!e->n_parts || !e->n_parts[body])
         return;
     EACH_LIVE (i, &e->s) {
         if (e->body[i] != body + 1 || e->flags[i] & ENEMY_DYING)
             continue;
-        burst_parts(b, i);
-        death_sparks(b, b->enemy_kinds.spark[e->kind[i]], e->x[i], e->y[i]);
+        remove_parts(b, i);
+        emit_death_sparks(b, b->enemy_kinds.spark[e->kind[i]], e->x[i], e->y[i]);
         enemies_drop(e, i);
     }
 }
 
-void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player)
+void events_kill_enemy(struct board *b, lua_State *L, uint32_t i, uint32_t player)
 {
     uint16_t kind = b->enemies.kind[i];
     int64_t h = board_handle(b, H_ENEMY, (int32_t)i), p = player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0;
@@ -245,64 +245,65 @@ void events_enemy_die(struct board *b, lua_State *L, uint32_t i, uint32_t player
         return;
     b->enemies.flags[i] |= ENEMY_DYING;
     if (player)
-        board_score(b, player - 1, b->enemy_kinds.score[kind]);
-    death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
-    board_event(b, EV_KILL, h, p);
-    sound_cue(b, CUE_KILL, b->enemies.x[i]);
+        board_add_score(b, player - 1, b->enemy_kinds.score[kind]);
+    emit_death_sparks(b, b->enemy_kinds.spark[kind], b->enemies.x[i], b->enemies.y[i]);
+    board_raise_event(b, EV_KILL, h, p);
+    sound_play_cue(b, CUE_KILL, b->enemies.x[i]);
     b->enemies.hp[i] = 0;
     if (b->items.s.cap)
-        enemy_drops(L, b, i);
-    if (push_death(L, i, kind)) { /* on_death can still read the enemy's position */
-        push_thing(L, h);
-        push_thing(L, p);
-        call_own(b, L, i, 2);
+        drop_enemy_items(L, b, i);
+    if (push_on_death(L, i, kind)) { /* on_death can still read the enemy's position */
+        push_handle_or_nil(L, h);
+        push_handle_or_nil(L, p);
+        call_enemy_handler(b, L, i, 2);
     }
-    if (board_there(b, h))
-        burst_parts(b, i);
+    if (board_is_readable(b, h))
+        remove_parts(b, i);
 }
 
 /* Returns whether an event about entity h still takes effect, i.e. whether h has not been removed or killed since the
  * event was raised. */
-static bool counts(const struct board *b, int64_t h)
+static bool still_exists(const struct board *b, int64_t h)
 {
-    if (!board_there(b, h))
+    if (!board_is_readable(b, h))
         return false;
     return handle_kind(h) != H_ENEMY || !(b->enemies.flags[handle_slot(h)] & ENEMY_DYING);
 }
 
 /* Takes `amount`, in 2^-32 hp, from one enemy. Sets *body to the handle of the enemy's body, or 0 if it has none, and
  * returns the share of the amount that is passed on to the body. */
-static uint64_t hurt_one(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player, int64_t *body)
+static uint64_t hurt_one_enemy(struct board *b, lua_State *L, uint32_t i, uint64_t amount, uint32_t player,
+                               int64_t *body)
 {
     struct enemies *e = &b->enemies;
 
     *body = e->body[i] ? board_handle(b, H_ENEMY, e->body[i] - 1) : 0;
-    if (e->safe[i] || !enemies_share(amount, e->rate[i]))
+    if (e->safe_left[i] || !enemies_scale_damage(amount, e->rate[i]))
         return 0;
-    const uint64_t on = enemies_share(enemies_damage(e, i, amount), e->share[i]);
+    const uint64_t passed_on = enemies_scale_damage(enemies_damage(e, i, amount), e->share[i]);
     enemies_blink(e, &b->enemy_kinds, i);
     if (!e->hp[i] && !(e->flags[i] & ENEMY_UNDYING))
-        events_enemy_die(b, L, i, player);
-    return on;
+        events_kill_enemy(b, L, i, player);
+    return passed_on;
 }
 
-/* Like events_enemy_hurt, for boards on which enemies may be parts. A handler may remove the body before the body takes
+/* Like events_hurt_enemy, for boards on which enemies may be parts. A handler may remove the body before the body takes
  * its share. */
 static bool hurt_bodies(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     const int64_t first = board_handle(b, H_ENEMY, (int32_t)i);
     uint64_t amount = (uint64_t)n << 32;
 
-    for (int64_t h = first, body; amount && counts(b, h); h = body)
-        amount = hurt_one(b, L, handle_slot(h), amount, player, &body);
-    return !counts(b, first);
+    for (int64_t h = first, body; amount && still_exists(b, h); h = body)
+        amount = hurt_one_enemy(b, L, handle_slot(h), amount, player, &body);
+    return !still_exists(b, first);
 }
 
-bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
+bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uint32_t player)
 {
     struct enemies *e = &b->enemies;
 
-    if (e->safe[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
+    if (e->safe_left[i] || n <= 0 || e->flags[i] & ENEMY_DYING)
         return false;
     if (e->rate)
         return hurt_bodies(b, L, i, n, player);
@@ -310,12 +311,12 @@ bool events_enemy_hurt(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
     enemies_blink(e, &b->enemy_kinds, i);
     if (e->hp[i] || e->flags[i] & ENEMY_UNDYING)
         return false;
-    events_enemy_die(b, L, i, player);
+    events_kill_enemy(b, L, i, player);
     return true;
 }
 
 /* Removes a bullet or shot that is live or held. */
-static void take_away(struct board *b, struct bullets *s, int64_t h)
+static void remove_bullet(struct board *b, struct bullets *s, int64_t h)
 {
     if (board_alive(b, h))
         bullets_drop(s, handle_slot(h));
@@ -324,14 +325,14 @@ static void take_away(struct board *b, struct bullets *s, int64_t h)
 }
 
 /* Uses up shot h, which hit `entity`, unless the shot pierces it. */
-static void spend(struct board *b, int64_t h, int64_t entity)
+static void use_up_shot(struct board *b, int64_t h, int64_t entity)
 {
     if (!bullets_pierce(&b->shots, &b->shot_kinds, handle_slot(h), entity, b->core.clock))
-        take_away(b, &b->shots, h);
+        remove_bullet(b, &b->shots, h);
 }
 
 /* Destroys bullet h, whose hp reached 0. on_death can still read the bullet, which is no longer alive. */
-static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player)
+static void destroy_bullet(struct board *b, lua_State *L, int64_t h, uint32_t player)
 {
     const struct bullet_kinds *k = &b->bullet_kinds;
     uint32_t i = handle_slot(h);
@@ -340,24 +341,24 @@ static void bullet_die(struct board *b, lua_State *L, int64_t h, uint32_t player
     if (board_alive(b, h))
         bullets_hold(&b->bullets, i);
     if (player)
-        board_score(b, player - 1, k->score[kind]);
-    death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
+        board_add_score(b, player - 1, k->score[kind]);
+    emit_death_sparks(b, k->spark[kind], b->bullets.x[i], b->bullets.y[i]);
     if (b->items.s.cap) {
-        events_push_set(L, kind, "bullet's drops");
-        drop(L, b, b->bullets.x[i], b->bullets.y[i]);
+        events_push_property(L, kind, "bullet's drops");
+        drop_items(L, b, b->bullets.x[i], b->bullets.y[i]);
     }
     if (events_push_function(L, kind, "bullet's on_death")) {
-        push_thing(L, h);
-        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+        push_handle_or_nil(L, h);
+        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
         lua_call(L, 2, 0);
     }
-    if (board_there(b, h))
+    if (board_is_readable(b, h))
         bullets_release(&b->bullets, i);
 }
 
 /* Applies a shot's hit on a bullet: damages a bullet that has hp; cancels one that has none. Earlier events of the
  * frame may have changed the bullet. */
-static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
+static void hit_bullet(struct board *b, lua_State *L, const struct event *e)
 {
     const struct bullets *s = &b->bullets;
     uint32_t shot = handle_slot(e->a), i = handle_slot(e->b), player = b->shots.player[shot];
@@ -366,43 +367,43 @@ static void shoot_bullet(struct board *b, lua_State *L, const struct event *e)
 
     if (s->hp && s->hp[i]) {
         if (s->hp[i] == HP_FOREVER) {
-            take_away(b, &b->shots, e->a);
+            remove_bullet(b, &b->shots, e->a);
             return;
         }
-        spend(b, e->a, e->b);
+        use_up_shot(b, e->a, e->b);
         s->hp[i] = damage >= s->hp[i] ? 0 : s->hp[i] - damage;
         if (s->hp[i] == 0)
-            bullet_die(b, L, e->b, player);
+            destroy_bullet(b, L, e->b, player);
     } else if (cancels && !(b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED)) {
-        spend(b, e->a, e->b);
-        board_vanish(b, i);
-        take_away(b, &b->bullets, e->b);
+        use_up_shot(b, e->a, e->b);
+        board_spawn_vanish_spark(b, i);
+        remove_bullet(b, &b->bullets, e->b);
     }
 }
 
 /* Applies a shot's hit. An enemy that still exists uses up the shot even if the enemy is safe. */
 static void apply_shot(struct board *b, lua_State *L, const struct event *e)
 {
-    if (!counts(b, e->a) || !counts(b, e->b))
+    if (!still_exists(b, e->a) || !still_exists(b, e->b))
         return;
     if (handle_kind(e->b) == H_BULLET) {
-        shoot_bullet(b, L, e);
+        hit_bullet(b, L, e);
         return;
     }
     uint32_t shot = handle_slot(e->a), i = handle_slot(e->b);
     int32_t damage = b->shot_kinds.damage[b->shots.kind[shot]];
     uint32_t player = b->shots.player[shot];
-    spend(b, e->a, e->b);
-    if (!events_enemy_hurt(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
-        push_thing(L, e->b);
-        push_thing(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
+    use_up_shot(b, e->a, e->b);
+    if (!events_hurt_enemy(b, L, i, damage, player) && events_push_function(L, b->enemies.kind[i], "on_hit")) {
+        push_handle_or_nil(L, e->b);
+        push_handle_or_nil(L, player ? board_handle(b, H_PLAYER, (int32_t)player - 1) : 0);
         lua_pushinteger(L, damage);
-        call_own(b, L, i, 3);
+        call_enemy_handler(b, L, i, 3);
     }
 }
 
 /* Returns the handle of the player who fired a laser or shot, or 0. */
-static int64_t shooter(const struct board *b, const struct bullets *s, uint32_t i)
+static int64_t shooter_handle(const struct board *b, const struct bullets *s, uint32_t i)
 {
     return s->player[i] ? board_handle(b, H_PLAYER, s->player[i] - 1) : 0;
 }
@@ -417,50 +418,50 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
         return;
     const uint16_t kind = b->laser_heads.kind[i];
     const int32_t damage = b->laser_kinds.damage[kind];
-    b->lasers.again[i * PADS] = b->core.clock + b->laser_kinds.every[kind];
+    b->lasers.rehit_clock[i * PADS] = b->core.clock + b->laser_kinds.hit_interval[kind];
     EACH_LIVE (k, &b->enemies.s) {
         if (!board_alive(b, e->a))
             return;
         if (b->enemies.flags[k] & ENEMY_DYING)
             continue;
-        hit_laser_work(b, i, k);
-        if (!hit_laser_enemy(b, i, k))
+        hit_charge_laser(b, i, k);
+        if (!hit_laser_touches_enemy(b, i, k))
             continue;
         b->counts.hit++;
-        if (events_enemy_hurt(b, L, k, damage, b->laser_heads.player[i]) ||
+        if (events_hurt_enemy(b, L, k, damage, b->laser_heads.player[i]) ||
             !events_push_function(L, b->enemies.kind[k], "on_hit"))
             continue;
-        push_thing(L, board_handle(b, H_ENEMY, (int32_t)k));
-        push_thing(L, shooter(b, &b->laser_heads, i));
+        push_handle_or_nil(L, board_handle(b, H_ENEMY, (int32_t)k));
+        push_handle_or_nil(L, shooter_handle(b, &b->laser_heads, i));
         lua_pushinteger(L, damage);
-        call_own(b, L, k, 3);
+        call_enemy_handler(b, L, k, 3);
     }
 }
 
 /* Removes a blocked bullet, unless a shot of this frame killed its blocker. */
 static void apply_block(struct board *b, const struct event *e)
 {
-    if (counts(b, e->a) && counts(b, e->b))
+    if (still_exists(b, e->a) && still_exists(b, e->b))
         bullets_drop(&b->bullets, handle_slot(e->a));
 }
 
 /* Removes bullet h of a pair that met, and emits the pair's spark or, if it has none, the bullet kind's. Does nothing
  * if the bullet no longer exists, or if its kind is immune to clearing and the pair does not clear all. */
-static void meet_take(struct board *b, uint32_t pair, int64_t h)
+static void remove_met_bullet(struct board *b, uint32_t pair, int64_t h)
 {
     const struct bullets *s = &b->bullets;
     uint32_t i = handle_slot(h);
 
-    if (!counts(b, h))
+    if (!still_exists(b, h))
         return;
     if (b->bullet_kinds.flags[s->kind[i]] & KIND_FIXED && !(s->meet_flags[pair] & MEET_ALL))
         return;
     if (s->meet_spark[pair])
-        board_sparks(b, &(struct spark_burst){
-                            .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(s->meet_spark[pair] - 1), .n = 1 });
+        board_burst_sparks(b, &(struct spark_burst){
+                                  .x = s->x[i], .y = s->y[i], .kind = (uint16_t)(s->meet_spark[pair] - 1), .n = 1 });
     else
-        board_vanish(b, i);
-    take_away(b, &b->bullets, h);
+        board_spawn_vanish_spark(b, i);
+    remove_bullet(b, &b->bullets, h);
 }
 
 /* Applies the meeting of two bullets, if both still exist: calls the pair's handler, then removes the bullets that the
@@ -469,45 +470,45 @@ static void apply_meet(struct board *b, lua_State *L, const struct event *e)
 {
     uint8_t flags = b->bullets.meet_flags[e->pair];
 
-    if (!(counts(b, e->a) && counts(b, e->b)))
+    if (!(still_exists(b, e->a) && still_exists(b, e->b)))
         return;
     if (events_push_function(L, (uint16_t)e->pair, "on_meet")) {
-        push_thing(L, e->a);
-        push_thing(L, e->b);
+        push_handle_or_nil(L, e->a);
+        push_handle_or_nil(L, e->b);
         lua_call(L, 2, 0);
     }
     if (flags & MEET_FIRST)
-        meet_take(b, e->pair, e->a);
+        remove_met_bullet(b, e->pair, e->a);
     if (flags & MEET_SECOND)
-        meet_take(b, e->pair, e->b);
+        remove_met_bullet(b, e->pair, e->b);
 }
 
 static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
 
-    if (!counts(b, e->b) || !board_alive(b, e->a))
+    if (!still_exists(b, e->b) || !board_alive(b, e->a))
         return;
     if (handle_kind(e->b) == H_LASER)
-        b->lasers.again[i * PADS + p] = b->core.clock + b->laser_kinds.graze[b->laser_heads.kind[i]];
+        b->lasers.rehit_clock[i * PADS + p] = b->core.clock + b->laser_kinds.graze_interval[b->laser_heads.kind[i]];
     else
         b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
-    sound_cue(b, CUE_GRAZE, b->player.x[p]);
-    tell(L, e);
+    sound_play_cue(b, CUE_GRAZE, b->player.x[p]);
+    call_event_handlers(L, e);
 }
 
 /* Returns whether the register named by the item kind's `full` is at its maximum; the item then gives only points. The
  * name is looked up among the ship's registers, then among the run's. */
-static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
+static bool is_register_full(lua_State *L, const struct board *b, uint32_t p, uint16_t kind)
 {
     const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full_register[kind] - 1);
-    int reg = name ? api_player_register(L, b, p, name) : -1;
+    int reg = name ? api_find_player_register(L, b, p, name) : -1;
 
     if (reg >= 0)
-        return registers_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
-    reg = name ? api_run_register(L, name) : -1;
-    return reg >= 0 && board_run_full(b, (uint32_t)reg);
+        return registers_is_full(&b->registers, board_register_row(b, p, (uint32_t)reg), p);
+    reg = name ? api_find_run_register(L, name) : -1;
+    return reg >= 0 && board_run_register_is_full(b, (uint32_t)reg);
 }
 
 /* Adds the item kind's amounts to the registers that it names: the ship's or, if the ship has no such register, the
@@ -515,35 +516,36 @@ static bool is_full(lua_State *L, const struct board *b, uint32_t p, uint16_t ki
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
     for (int k = 0; k < ITEM_REGISTERS; k++) {
-        const int32_t n = b->item_kinds.gives[kind * ITEM_REGISTERS + k];
+        const int32_t n = b->item_kinds.register_amounts[kind * ITEM_REGISTERS + k];
         const char *name = n ? board_name(b, N_ITEM_REGISTER, k) : NULL;
-        int reg = n ? api_player_register(L, b, p, name) : -1;
+        int reg = n ? api_find_player_register(L, b, p, name) : -1;
         if (reg >= 0)
-            board_set_register(b, p, (uint32_t)reg, (int64_t)board_register(b, p, (uint32_t)reg) + n);
-        else if (n && (reg = api_run_register(L, name)) >= 0)
-            board_set_run_register(b, (uint32_t)reg, (int64_t)board_run_register(b, (uint32_t)reg) + n);
+            board_set_register(b, p, (uint32_t)reg, (int64_t)board_get_register(b, p, (uint32_t)reg) + n);
+        else if (n && (reg = api_find_run_register(L, name)) >= 0)
+            board_set_run_register(b, (uint32_t)reg, (int64_t)board_get_run_register(b, (uint32_t)reg) + n);
     }
 }
 
 int64_t events_item_points(const struct board *b, uint32_t p, uint16_t kind)
 {
-    const fx line = b->player_kinds.line[b->player.kind[p]];
+    const fx line = b->player_kinds.collect_line[b->player.kind[p]];
 
-    return items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line, (fx)(b->cart.m.field_h << 16));
+    return items_points(&b->item_kinds, kind, b->player.y[p], line == FX_MIN ? 0 : line,
+                        (fx)(b->cart.manifest.field_h << 16));
 }
 
-static void give(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
+static void give_item(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
-    const bool full = is_full(L, b, p, kind);
+    const bool full = is_register_full(L, b, p, kind);
 
-    board_score(b, p, events_item_points(b, p, kind));
+    board_add_score(b, p, events_item_points(b, p, kind));
     if (full)
         return;
     give_registers(L, b, p, kind);
     if (!b->item_kinds.lives[kind])
         return;
-    b->player.lives[p] = (int32_t)int64_min((int64_t)b->player.lives[p] + b->item_kinds.lives[kind], MOST_LIVES);
-    board_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    b->player.lives[p] = (int32_t)int64_min((int64_t)b->player.lives[p] + b->item_kinds.lives[kind], MAX_LIVES);
+    board_raise_event(b, EV_EXTEND, board_handle(b, H_PLAYER, (int32_t)p), 0);
 }
 
 /* Applies the taking of an item. Handlers can still read the item, which is no longer alive. A player who was hit in
@@ -554,53 +556,53 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
 
     if (!board_alive(b, e->a) || !board_alive(b, e->b))
         return;
-    slots_hold(&b->items.s, b->items.taken, i);
-    give(L, b, p, b->items.kind[i]);
-    sound_cue(b, CUE_ITEM, b->player.x[p]);
+    slots_hold(&b->items.s, b->items.collected, i);
+    give_item(L, b, p, b->items.kind[i]);
+    sound_play_cue(b, CUE_ITEM, b->player.x[p]);
     if (events_push_function(L, b->items.kind[i], "item's on_take")) {
-        push_thing(L, e->a);
-        push_thing(L, e->b);
+        push_handle_or_nil(L, e->a);
+        push_handle_or_nil(L, e->b);
         lua_call(L, 2, 0);
     }
-    tell(L, e);
-    if (board_there(b, e->b))
+    call_event_handlers(L, e);
+    if (board_is_readable(b, e->b))
         slots_release(&b->items.s, i);
 }
 
-static bool anyone_in(const struct board *b)
+static bool any_player_in_game(const struct board *b)
 {
-    return b->player.in[0] || b->player.in[1];
+    return b->player.in_game[0] || b->player.in_game[1];
 }
 
-void events_game_over(struct board *b)
+void events_check_game_over(struct board *b)
 {
-    if (b->core.over || anyone_in(b) || b->core.continues[0] || b->core.continues[1])
+    if (b->core.game_over || any_player_in_game(b) || b->core.continues_left[0] || b->core.continues_left[1])
         return;
-    b->core.over = 1;
-    board_event(b, EV_GAME_OVER, 0, 0);
+    b->core.game_over = 1;
+    board_raise_event(b, EV_GAME_OVER, 0, 0);
 }
 
-void events_player_start(const struct board *b, uint32_t p, fx *x, fx *y)
+void events_player_start_position(const struct board *b, uint32_t p, fx *x, fx *y)
 {
-    const struct manifest *m = &b->cart.m;
-    bool two = b->player.in[0] && b->player.in[1];
+    const struct manifest *m = &b->cart.manifest;
+    bool is_two_player = b->player.in_game[0] && b->player.in_game[1];
 
-    *x = (fx)(m->field_w << 15) + (two ? (p ? 1 : -1) * (m->field_w << 13) : 0);
+    *x = (fx)(m->field_w << 15) + (is_two_player ? (p ? 1 : -1) * (m->field_w << 13) : 0);
     *y = (fx)((m->field_h << 16) - (m->field_h << 16) / 8);
 }
 
-void events_player_die(struct board *b, uint32_t p)
+void events_kill_player(struct board *b, uint32_t p)
 {
-    board_event(b, EV_DEATH, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    board_raise_event(b, EV_DEATH, board_handle(b, H_PLAYER, (int32_t)p), 0);
     board_add_marker(b, MARKER_DEATH, p ? "2" : "1", "", "", 0);
-    b->player.safe[p] = b->player_kinds.safe[b->player.kind[p]];
-    if (b->player.safe[p] == 0)
-        b->player.safe[p] = 1;
+    b->player.safe_left[p] = b->player_kinds.safe_frames[b->player.kind[p]];
+    if (b->player.safe_left[p] == 0)
+        b->player.safe_left[p] = 1;
     b->player.lives[p]--;
 }
 
 /* Fades the beams that player p is firing. */
-static void let_beams_go(struct board *b, uint32_t p)
+static void fade_beams(struct board *b, uint32_t p)
 {
     const struct bullets *h = &b->laser_heads;
 
@@ -616,16 +618,16 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     if (b->start.practice.invincible) /* tested only here; does not affect `safe`, which scripts read and write */
         return;
     /* An earlier handler may have removed the entity that hit the player. */
-    if (!board_alive(b, e->a) || b->player.safe[p] || b->player.deathbomb_left[p] || !counts(b, e->b))
+    if (!board_alive(b, e->a) || b->player.safe_left[p] || b->player.deathbomb_left[p] || !still_exists(b, e->b))
         return;
-    tell(L, e);
-    if (!board_alive(b, e->a) || b->player.safe[p]) /* a handler may have saved the player */
+    call_event_handlers(L, e);
+    if (!board_alive(b, e->a) || b->player.safe_left[p]) /* a handler may have saved the player */
         return;
-    sound_cue(b, CUE_HIT, b->player.x[p]);
-    let_beams_go(b, p);
-    b->player.deathbomb_left[p] = b->player_kinds.deathbomb[b->player.kind[p]];
+    sound_play_cue(b, CUE_HIT, b->player.x[p]);
+    fade_beams(b, p);
+    b->player.deathbomb_left[p] = b->player_kinds.deathbomb_frames[b->player.kind[p]];
     if (!b->player.deathbomb_left[p])
-        events_player_die(b, p);
+        events_kill_player(b, p);
 }
 
 /* The handlers of on.death see the player where it died; then the player respawns or leaves the game. */
@@ -634,29 +636,29 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
     uint32_t p = handle_slot(e->a);
     fx x, y;
 
-    tell(L, e);
-    items_let_go(&b->items, p);
+    call_event_handlers(L, e);
+    items_release(&b->items, p);
     if (!board_alive(b, e->a))
         return;
     if (b->player.lives[p] >= 0) {
-        events_player_start(b, p, &x, &y);
-        player_place(&b->player, p, x, y);
+        events_player_start_position(b, p, &x, &y);
+        player_set_position(&b->player, p, x, y);
         return;
     }
     b->player.lives[p] = 0;
     player_leave(&b->player, p);
-    options_drop_of(&b->options, p, 0);
-    events_game_over(b);
+    options_drop_from(&b->options, p, 0);
+    events_check_game_over(b);
 }
 
 /* The handlers of on.kill and on.leave can still read the enemy, which is removed after they return. An enemy killed
  * while leaving raises no on.leave. */
-static void apply_end(struct board *b, lua_State *L, const struct event *e)
+static void apply_enemy_end(struct board *b, lua_State *L, const struct event *e)
 {
-    if (e->kind == EV_LEAVE && !counts(b, e->a))
+    if (e->kind == EV_LEAVE && !still_exists(b, e->a))
         return;
-    tell(L, e);
-    if (board_there(b, e->a))
+    call_event_handlers(L, e);
+    if (board_is_readable(b, e->a))
         enemies_drop(&b->enemies, handle_slot(e->a));
 }
 
@@ -677,12 +679,12 @@ static void apply_emitted(lua_State *L, const struct event *e)
 
 static void apply_bomb(lua_State *L, const struct event *e)
 {
-    push_thing(L, e->a);
+    push_handle_or_nil(L, e->a);
     lua_pushboolean(L, e->b != 0);
     call_handlers(L, EV_BOMB, 2);
 }
 
-static void apply(struct board *b, lua_State *L, const struct event *e)
+static void apply_event(struct board *b, lua_State *L, const struct event *e)
 {
     switch ((enum event_kind)e->kind) {
     case EV_GRAZE:
@@ -717,33 +719,33 @@ static void apply(struct board *b, lua_State *L, const struct event *e)
         break;
     case EV_FIRED:
         if (board_alive(b, e->a))
-            bulletml_tell(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
+            bulletml_call_handler(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
         break;
     case EV_KILL:
     case EV_LEAVE:
-        apply_end(b, L, e);
+        apply_enemy_end(b, L, e);
         break;
     case EV_EXTEND:
-        sound_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
-        tell(L, e);
+        sound_play_cue(b, CUE_EXTEND, b->player.x[handle_slot(e->a)]);
+        call_event_handlers(L, e);
         break;
     case EV_GAME_OVER:
     case EV_CONTINUE:
-        tell(L, e);
+        call_event_handlers(L, e);
         break;
     }
 }
 
-void events_start(lua_State *L, int64_t game)
+void events_call_start(lua_State *L, int64_t game)
 {
     struct board *b = vm_board(L);
-    const struct tasks_now was = { b->tasks.now_owner, b->tasks.now_scene };
+    const struct tasks_context saved = { b->tasks.now_owner, b->tasks.now_scene };
     const int32_t current = b->tasks.current;
 
     b->tasks.current = NO_SLOT; /* a handler cannot wait */
-    tasks_act_for(b, (struct tasks_now){ game, 0 });
+    tasks_set_context(b, (struct tasks_context){ game, 0 });
     call_handlers(L, EV_START, 0);
-    tasks_act_for(b, was);
+    tasks_set_context(b, saved);
     b->tasks.current = current;
 }
 
@@ -754,8 +756,8 @@ int events_run(lua_State *L)
     luaL_checkstack(L, 32, NULL);
     for (uint32_t i = 0; i < b->events.n; i++) {
         struct event e = events_at(&b->events, i);
-        count(b, AN_EVENT);
-        apply(b, L, &e);
+        charge(b, EVENT_WORK);
+        apply_event(b, L, &e);
     }
     b->events.n = 0;
     bullets_release_all(&b->bullets); /* invariant: nothing is held between frames */

@@ -26,11 +26,11 @@ struct force {
 };
 
 /* Returns whether that player is in the game, visible or not. */
-bool force_in_game(const struct board *b, int player);
+bool force_player_in_game(const struct board *b, int player);
 
 /* Applies `force` between two frames and calls the handlers of the events that it raises. Returns false on a script
- * fault, which is in board_last(b)->fault. The board must not have a fault yet. Afterwards the run can no longer be
- * replayed from pads alone. */
+ * fault, which is in board_last_output(b)->fault. The board must not have a fault yet. Afterwards the run can no longer
+ * be replayed from pads alone. */
 bool force_run(struct board *b, const struct force *force);
 
 #endif

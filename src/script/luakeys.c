@@ -42,14 +42,14 @@ static int compare(lua_State *L, int a, int b)
     if (!rank)
         return lua_compare(L, b, a, LUA_OPLT) - lua_compare(L, a, b, LUA_OPLT);
     const char *s = lua_tolstring(L, a, &n), *t = lua_tolstring(L, b, &m);
-    const int bytes = memcmp(s, t, n < m ? n : m);
-    return bytes ? bytes : (n > m) - (n < m);
+    const int difference = memcmp(s, t, n < m ? n : m);
+    return difference ? difference : (n > m) - (n < m);
 }
 
 int luakeys_next(lua_State *L, int at)
 {
     const int last = lua_gettop(L), next = last + 1;
-    int like = 0;
+    int ties = 0;
 
     luaL_checkstack(L, 8, NULL);
     lua_pushnil(L);
@@ -57,25 +57,25 @@ int luakeys_next(lua_State *L, int at)
         lua_pop(L, 1);
         if (!lua_isnil(L, last) && compare(L, next + 1, last) <= 0)
             continue;
-        const int order = like ? compare(L, next + 1, next) : -1;
+        const int order = ties ? compare(L, next + 1, next) : -1;
         if (order < 0) {
             lua_pushvalue(L, -1);
             lua_replace(L, next);
         }
-        like = order < 0 ? 1 : like + (order == 0);
+        ties = order < 0 ? 1 : ties + (order == 0);
     }
     lua_replace(L, last);
-    if (!like)
+    if (!ties)
         lua_pop(L, 1);
-    return like;
+    return ties;
 }
 
 int luakeys_return(lua_State *L, int n)
 {
-    enum { ABOVE = 4 /* slots that a walk uses above the top */ };
-    const int top = lua_gettop(L), used = top + ABOVE > LUA_MINSTACK ? top + ABOVE : LUA_MINSTACK;
+    enum { WALK_SLOTS = 4 /* slots that a walk uses above the top */ };
+    const int top = lua_gettop(L), used = top + WALK_SLOTS > LUA_MINSTACK ? top + WALK_SLOTS : LUA_MINSTACK;
 
-    lua_checkstack(L, ABOVE);
+    lua_checkstack(L, WALK_SLOTS);
     for (int i = 1; top > n && i <= n; i++)
         lua_copy(L, top - n + i, i);
     lua_settop(L, n);
@@ -84,29 +84,29 @@ int luakeys_return(lua_State *L, int n)
     return n;
 }
 
-void luakeys_push_value(lua_State *L, int at, int like)
+void luakeys_push_value(lua_State *L, int at, int ties)
 {
     lua_pushvalue(L, -1);
     lua_rawget(L, at);
-    if (like > 1) {
+    if (ties > 1) {
         lua_pop(L, 1);
         lua_pushliteral(L, "...");
     }
 }
 
-bool luakeys_push_stray(lua_State *L, int at, luakeys_known *known, const void *of)
+bool luakeys_push_unknown(lua_State *L, int at, luakeys_is_known *is_known, const void *context)
 {
-    const int stray = lua_gettop(L) + 1;
+    const int unknown = lua_gettop(L) + 1;
     bool found = false;
 
     luaL_checkstack(L, 8, NULL);
     lua_pushnil(L);
     for (lua_pushnil(L); lua_next(L, at);) {
         lua_pop(L, 1);
-        if (known(L, luakeys_text(L, -1), of) || (found && compare(L, stray + 1, stray) >= 0))
+        if (is_known(L, luakeys_text(L, -1), context) || (found && compare(L, unknown + 1, unknown) >= 0))
             continue;
         lua_pushvalue(L, -1);
-        lua_replace(L, stray);
+        lua_replace(L, unknown);
         found = true;
     }
     if (!found)

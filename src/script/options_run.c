@@ -6,31 +6,32 @@
 #include "options_run.h"
 
 /* Fills in the current state of player p's ship for its options. Returns false if it has no options. */
-static bool ship_of(const struct board *b, uint32_t p, struct option_ship *ship)
+static bool fill_ship(const struct board *b, uint32_t p, struct option_ship *ship)
 {
     const struct player *s = &b->player;
-    const struct option_plan *plan = s->in[p] ? b->option_plans[s->kind[p]] : NULL;
+    const struct option_plan *plan = s->in_game[p] ? b->option_plans[s->kind[p]] : NULL;
 
     if (!plan)
         return false;
-    const int64_t value = plan->by < 0 ? INT32_MAX : board_register(b, p, (uint32_t)plan->by);
+    const int64_t value =
+        plan->level_register < 0 ? INT32_MAX : board_get_register(b, p, (uint32_t)plan->level_register);
     *ship = (struct option_ship){ .plan = plan,
                                   .level = options_level(plan, value),
                                   .x = s->x[p],
                                   .y = s->y[p],
-                                  .was_x = s->was_x[p],
-                                  .was_y = s->was_y[p],
-                                  .focus = s->flags[p] & PLAYER_FOCUS };
+                                  .prev_x = s->prev_x[p],
+                                  .prev_y = s->prev_y[p],
+                                  .is_focused = s->flags[p] & PLAYER_FOCUS };
     return ship->level != NULL;
 }
 
-static void add(struct board *b, lua_State *L, uint32_t p, uint16_t kind, uint32_t index)
+static void add_option(struct board *b, lua_State *L, uint32_t p, uint16_t kind, uint32_t index)
 {
     const int32_t i =
         options_add(&b->options, &b->option_kinds, kind, p, index, b->player.x[p], b->player.y[p], b->core.clock);
 
     if (i == NO_SLOT) {
-        board_full(b, &b->options.s);
+        board_report_full(b, &b->options.s);
         return;
     }
     if (!events_push_function(L, kind, "option's run"))
@@ -39,21 +40,21 @@ static void add(struct board *b, lua_State *L, uint32_t p, uint16_t kind, uint32
     tasks_start(b, L, board_handle(b, H_OPTION, i), 1);
 }
 
-void options_count(struct board *b, lua_State *L)
+void options_adjust_count(struct board *b, lua_State *L)
 {
     struct option_ship ship;
 
     for (uint32_t p = 0; p < PADS; p++) {
-        const uint32_t n = ship_of(b, p, &ship) ? ship.level->n : 0;
-        uint32_t there = 0; /* one bit per existing option */
+        const uint32_t n = fill_ship(b, p, &ship) ? ship.level->n : 0;
+        uint32_t existing = 0; /* one bit per existing option */
         EACH_LIVE (i, &b->options.s)
             if (b->options.player[i] == p)
-                there |= 1u << b->options.index[i];
-        if (there >> n)
-            options_drop_of(&b->options, p, n);
+                existing |= 1u << b->options.index[i];
+        if (existing >> n)
+            options_drop_from(&b->options, p, n);
         for (uint32_t k = 0; k < n; k++)
-            if (!(there >> k & 1))
-                add(b, L, p, ship.plan->kind, k);
+            if (!(existing >> k & 1))
+                add_option(b, L, p, ship.plan->kind, k);
     }
 }
 
@@ -62,6 +63,6 @@ void options_follow(struct board *b)
     struct option_ship ship;
 
     for (uint32_t p = 0; p < PADS; p++)
-        if (ship_of(b, p, &ship))
+        if (fill_ship(b, p, &ship))
             options_move(&b->options, &b->option_ways, p, &ship);
 }

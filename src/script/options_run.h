@@ -8,7 +8,7 @@
 
 /* Spawns and removes options so that each ship has the number of options its level calls for. Called once a frame,
  * before the moves. */
-void options_count(struct board *b, lua_State *L);
+void options_adjust_count(struct board *b, lua_State *L);
 
 /* Moves options along with their ships. */
 void options_follow(struct board *b);

@@ -9,31 +9,31 @@ enum { BUTTON_BOMB = 5 }; /* index in PAD_NAMES */
 _Static_assert(1 << BUTTON_BOMB == PAD_BOMB, "BUTTON_BOMB is the bit of PAD_BOMB");
 
 /* Counts down player p's bomb. When the bomb ends, stops its scope. */
-static void count_bomb(struct board *b, uint32_t p)
+static void step_bomb(struct board *b, uint32_t p)
 {
-    const int64_t scope = b->player.bomb[p];
+    const int64_t scope = b->player.bomb_scope[p];
 
-    if (!b->player.bombing[p] || --b->player.bombing[p])
+    if (!b->player.bomb_left[p] || --b->player.bomb_left[p])
         return;
     if (board_alive(b, scope))
         tasks_stop(b, handle_slot(scope));
-    b->player.bomb[p] = 0;
+    b->player.bomb_scope[p] = 0;
 }
 
-static void count_hit(struct board *b, uint32_t p)
+static void step_deathbomb(struct board *b, uint32_t p)
 {
     if (b->player.deathbomb_left[p] && --b->player.deathbomb_left[p] == 0)
-        events_player_die(b, p);
+        events_kill_player(b, p);
 }
 
 void events_step_players(struct board *b, lua_State *L)
 {
     for (uint32_t p = 0; p < PADS; p++) {
-        if (!b->player.in[p])
+        if (!b->player.in_game[p])
             continue;
-        count_bomb(b, p);
+        step_bomb(b, p);
         if (b->player_kinds.bomb[b->player.kind[p]] && input_take(&b->input, p, BUTTON_BOMB, 0, PRESS_GAME))
             api_bomb_start(L, b, p);
-        count_hit(b, p);
+        step_deathbomb(b, p);
     }
 }

@@ -20,11 +20,11 @@ uint64_t profile_work(const struct profile_line *line)
 }
 
 /* Returns the entry for `place`, adding it if it is new, or `other` if there is no space for it. */
-static struct profile_line *entry(struct profile *p, const char *place, size_t n)
+static struct profile_line *find_entry(struct profile *p, const char *place, size_t n)
 {
-    uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_ROOM;
+    uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_CAPACITY;
 
-    for (int tries = 0; tries < PROFILE_ROOM / 4; tries++, i = (i + 1) % PROFILE_ROOM) {
+    for (int tries = 0; tries < PROFILE_CAPACITY / 4; tries++, i = (i + 1) % PROFILE_CAPACITY) {
         struct profile_line *line = &p->line[i];
         if (!line->place[0]) {
             memcpy(line->place, place, n + 1);
@@ -33,15 +33,15 @@ static struct profile_line *entry(struct profile *p, const char *place, size_t n
         if (strcmp(line->place, place) == 0)
             return line;
     }
-    return &p->other;
+    return &p->overflow;
 }
 
-static struct profile_line *entry_at(struct profile *p, const lua_Debug *ar)
+static struct profile_line *find_entry_for(struct profile *p, const lua_Debug *ar)
 {
-    char place[PROFILE_PLACE];
+    char place[PROFILE_PLACE_BYTES];
     const int n = snprintf(place, sizeof place, "%.58s:%d", ar->short_src, ar->currentline);
 
-    return entry(p, place, (size_t)n);
+    return find_entry(p, place, (size_t)n);
 }
 
 static bool is_library(const lua_Debug *ar)
@@ -50,23 +50,23 @@ static bool is_library(const lua_Debug *ar)
 }
 
 /* Returns the line that a running library function counts for. */
-static struct profile_line *caller(struct profile *p, lua_State *L)
+static struct profile_line *find_caller(struct profile *p, lua_State *L)
 {
     lua_Debug ar, nearest = { .currentline = 0 };
-    char place[PROFILE_PLACE];
+    char place[PROFILE_PLACE_BYTES];
 
     for (int level = 0; lua_getstack(L, level, &ar); level++) {
         lua_getinfo(L, "Sl", &ar);
         if (ar.currentline > 0 && !is_library(&ar))
-            return entry_at(p, &ar);
+            return find_entry_for(p, &ar);
         if (ar.currentline > 0 && nearest.currentline == 0)
             nearest = ar;
     }
-    const char *from = tasks_from(vm_board(L), L);
-    if (!from)
-        return entry_at(p, &nearest);
-    const int n = snprintf(place, sizeof place, "%.*s", (int)strlen(from) - 2, from); /* ends in ": " */
-    return entry(p, place, n < PROFILE_PLACE ? (size_t)n : PROFILE_PLACE - 1);
+    const char *start_place = tasks_origin(vm_board(L), L);
+    if (!start_place)
+        return find_entry_for(p, &nearest);
+    const int n = snprintf(place, sizeof place, "%.*s", (int)strlen(start_place) - 2, start_place); /* ends in ": " */
+    return find_entry(p, place, n < PROFILE_PLACE_BYTES ? (size_t)n : PROFILE_PLACE_BYTES - 1);
 }
 
 /* Returns the line that the next instruction counts for. This is usually the previous instruction's line. */
@@ -74,34 +74,35 @@ static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug
 {
     lua_getinfo(L, "Sl", ar);
     if (is_library(ar)) {
-        struct profile_line *line = caller(p, L);
+        struct profile_line *line = find_caller(p, L);
         p->source = NULL;
         line->library++;
-        p->all.library++;
+        p->total.library++;
         return line;
     }
-    if (ar->source == p->source && ar->currentline == p->at)
-        return p->now;
+    if (ar->source == p->source && ar->currentline == p->source_line)
+        return p->current;
     p->source = ar->source;
-    p->at = ar->currentline;
-    return entry_at(p, ar);
+    p->source_line = ar->currentline;
+    return find_entry_for(p, ar);
 }
 
 /* Adds the work and allocations since settle was last called to the last instruction's line. A board that was reset has
  * a new heap, whose count of allocated bytes starts at 0. */
-static void settle(struct profile *p, const struct vm *vm)
+static void attribute_work(struct profile *p, const struct vm *vm)
 {
     const uint64_t allocated = heap_work(vm->heap);
 
-    if (p->now) {
-        const uint64_t calls = vm->work - p->seen, bytes = allocated >= p->allocated ? allocated - p->allocated : 0;
-        p->now->calls += calls;
-        p->all.calls += calls;
-        p->now->bytes += bytes;
-        p->all.bytes += bytes;
+    if (p->current) {
+        const uint64_t calls = vm->work - p->counted_work,
+                       bytes = allocated >= p->counted_bytes ? allocated - p->counted_bytes : 0;
+        p->current->calls += calls;
+        p->total.calls += calls;
+        p->current->bytes += bytes;
+        p->total.bytes += bytes;
     }
-    p->seen = vm->work;
-    p->allocated = allocated;
+    p->counted_work = vm->work;
+    p->counted_bytes = allocated;
 }
 
 static void on_instruction(lua_State *L, lua_Debug *ar)
@@ -109,41 +110,41 @@ static void on_instruction(lua_State *L, lua_Debug *ar)
     struct vm *vm = &vm_board(L)->vm;
     struct profile *p = vm->profile;
 
-    settle(p, vm);
-    p->now = find_line(p, L, ar);
-    p->now->instructions++;
-    p->all.instructions++;
-    if (--vm->left == 0)
-        vm_look(L, ar);
-    p->seen = vm->work;
+    attribute_work(p, vm);
+    p->current = find_line(p, L, ar);
+    p->current->instructions++;
+    p->total.instructions++;
+    if (--vm->until_check == 0)
+        vm_take_look(L, ar);
+    p->counted_work = vm->work;
 }
 
-static void pause(struct vm *vm)
+static void pause_profile(struct vm *vm)
 {
-    settle(vm->profile, vm);
-    vm->profile->now = NULL;
+    attribute_work(vm->profile, vm);
+    vm->profile->current = NULL;
     vm->profile->source = NULL;
 }
 
-void vm_profile_turn(struct vm *vm, lua_State *L)
+void vm_profile_begin_turn(struct vm *vm, lua_State *L)
 {
-    pause(vm);
+    pause_profile(vm);
     lua_sethook(L, on_instruction, LUA_MASKCOUNT, 1);
 }
 
-void vm_profile_begin(struct vm *vm)
+void vm_profile_reset_work(struct vm *vm)
 {
-    pause(vm);
-    vm->profile->seen = 0;
+    pause_profile(vm);
+    vm->profile->counted_work = 0;
 }
 
-void board_profile(struct board *b, struct profile *p)
+void board_set_profile(struct board *b, struct profile *p)
 {
     if (b->vm.profile)
-        pause(&b->vm);
+        pause_profile(&b->vm);
     b->vm.profile = p;
     if (p) {
-        p->now = NULL;
-        pause(&b->vm);
+        p->current = NULL;
+        pause_profile(&b->vm);
     }
 }

@@ -14,13 +14,14 @@
 struct board;
 
 enum {
-    PROFILE_ROOM = 1 << 14, /* lines, a power of two; further lines are counted in `other` */
-    PROFILE_PLACE = 72      /* bytes of "stages/one.lua:42" */
+    PROFILE_CAPACITY = 1 << 14, /* lines, a power of two; further lines are counted in `overflow` */
+    PROFILE_PLACE_BYTES = 72    /* bytes of "stages/one.lua:42" */
 };
 
 /* Work is in instructions, counted as for the infinite-loop guard (vm_count.c). */
 struct profile_line {
-    char place[PROFILE_PLACE]; /* the author's line if the call chain has one, otherwise a line of @std; "": unused */
+    char place
+        [PROFILE_PLACE_BYTES]; /* the author's line if the call chain has one, otherwise a line of @std; "": unused */
     uint64_t instructions;     /* Lua instructions */
     uint64_t calls;            /* work of C functions called: 100 per API function, more for costly ones */
     uint64_t bytes;            /* allocated; approximate, because table growth depends on hash order */
@@ -28,20 +29,20 @@ struct profile_line {
 };
 
 struct profile {
-    struct profile_line line[PROFILE_ROOM]; /* in no order */
-    struct profile_line other;              /* lines that did not fit */
-    struct profile_line all;                /* the sum of all lines */
+    struct profile_line line[PROFILE_CAPACITY]; /* in no order */
+    struct profile_line overflow;               /* lines that did not fit */
+    struct profile_line total;                  /* the sum of all lines */
 
     /* private to profile.c */
-    struct profile_line *now; /* the last instruction's line; NULL: none yet in this turn */
-    const char *source;       /* chunk of the last instruction; NULL: none, or in @std */
-    int at;                   /* line of the last instruction in `source` */
-    uint64_t seen, allocated; /* work and allocated bytes (heap_work) counted so far */
+    struct profile_line *current;         /* the last instruction's line; NULL: none yet in this turn */
+    const char *source;                   /* chunk of the last instruction; NULL: none, or in @std */
+    int source_line;                      /* line of the last instruction in `source` */
+    uint64_t counted_work, counted_bytes; /* work and allocated bytes (heap_work) counted so far */
 };
 
 /* Starts counting into p, which must be zeroed; NULL stops. Call it after power-on and after a restore. Profiling does
  * not affect the infinite-loop guard. */
-void board_profile(struct board *b, struct profile *p);
+void board_set_profile(struct board *b, struct profile *p);
 
 /* Returns a line's total work: instructions and calls. */
 uint64_t profile_work(const struct profile_line *line);

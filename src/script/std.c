@@ -6,13 +6,13 @@
 #include <string.h>
 #include "script.h"
 
-enum { ALL = (1 << STD_MODULES) - 1 };
+enum { ALL_MODULES = (1 << STD_MODULES) - 1 };
 
 /* globals: the names that a script uses the module by: the global that the module's table is bound to; for the prelude,
- * each of its entries. A module with `fields` adds these to the table `to` and is not bound itself; its `globals` is
- * that table. */
+ * each of its entries. A module with `fields` adds these to the table `extended_table` and is not bound itself; its
+ * `globals` is that table. */
 static const struct {
-    const char *name, *globals, *fields, *to;
+    const char *name, *globals, *fields, *extended_table;
 } modules[STD_MODULES] = {
     { "prelude", " wait_until wait_for by_difficulty ", NULL, NULL },
     { "pattern", " pattern ", NULL, NULL },
@@ -35,15 +35,15 @@ static const struct {
     { "boot", " boot ", NULL, NULL },
 };
 
-static const char computing[] = " _G _ENV load ";
+static const char computing_names[] = " _G _ENV load ";
 
-const char *std_module(int i)
+const char *std_module_name(int i)
 {
     return modules[i].name;
 }
 
 /* Returns whether the word is in the list. Each word of the list has a blank before and after it. */
-static int in_list(const char *list, const char *word, size_t n)
+static int is_in_list(const char *list, const char *word, size_t n)
 {
     for (const char *p = list + 1; *p != '\0'; p++) {
         size_t same = 0;
@@ -57,7 +57,7 @@ static int in_list(const char *list, const char *word, size_t n)
     return 0;
 }
 
-int std_module_of(const char *name)
+int std_module_of_piece(const char *name)
 {
     size_t n = 0;
 
@@ -66,33 +66,33 @@ int std_module_of(const char *name)
     if (name[n] == '\0')
         return -1;
     if (n == strlen("screens") && memcmp(name, "screens", n) == 0)
-        return std_of("boot");
+        return std_module_of_global("boot");
     for (int i = 0; i < STD_MODULES; i++)
         if (strlen(modules[i].name) == n && memcmp(modules[i].name, name, n) == 0)
             return i;
     return -1;
 }
 
-const char *std_adds_to(int i)
+const char *std_extended_table(int i)
 {
-    return modules[i].to;
+    return modules[i].extended_table;
 }
 
-uint64_t std_needed(int i, const char *text, size_t n)
+uint64_t std_modules_needed(int i, const char *text, size_t n)
 {
-    uint64_t others = std_named(text, n);
+    uint64_t others = std_modules_used(text, n);
 
     for (int k = 0; k < STD_MODULES; k++)
-        if (modules[k].to && strcmp(modules[k].to, modules[i].name) == 0)
+        if (modules[k].extended_table && strcmp(modules[k].extended_table, modules[i].name) == 0)
             others &= ~((uint64_t)1 << k);
-    others &= ~((uint64_t)1 << std_of("game")); /* no module needs it, and many locals have its name */
+    others &= ~((uint64_t)1 << std_module_of_global("game")); /* no module needs it, and many locals have its name */
     return others;
 }
 
-int std_of(const char *name)
+int std_module_of_global(const char *name)
 {
     for (int i = 0; i < STD_MODULES; i++)
-        if (!modules[i].fields && in_list(modules[i].globals, name, strlen(name)))
+        if (!modules[i].fields && is_in_list(modules[i].globals, name, strlen(name)))
             return i;
     return -1;
 }
@@ -100,32 +100,33 @@ int std_of(const char *name)
 int std_module_of_field(const char *table, const char *field)
 {
     for (int i = 0; i < STD_MODULES; i++)
-        if (modules[i].to && strcmp(modules[i].to, table) == 0 && in_list(modules[i].fields, field, strlen(field)))
+        if (modules[i].extended_table && strcmp(modules[i].extended_table, table) == 0 &&
+            is_in_list(modules[i].fields, field, strlen(field)))
             return i;
     return -1;
 }
 
 /* Returns the modules needed to read this field of this global; field NULL: any field may be read. */
-static uint64_t needed(const char *name, size_t n, const char *field, size_t field_n)
+static uint64_t modules_of_field(const char *name, size_t n, const char *field, size_t field_n)
 {
     uint64_t m = 0;
 
     for (int i = 0; i < STD_MODULES; i++)
-        if (in_list(modules[i].globals, name, n) &&
-            (!modules[i].fields || !field || in_list(modules[i].fields, field, field_n)))
+        if (is_in_list(modules[i].globals, name, n) &&
+            (!modules[i].fields || !field || is_in_list(modules[i].fields, field, field_n)))
             m |= (uint64_t)1 << i;
     return m;
 }
 
-uint64_t std_named(const char *text, size_t n)
+uint64_t std_modules_used(const char *text, size_t n)
 {
-    uint64_t named = 0;
+    uint64_t used = 0;
     size_t at = 0, size, field_size;
     const char *name, *field;
 
-    while (script_next_read(text, n, &at, &name, &size)) {
+    while (script_next_global(text, n, &at, &name, &size)) {
         field = script_field(text, n, at, &field_size);
-        named |= in_list(computing, name, size) ? ALL : needed(name, size, field, field_size);
+        used |= is_in_list(computing_names, name, size) ? ALL_MODULES : modules_of_field(name, size, field, field_size);
     }
-    return named;
+    return used;
 }

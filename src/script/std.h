@@ -20,26 +20,26 @@ enum { STD_MODULES = 19 };
 #define STD_NOT_HERE "not packed in this ROM; a library module is packed if a script names it"
 
 /* Returns the name of module i in load order, e.g. "pattern". Module 0 is the prelude, which all others need. */
-const char *std_module(int i);
+const char *std_module_name(int i);
 
 /* Returns the module that a piece such as "boss/cast" belongs to: the module with the name of the piece's folder, or
  * boot for "screens". Returns -1 if `name` is not a piece. */
-int std_module_of(const char *name);
+int std_module_of_piece(const char *name);
 
 /* Returns the module that binds the global `name`, or -1. */
-int std_of(const char *name);
+int std_module_of_global(const char *name);
 
-/* std_adds_to returns the existing table to which module i adds fields, or NULL. std_module_of_field returns the module
- * that adds `field` to `table`, or -1. */
-const char *std_adds_to(int i);
+/* std_extended_table returns the existing table to which module i adds fields, or NULL. std_module_of_field returns the
+ * module that adds `field` to `table`, or -1. */
+const char *std_extended_table(int i);
 int std_module_of_field(const char *table, const char *field);
 
 /* Returns the modules whose globals or fields a script with this text may read: bit i for module i. A text that can
  * compute names (_G, _ENV, load) needs them all. */
-uint64_t std_named(const char *text, size_t n);
+uint64_t std_modules_used(const char *text, size_t n);
 
-/* Like std_named, for the text of module i itself: omits the modules that add fields to i's own table, and game,
+/* Like std_modules_used, for the text of module i itself: omits the modules that add fields to i's own table, and game,
  * which no module needs. */
-uint64_t std_needed(int i, const char *text, size_t n);
+uint64_t std_modules_needed(int i, const char *text, size_t n);
 
 #endif

@@ -44,7 +44,7 @@ static void unlink_task(struct tasks *t, uint32_t i)
         t->prev[t->next[i]] = t->prev[i];
 }
 
-void tasks_empty(struct tasks *t)
+void tasks_init(struct tasks *t)
 {
     t->first = t->last = NONE;
     t->current = NO_SLOT;
@@ -65,11 +65,11 @@ static void check_depth(struct board *b, int64_t owner)
 
 /* Returns the scene of a task with this owner. Bullets, shots and lasers belong to no scene, so their tasks get the
  * scene of the script that starts the task. */
-static int64_t scene_in(const struct board *b, int64_t owner)
+static int64_t scene_for_owner(const struct board *b, int64_t owner)
 {
     uint32_t i = handle_slot(owner);
 
-    if (!owner || !board_there(b, owner))
+    if (!owner || !board_is_readable(b, owner))
         return 0;
     switch (handle_kind(owner)) {
     case H_TASK:
@@ -89,7 +89,7 @@ static int64_t scene_in(const struct board *b, int64_t owner)
     }
 }
 
-static int32_t take(struct board *b, int64_t owner, uint8_t flags)
+static int32_t take_task(struct board *b, int64_t owner, uint8_t flags)
 {
     struct tasks *t = &b->tasks;
 
@@ -97,28 +97,28 @@ static int32_t take(struct board *b, int64_t owner, uint8_t flags)
     int32_t i = slots_take(&t->s);
 
     if (i == NO_SLOT) {
-        board_full(b, &t->s);
+        board_report_full(b, &t->s);
         return i;
     }
-    t->serial[i] = ++t->serials;
+    t->serial[i] = ++t->serial_count;
     t->owner[i] = owner;
-    t->scene[i] = scene_in(b, owner);
+    t->scene[i] = scene_for_owner(b, owner);
     t->wait[i] = 0;
     t->flags[i] = flags;
     t->born[i] = b->core.clock;
     t->thread[i] = NULL;
-    t->from[i] = NULL;
+    t->origin[i] = NULL;
     link_last(t, (uint32_t)i);
     script_fold(b, (uint64_t)t->serial[i] << 8 | 0x51);
     return i;
 }
 
-static void drop(struct board *b, lua_State *L, uint32_t i)
+static void drop_task(struct board *b, lua_State *L, uint32_t i)
 {
     push_threads(L);
     lua_pushnil(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
-    if (b->tasks.from[i]) {
+    if (b->tasks.origin[i]) {
         lua_pushnil(L);
         lua_rawseti(L, -2, -(lua_Integer)i - 1);
     }
@@ -130,9 +130,9 @@ static void drop(struct board *b, lua_State *L, uint32_t i)
 
 /* If the function at stack index `at` is from @std, stores the author's line that starts it as task i. The table of
  * threads is on top of the stack. */
-static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
+static void store_start_place(struct board *b, lua_State *L, int at, uint32_t i)
 {
-    char place[VM_PLACE];
+    char place[VM_PLACE_SIZE];
     lua_Debug ar;
 
     lua_pushvalue(L, at);
@@ -141,14 +141,14 @@ static void keep_place(struct board *b, lua_State *L, int at, uint32_t i)
     vm_where(L, place, sizeof place);
     if (!place[0] || !strncmp(place, "@std/", 5))
         return;
-    b->tasks.from[i] = lua_pushstring(L, place);
+    b->tasks.origin[i] = lua_pushstring(L, place);
     lua_rawseti(L, -2, -(lua_Integer)i - 1);
 }
 
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 {
     vm_charge(L, WORK_TASK);
-    int32_t i = take(b, owner, TASK_RUNS);
+    int32_t i = take_task(b, owner, TASK_RUNS);
     if (i == NO_SLOT) {
         lua_pop(L, n + 1);
         return board_handle(b, H_TASK, NO_SLOT);
@@ -156,7 +156,7 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
     luaL_checkstack(L, 4, "too many arguments");
     int f = lua_gettop(L) - n;
     push_threads(L);
-    keep_place(b, L, f, (uint32_t)i);
+    store_start_place(b, L, f, (uint32_t)i);
     lua_State *co = lua_newthread(L);
     lua_rawseti(L, -2, (lua_Integer)i + 1);
     lua_pop(L, 1);
@@ -169,11 +169,11 @@ int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n)
 
 /* A dead owner gets a dead scope: a new scope could reuse the owner's slot and generation, and would then own
  * itself. */
-int64_t tasks_scope(struct board *b, int64_t owner, bool scene)
+int64_t tasks_new_scope(struct board *b, int64_t owner, bool is_scene)
 {
     if (!tasks_owner_alive(b, owner))
         return board_handle(b, H_TASK, NO_SLOT);
-    return board_handle(b, H_TASK, take(b, owner, scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
+    return board_handle(b, H_TASK, take_task(b, owner, is_scene ? TASK_SCOPE | TASK_SCENE : TASK_SCOPE));
 }
 
 void tasks_stop(struct board *b, uint32_t slot)
@@ -185,13 +185,13 @@ void tasks_stop(struct board *b, uint32_t slot)
         return;
     vm_charge(b->vm.running, b->enemies.s.live + b->sprites.s.live);
     int64_t h = board_handle(b, H_TASK, (int32_t)slot);
-    enemies_drop_of(&b->enemies, h);
-    sprites_drop_of(&b->sprites, h);
+    enemies_drop_owned(&b->enemies, h);
+    sprites_drop_owned(&b->sprites, h);
     if (b->lines.s.live)
-        lines_drop_of(&b->lines, h);
+        lines_drop_owned(&b->lines, h);
 }
 
-static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
+static bool is_owned_by(const struct board *b, uint32_t i, int64_t scope)
 {
     for (int64_t h = board_handle(b, H_TASK, (int32_t)i); h; h = b->tasks.owner[handle_slot(h)]) {
         if (h == scope)
@@ -202,43 +202,43 @@ static bool owned_by(const struct board *b, uint32_t i, int64_t scope)
     return false;
 }
 
-bool tasks_frozen(const struct board *b, uint32_t slot)
+bool tasks_is_frozen(const struct board *b, uint32_t slot)
 {
-    return b->core.frozen > 0 && !owned_by(b, slot, b->core.frozen);
+    return b->core.frozen > 0 && !is_owned_by(b, slot, b->core.frozen);
 }
 
 /* Returns whether the task belongs, directly or through other tasks, to an entity that was frozen in the last move.
  * An entity's moves alternate with its tasks' turns, so each frozen move skips one turn, no matter what froze the
  * entity or when. All owners must be alive. */
-static bool owner_stood(const struct board *b, uint32_t slot)
+static bool owner_was_frozen(const struct board *b, uint32_t slot)
 {
     int64_t h = b->tasks.owner[slot];
 
-    if (!(b->bullets.standing | b->shots.standing | b->enemies.standing | b->laser_heads.standing))
+    if (!(b->bullets.n_frozen | b->shots.n_frozen | b->enemies.n_frozen | b->laser_heads.n_frozen))
         return false;
     while (h && handle_kind(h) == H_TASK)
         h = b->tasks.owner[handle_slot(h)];
     switch (h ? handle_kind(h) : H_TASK) {
     case H_BULLET:
-        return b->bullets.stands[handle_slot(h)] & STOOD;
+        return b->bullets.freeze_flags[handle_slot(h)] & FREEZE_LAST_MOVE;
     case H_SHOT:
-        return b->shots.stands[handle_slot(h)] & STOOD;
+        return b->shots.freeze_flags[handle_slot(h)] & FREEZE_LAST_MOVE;
     case H_ENEMY:
-        return b->enemies.stands[handle_slot(h)] & STOOD;
+        return b->enemies.freeze_flags[handle_slot(h)] & FREEZE_LAST_MOVE;
     case H_LASER:
-        return b->laser_heads.stands[handle_slot(h)] & STOOD;
+        return b->laser_heads.freeze_flags[handle_slot(h)] & FREEZE_LAST_MOVE;
     default:
         return false;
     }
 }
 
 /* Turns a task's error into the board's fault, which ends the run. */
-static void fail(struct board *b, lua_State *L, lua_State *co, int status)
+static void raise_task_fault(struct board *b, lua_State *L, lua_State *co, int status)
 {
     vm_report(b, co, status);
     b->tasks.current = NO_SLOT;
     if (status != LUA_ERRMEM)
-        vm_trace(b, L, co);
+        vm_add_traceback(b, L, co);
     lua_pushliteral(L, "a task failed");
     lua_error(L);
 }
@@ -250,13 +250,13 @@ static void close_task(struct board *b, lua_State *L, uint32_t i)
 
     if (!co || !(b->tasks.flags[i] & TASK_BEGUN))
         return;
-    tasks_act_for_task(b, i);
+    tasks_set_task_context(b, i);
     const uint32_t left = vm_enter(b, co);
     int status = lua_resetthread(co);
     vm_leave(b, L, left);
-    tasks_act_for(b, (struct tasks_now){ 0, 0 });
+    tasks_set_context(b, (struct tasks_context){ 0, 0 });
     if (status != LUA_OK)
-        fail(b, L, co, status);
+        raise_task_fault(b, L, co, status);
 }
 
 /* Resumes a task. Returns whether it has ended. */
@@ -269,13 +269,13 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
     t->skipped = 0;
-    tasks_act_for_task(b, i);
+    tasks_set_task_context(b, i);
     const uint32_t left = vm_enter(b, co);
     int status = lua_resume(co, L, n, &results);
     vm_leave(b, L, left);
-    tasks_act_for(b, (struct tasks_now){ 0, 0 });
+    tasks_set_context(b, (struct tasks_context){ 0, 0 });
     if (status != LUA_OK && status != LUA_YIELD)
-        fail(b, L, co, status); /* reads tasks.current */
+        raise_task_fault(b, L, co, status); /* reads tasks.current */
     t->current = NO_SLOT;
     if (status == LUA_OK)
         return true;
@@ -286,7 +286,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
 }
 
 /* Gives a task its turn. Returns whether it has ended. */
-static bool turn(struct board *b, lua_State *L, uint32_t i)
+static bool run_task_turn(struct board *b, lua_State *L, uint32_t i)
 {
     struct tasks *t = &b->tasks;
 
@@ -296,7 +296,7 @@ static bool turn(struct board *b, lua_State *L, uint32_t i)
         close_task(b, L, i);
         return true;
     }
-    if (t->flags[i] & TASK_SCOPE || tasks_frozen(b, i) || owner_stood(b, i))
+    if (t->flags[i] & TASK_SCOPE || tasks_is_frozen(b, i) || owner_was_frozen(b, i))
         return false;
     if (t->wait[i] > 0 && --t->wait[i] > 0)
         return false;
@@ -313,27 +313,27 @@ int tasks_run(lua_State *L)
     uint32_t next;
 
     for (uint32_t i = b->tasks.first; i != NONE; i = next) {
-        bool ended = turn(b, L, i);
+        bool ended = run_task_turn(b, L, i);
         next = b->tasks.next[i]; /* read after the turn, which may have started tasks */
         if (ended)
-            drop(b, L, i);
+            drop_task(b, L, i);
     }
     slots_trim(&b->tasks.s);
     return 0;
 }
 
-void tasks_turn(struct board *b, lua_State *L, uint32_t slot)
+void tasks_run_turn(struct board *b, lua_State *L, uint32_t slot)
 {
     struct tasks *t = &b->tasks;
     const int32_t current = t->current;
     const uint32_t skipped = t->skipped;
-    const struct tasks_now was = { t->now_owner, t->now_scene };
+    const struct tasks_context saved = { t->now_owner, t->now_scene };
     lua_State *running = b->vm.running;
 
-    if (turn(b, L, slot))
-        drop(b, L, slot);
+    if (run_task_turn(b, L, slot))
+        drop_task(b, L, slot);
     t->current = current;
     t->skipped = skipped;
-    tasks_act_for(b, was);
+    tasks_set_context(b, saved);
     b->vm.running = running;
 }

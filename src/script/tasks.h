@@ -17,19 +17,19 @@
 #include "../machine/machine.h"
 
 /* Initializes an empty task list, at power-on. */
-void tasks_empty(struct tasks *t);
+void tasks_init(struct tasks *t);
 
-/* tasks_start starts a task from the function and its n arguments on top of L's stack (popped). tasks_scope creates a
- * scope or, with `scene`, a scene. Both return the handle, which is dead if the pool is full; that of a scope is also
- * dead if its owner is. */
+/* tasks_start starts a task from the function and its n arguments on top of L's stack (popped). tasks_new_scope creates
+ * a scope or, with `is_scene`, a scene. Both return the handle, which is dead if the pool is full; that of a scope is
+ * also dead if its owner is. */
 int64_t tasks_start(struct board *b, lua_State *L, int64_t owner, int n);
-int64_t tasks_scope(struct board *b, int64_t owner, bool scene);
+int64_t tasks_new_scope(struct board *b, int64_t owner, bool is_scene);
 
 /* Gives every task its turn. Called through vm_call: a task's error becomes a fault. */
 int tasks_run(lua_State *L);
 
 /* Gives a task a turn at once, within the running task's turn, which continues afterwards. */
-void tasks_turn(struct board *b, lua_State *L, uint32_t slot);
+void tasks_run_turn(struct board *b, lua_State *L, uint32_t slot);
 
 /* Stops a task or scope: it is dead from now on and is closed at its next turn. If it is a scene, removes its entities
  * immediately. */
@@ -37,10 +37,10 @@ void tasks_stop(struct board *b, uint32_t slot);
 
 /* Returns whether the task gets no turn because the game is paused and the task does not belong to the pause's
  * scope. */
-bool tasks_frozen(const struct board *b, uint32_t slot);
+bool tasks_is_frozen(const struct board *b, uint32_t slot);
 
 /* Returns whether the running task is skipping ahead to a practice mark. */
-static inline bool tasks_skipping(const struct tasks *t)
+static inline bool tasks_is_skipping(const struct tasks *t)
 {
     return t->current != NO_SLOT && t->flags[t->current] & TASK_SKIPS;
 }

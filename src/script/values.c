@@ -11,12 +11,12 @@
 #include "lua/lualib.h"
 #include "vm.h"
 
-enum tag { TAG_NIL, TAG_FALSE, TAG_TRUE, TAG_WHOLE, TAG_NUMBER, TAG_TEXT, TAG_TABLE, TAG_END };
+enum tag { TAG_NIL, TAG_FALSE, TAG_TRUE, TAG_INTEGER, TAG_FLOAT, TAG_TEXT, TAG_TABLE, TAG_END };
 
 static void put(lua_State *L, struct values *v, const void *bytes, size_t n)
 {
-    if (n > v->room - v->n)
-        luaL_error(L, "values too large for a test (at most %d bytes)", (int)v->room);
+    if (n > v->capacity - v->n)
+        luaL_error(L, "values too large for a test (at most %d bytes)", (int)v->capacity);
     if (n)
         memcpy(v->bytes + v->n, bytes, n);
     v->n += n;
@@ -42,36 +42,36 @@ static void put_text(lua_State *L, struct values *v, int idx)
 
 static void put_number(lua_State *L, struct values *v, int idx)
 {
-    const lua_Integer whole = lua_tointeger(L, idx);
+    const lua_Integer integer = lua_tointeger(L, idx);
     const lua_Number number = lua_tonumber(L, idx);
 
     if (lua_isinteger(L, idx)) {
-        put_tag(L, v, TAG_WHOLE);
-        put(L, v, &whole, sizeof whole);
+        put_tag(L, v, TAG_INTEGER);
+        put(L, v, &integer, sizeof integer);
     } else {
-        put_tag(L, v, TAG_NUMBER);
+        put_tag(L, v, TAG_FLOAT);
         put(L, v, &number, sizeof number);
     }
 }
 
-static bool has_words(lua_State *L, int idx)
+static bool has_text_form(lua_State *L, int idx)
 {
     const int top = lua_gettop(L);
-    const bool has =
+    const bool found =
         luaL_getmetafield(L, idx, "__tostring") != LUA_TNIL || luaL_getmetafield(L, idx, "__name") != LUA_TNIL;
 
     lua_settop(L, top);
-    return has;
+    return found;
 }
 
 static void put_value(lua_State *L, struct values *v, int idx, int depth);
 
 static void put_table(lua_State *L, struct values *v, int idx, int depth)
 {
-    if (depth == VALUES_DEEP)
-        luaL_error(L, "tables nested more than %d deep", VALUES_DEEP);
+    if (depth == VALUES_MAX_DEPTH)
+        luaL_error(L, "tables nested more than %d deep", VALUES_MAX_DEPTH);
     luaL_checkstack(L, 8, NULL);
-    api_fill(L, idx);
+    api_fill_table(L, idx);
     put_tag(L, v, TAG_TABLE);
     lua_pushnil(L);
     while (lua_next(L, idx)) {
@@ -96,7 +96,7 @@ static void put_value(lua_State *L, struct values *v, int idx, int depth)
         put_number(L, v, idx);
         break;
     case LUA_TTABLE:
-        if (!has_words(L, idx)) {
+        if (!has_text_form(L, idx)) {
             put_table(L, v, idx, depth);
             break;
         }
@@ -118,15 +118,15 @@ void values_put(lua_State *L, struct values *v)
         put_value(L, v, i, 0);
 }
 
-static const uint8_t *take(const uint8_t *p, void *to, size_t n)
+static const uint8_t *read_bytes(const uint8_t *p, void *to, size_t n)
 {
     memcpy(to, p, n);
     return p + n;
 }
 
-static const uint8_t *push(lua_State *L, const uint8_t *p)
+static const uint8_t *push_value(lua_State *L, const uint8_t *p)
 {
-    lua_Integer whole;
+    lua_Integer integer;
     lua_Number number;
     size_t n;
 
@@ -135,23 +135,23 @@ static const uint8_t *push(lua_State *L, const uint8_t *p)
     case TAG_TRUE:
         lua_pushboolean(L, p[-1] == TAG_TRUE);
         return p;
-    case TAG_WHOLE:
-        p = take(p, &whole, sizeof whole);
-        lua_pushinteger(L, whole);
+    case TAG_INTEGER:
+        p = read_bytes(p, &integer, sizeof integer);
+        lua_pushinteger(L, integer);
         return p;
-    case TAG_NUMBER:
-        p = take(p, &number, sizeof number);
+    case TAG_FLOAT:
+        p = read_bytes(p, &number, sizeof number);
         lua_pushnumber(L, number);
         return p;
     case TAG_TEXT:
-        p = take(p, &n, sizeof n);
+        p = read_bytes(p, &n, sizeof n);
         lua_pushlstring(L, (const char *)p, n);
         return p + n;
     case TAG_TABLE:
         luaL_checkstack(L, 4, NULL);
         lua_newtable(L);
         while (*p != TAG_END) {
-            p = push(L, push(L, p));
+            p = push_value(L, push_value(L, p));
             lua_rawset(L, -3);
         }
         return p + 1;
@@ -167,6 +167,6 @@ int values_push(lua_State *L, const struct values *v)
 
     luaL_checkstack(L, v->count + 4, NULL);
     for (int i = 0; i < v->count; i++)
-        p = push(L, p);
+        p = push_value(L, p);
     return v->count;
 }

@@ -10,18 +10,18 @@
 
 enum {
     VALUES_BYTES = 1 << 18, /* capacity, enough for the values a test inspects */
-    VALUES_DEEP = 8         /* nesting depth of tables */
+    VALUES_MAX_DEPTH = 8    /* nesting depth of tables */
 };
 
 struct values {
     uint8_t *bytes;
-    size_t n, room;
+    size_t n, capacity;
     int count;
 };
 
 /* Serializes the whole stack: nil, booleans, numbers, strings, and tables of these. Any other value, and a table with
  * __tostring or __name, is stored as the string that print shows for it. Raises an error for tables nested deeper than
- * VALUES_DEEP and for more than `room` bytes. */
+ * VALUES_MAX_DEPTH and for more than `capacity` bytes. */
 void values_put(lua_State *L, struct values *v);
 
 /* Pushes all stored values. Returns their count. */

@@ -13,7 +13,7 @@
 #include "../machine/machine.h"
 #include "std.h"
 
-enum { DEEP = 3000 /* nested calls; a stack this deep when memory runs out suggests infinite recursion */ };
+enum { DEEP_CALLS = 3000 /* nested calls; a stack this deep when memory runs out suggests infinite recursion */ };
 
 /* Called after a failed allocation, before Lua collects garbage and retries. Records the place, because the stack is
  * gone by the time an out-of-memory error is reported. Charges for the collection, because with memory nearly full each
@@ -26,8 +26,8 @@ static void note_shortage(struct board *b)
     b->vm.work += heap_used(b->vm.heap) / 2;
     if (!b->vm.running)
         return;
-    vm_where(b->vm.running, o->shortage, sizeof o->shortage);
-    o->deep = lua_getstack(b->vm.running, DEEP, &ar);
+    vm_where(b->vm.running, o->shortage_place, sizeof o->shortage_place);
+    o->in_deep_calls = lua_getstack(b->vm.running, DEEP_CALLS, &ar);
 }
 
 /* Returns whether a string's block is too large. If so, records the string's size for the message. */
@@ -35,7 +35,7 @@ static bool is_too_long(struct board *b, size_t size)
 {
     b->vm.text_block = size;
     if (size > b->vm.text_max)
-        b->output->long_text = size - b->vm.text_max + MAX_TEXT;
+        b->output->too_long_size = size - b->vm.text_max + MAX_TEXT;
     return size > b->vm.text_max;
 }
 
@@ -48,32 +48,40 @@ static void *allocate(void *ud, void *p, size_t old, size_t size)
 
     if (!q && size)
         note_shortage(b);
-    vm_allocated(b);
+    vm_on_allocation(b);
     return q;
 }
 
 /* The collector's pace. A step does the work of allocating STEP_PERCENT of 2^STEP_SHIFT bytes. vm_collect takes one
- * step, plus one for each STEP_FOR bytes allocated since its last call. After a cycle that leaves U bytes in use, the
- * next one starts when REST_BYTES + U / REST_PART more are in use, or 1 / REST_OF_ROOM of the free bytes if that is
- * less. */
-enum { STEP_PERCENT = 100, STEP_SHIFT = 8, STEP_FOR = 4096, REST_BYTES = 16384, REST_PART = 16, REST_OF_ROOM = 4 };
+ * step, plus one for each BYTES_PER_STEP bytes allocated since its last call. After a cycle that leaves U bytes in use,
+ * the next one starts when PAUSE_BYTES + U / PAUSE_USED_DIVISOR more are in use, or 1 / PAUSE_FREE_DIVISOR of the free
+ * bytes if that is less. */
+enum {
+    STEP_PERCENT = 100,
+    STEP_SHIFT = 8,
+    BYTES_PER_STEP = 4096,
+    PAUSE_BYTES = 16384,
+    PAUSE_USED_DIVISOR = 16,
+    PAUSE_FREE_DIVISOR = 4
+};
 
 /* Ends a collector cycle: sets the heap use at which the next one starts. */
-static void rest(struct vm *vm)
+static void end_gc_cycle(struct vm *vm)
 {
-    const size_t used = heap_used(vm->heap), room = vm->heap_size - used, most = room / REST_OF_ROOM;
-    const size_t more = REST_BYTES + used / REST_PART;
+    const size_t used = heap_used(vm->heap), free_bytes = vm->heap_size - used,
+                 max_growth = free_bytes / PAUSE_FREE_DIVISOR;
+    const size_t growth = PAUSE_BYTES + used / PAUSE_USED_DIVISOR;
 
     vm->collecting = false;
-    vm->collect_at = used + (more < most ? more : most);
+    vm->collect_at = used + (growth < max_growth ? growth : max_growth);
 }
 
 static void collect(lua_State *L, struct vm *vm, uint64_t allocated)
 {
     vm->collecting = true;
-    for (uint64_t n = 1 + allocated / STEP_FOR; n > 0; n--)
+    for (uint64_t n = 1 + allocated / BYTES_PER_STEP; n > 0; n--)
         if (lua_gc(L, LUA_GCSTEP, 0)) {
-            rest(vm);
+            end_gc_cycle(vm);
             return;
         }
 }
@@ -81,12 +89,12 @@ static void collect(lua_State *L, struct vm *vm, uint64_t allocated)
 int vm_collect(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
-    const uint64_t allocated = heap_work(vm->heap) - vm->swept;
+    const uint64_t allocated = heap_work(vm->heap) - vm->swept_heap_work;
 
     lualib_check_metatables(L);
     if (allocated && (vm->collecting || heap_used(vm->heap) >= vm->collect_at))
         collect(L, vm, allocated);
-    vm->swept = heap_work(vm->heap);
+    vm->swept_heap_work = heap_work(vm->heap);
     return 0;
 }
 
@@ -95,10 +103,10 @@ int vm_collect(lua_State *L)
 void vm_log(struct board *b, const char *s, size_t n)
 {
     struct output *o = b->output;
-    size_t room = o->log_size < LOG_BYTES ? LOG_BYTES - o->log_size : 0;
+    size_t free_bytes = o->log_size < LOG_BYTES ? LOG_BYTES - o->log_size : 0;
 
-    if (n > room)
-        n = room;
+    if (n > free_bytes)
+        n = free_bytes;
     memcpy(o->log + o->log_size, s, n);
     o->log_size += n;
 }
@@ -123,31 +131,32 @@ int vm_print(lua_State *L)
 
 /* ---- opening the VM ---- */
 
-static int undeclared(lua_State *L)
+static int fault_undeclared_global(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
-    const char *line = api_off(&vm_board(L)->cart.m, name);
+    const char *line = api_disabled_reason(&vm_board(L)->cart.manifest, name);
 
-    if (api_open_late(L, name))
+    if (api_push_lazy_table(L, name))
         return 1;
-    if (api_reserved("", '.', name))
-        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, NOT_YET);
+    if (api_is_reserved("", '.', name))
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s %s)", name, name, RESERVED_MESSAGE);
     if (line)
-        return vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, name, line);
-    if (api_instead(NULL, name))
-        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (not available: %s)", name, api_instead(NULL, name));
-    if (std_of(name) >= 0)
+        return vm_fault(L, FAULT_SCRIPT, "%s: " API_DISABLED_FORMAT, name, line);
+    if (api_replacement(NULL, name))
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (not available: %s)", name,
+                        api_replacement(NULL, name));
+    if (std_module_of_global(name) >= 0)
         return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (%s)", name, STD_NOT_HERE);
-    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, api_push_meant(L, name, true));
+    return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, api_push_suggestion(L, name, true));
 }
 
-static int no_new_global(lua_State *L)
+static int fault_new_global(lua_State *L)
 {
     const char *name = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : luaL_typename(L, 2);
-    const char *meant = api_push_meant(L, name, false);
+    const char *suggestion = api_push_suggestion(L, name, false);
 
-    if (meant[0])
-        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, meant);
+    if (suggestion[0])
+        return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\"%s", name, suggestion);
     return vm_fault(L, FAULT_SCRIPT, "undeclared global \"%s\" (scripts cannot create globals; write \"local %s\")",
                     name, name);
 }
@@ -155,18 +164,18 @@ static int no_new_global(lua_State *L)
 static void seal_globals(lua_State *L)
 {
     lua_pushglobaltable(L);
-    lua_pushcfunction(L, undeclared);
-    lua_pushcfunction(L, no_new_global);
+    lua_pushcfunction(L, fault_undeclared_global);
+    lua_pushcfunction(L, fault_new_global);
     lualib_seal(L);
     lua_pop(L, 1);
 }
 
 /* Sets the largest allowed string block. Lua's block for a string is a header and the text; the header's size, which
  * differs between hosts, is measured with a sample string. */
-static void limit_texts(lua_State *L)
+static void limit_string_size(lua_State *L)
 {
     struct vm *vm = &vm_board(L)->vm;
-    char text[VM_PLACE] = "";
+    char text[VM_PLACE_SIZE] = "";
 
     lua_pushlstring(L, text, sizeof text);
     vm->text_max = vm->text_block - sizeof text + MAX_TEXT;
@@ -197,7 +206,7 @@ int vm_boot(lua_State *L)
 
     lua_gc(L, LUA_GCINC, 100, STEP_PERCENT, STEP_SHIFT);
     lua_gc(L, LUA_GCSTOP);
-    limit_texts(L);
+    limit_string_size(L);
     open_libraries(L);
     api_open(L); /* pushes the sys table */
     int sys = lua_gettop(L);
@@ -208,16 +217,16 @@ int vm_boot(lua_State *L)
     lua_gc(L, LUA_GCCOLLECT);
     api_reserved_install(L);
     seal_globals(L);
-    vm_load(L, b->cart.m.entry);
+    vm_load(L, b->cart.manifest.entry);
     lua_call(L, 0, 0);
     lua_gc(L, LUA_GCCOLLECT); /* a run starts without garbage from loading */
-    rest(&b->vm);
-    if (board_lists(b) && !b->vm.practice_read)
+    end_gc_cycle(&b->vm);
+    if (board_is_listing(b) && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "practice: no sections to choose from, because %s.lua does not call boot.run",
-                 b->cart.m.entry);
+                 b->cart.manifest.entry);
     if (b->start.practice.section[0] && !b->vm.practice_read)
         vm_fault(L, FAULT_SCRIPT, "--stage: cannot start at \"%s\", because %s.lua does not call boot.run",
-                 b->start.practice.section, b->cart.m.entry);
+                 b->start.practice.section, b->cart.manifest.entry);
     return 0;
 }
 
@@ -233,7 +242,7 @@ static void raise_fault(struct board *b, enum board_fault_kind kind, const char 
     vm_fault(b->vm.running, kind, "%s", message);
 }
 
-static void find_place(struct board *b, char *place, size_t size)
+static void write_place(struct board *b, char *place, size_t size)
 {
     place[0] = 0;
     if (b->vm.running)
@@ -242,12 +251,12 @@ static void find_place(struct board *b, char *place, size_t size)
 
 static const char emits_key = 0; /* registry: the memory of the emit queue */
 
-static void *emit_room(const struct board *b, const void *had, size_t *size)
+static void *provide_emit_queue(const struct board *b, const void *old, size_t *size)
 {
     lua_State *L = b->vm.running;
 
     luaL_checkstack(L, 4, NULL);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &emits_key) == LUA_TUSERDATA && !had)
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &emits_key) == LUA_TUSERDATA && !old)
         *size = (size_t)lua_rawlen(L, -1);
     else {
         lua_pop(L, 1);
@@ -255,12 +264,12 @@ static void *emit_room(const struct board *b, const void *had, size_t *size)
         lua_pushvalue(L, -1);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &emits_key);
     }
-    void *room = lua_touserdata(L, -1);
+    void *block = lua_touserdata(L, -1);
     lua_pop(L, 1);
-    return room;
+    return block;
 }
 
-static const struct vm_calls calls = { raise_fault, find_place, emit_room };
+static const struct vm_calls callbacks = { raise_fault, write_place, provide_emit_queue };
 
 bool vm_open(struct board *b, void *block, size_t size)
 {
@@ -269,15 +278,15 @@ bool vm_open(struct board *b, void *block, size_t size)
     b->vm.api = &api_table;
     b->vm.text_max = SIZE_MAX;
     b->vm.running = NULL;
-    vm_begin(b, WORK_LIMIT);
+    vm_reset_work(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);
     if (!b->vm.L)
         return false;
     *(struct board **)lua_getextraspace(b->vm.L) = b;
     lua_atpanic(b->vm.L, panic);
     b->vm.running = b->vm.L;
-    b->vm.swept = 0;
-    b->vm.kind = FAULT_NONE;
-    b->calls = &calls;
+    b->vm.swept_heap_work = 0;
+    b->vm.raised_kind = FAULT_NONE;
+    b->calls = &callbacks;
     return true;
 }

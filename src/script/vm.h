@@ -43,11 +43,11 @@ void vm_note_dead(lua_State *L, const char *field);
 void vm_where(lua_State *L, char *place, size_t size);
 
 /* Prefixes the message on top of the stack with the author's "FILE:LINE: " unless it has one. */
-void vm_place(lua_State *L);
+void vm_add_place(lua_State *L);
 
 /* Resets the work counter at the start of a tick, of power-on or of a console line. Work beyond `limit` raises
  * FAULT_LOOP. */
-void vm_begin(struct board *b, uint64_t limit);
+void vm_reset_work(struct board *b, uint64_t limit);
 
 /* Adds work, in units of about one VM instruction, to the counter. Raises FAULT_LOOP if the counter exceeds the
  * limit. */
@@ -60,21 +60,21 @@ uint32_t vm_enter(struct board *b, lua_State *L);
 void vm_leave(struct board *b, lua_State *L, uint32_t left);
 
 /* Takes a look (vm_count.c): weighs the function running in L, charges for it, and schedules the next look. */
-void vm_look(lua_State *L, lua_Debug *ar);
+void vm_take_look(lua_State *L, lua_Debug *ar);
 
-/* Called only while profiling (profile.h): vm_profile_turn when a thread's turn starts, vm_profile_begin before the
- * work counter is reset. */
-void vm_profile_turn(struct vm *vm, lua_State *L);
-void vm_profile_begin(struct vm *vm);
+/* Called only while profiling (profile.h): vm_profile_begin_turn when a thread's turn starts, vm_profile_reset_work
+ * before the work counter is reset. */
+void vm_profile_begin_turn(struct vm *vm, lua_State *L);
+void vm_profile_reset_work(struct vm *vm);
 
 /* Called after each allocation: schedules a look at the next instruction if much was allocated. */
-void vm_allocated(struct board *b);
+void vm_on_allocation(struct board *b);
 
-/* Fills in the board's fault from the error value on top of `from`, the thread that failed. */
-void vm_report(struct board *b, lua_State *from, int status);
+/* Fills in the board's fault from the error value on top of `thread`, the thread that failed. */
+void vm_report(struct board *b, lua_State *thread, int status);
 
-/* Adds the traceback of `from` to the fault, unless it has one. */
-void vm_trace(struct board *b, lua_State *L, lua_State *from);
+/* Adds the traceback of `thread` to the fault, unless it has one. */
+void vm_add_traceback(struct board *b, lua_State *L, lua_State *thread);
 
 /* Runs the garbage collector for its share of a frame. Called between frames only, through vm_call. */
 int vm_collect(lua_State *L);

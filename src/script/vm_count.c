@@ -21,30 +21,30 @@
 #include "vm.h"
 
 enum {
-    STEP = 1024,       /* instructions between two looks, on average */
-    DEEP_CHAIN = 2000, /* the longest chain Lua follows */
-    LOOK_NOW = 1 << 22 /* bytes allocated since the last look that force another one */
+    STEP = 1024,         /* instructions between two looks, on average */
+    MAX_CHAIN = 2000,    /* the longest chain Lua follows */
+    LOOK_BYTES = 1 << 22 /* bytes allocated since the last look that force another one */
 };
 
 /* The work of a look itself. */
 enum {
-    A_LOOK = 64 /* one unit per this many bytes of a string */
+    WEIGH_BYTES_PER_UNIT = 64 /* one unit per this many bytes of a string */
 };
 enum {
-    A_VALUE = 2,       /* units per register or upvalue */
-    A_LOOK_AT_LINK = 8 /* units per table in a chain */
+    WEIGH_VALUE_UNITS = 2, /* units per register or upvalue */
+    WEIGH_LINK_UNITS = 8   /* units per table in a chain */
 };
 
 /* Each instruction counts as one unit, plus the extra units of the heaviest value in scope. */
 enum {
-    A_TEXT = 1024,     /* one unit per this many bytes of a string */
-    A_ZERO = 2,        /* one per this many zero bytes in a string: `<` compares the parts between them one by one */
-    A_NUMERAL = 64,    /* one per this many bytes of a numeral */
-    A_LINK = 4,        /* one per this many tables linked by __index or __newindex */
-    AN_ARGUMENT = 128, /* one per this many values in `...` */
-    AN_ALLOCATION = 4, /* one per this many bytes allocated; added once per look, not per instruction */
-    AN_EXTREME = 64,   /* units for a number beyond 2^256 or below 2^-256: `%` divides it bit by bit */
-    A_FRACTION = 16    /* units for a float: `..` formats it */
+    TEXT_BYTES_PER_UNIT = 1024, /* one unit per this many bytes of a string */
+    ZEROS_PER_UNIT = 2, /* one per this many zero bytes in a string: `<` compares the parts between them one by one */
+    NUMERAL_BYTES_PER_UNIT = 64,  /* one per this many bytes of a numeral */
+    LINKS_PER_UNIT = 4,           /* one per this many tables linked by __index or __newindex */
+    ARGUMENTS_PER_UNIT = 128,     /* one per this many values in `...` */
+    ALLOCATED_BYTES_PER_UNIT = 4, /* one per this many bytes allocated; added once per look, not per instruction */
+    EXTREME_NUMBER_UNITS = 64,    /* units for a number beyond 2^256 or below 2^-256: `%` divides it bit by bit */
+    FLOAT_UNITS = 16              /* units for a float: `..` formats it */
 };
 
 /* Returns how many bytes of a string Lua reads to convert it to a number. */
@@ -65,182 +65,183 @@ static size_t count_zeros(const char *s, size_t n)
     return zeros;
 }
 
-static struct vm_weight text_weight(lua_State *L, uint64_t *looking)
+static struct vm_weight text_weight(lua_State *L, uint64_t *weighing_work)
 {
     size_t n;
     const char *s = lua_tolstring(L, -1, &n);
 
     size_t zeros = count_zeros(s, n), numeral = numeral_bytes(s);
-    *looking += n / A_LOOK;
-    if (numeral > A_NUMERAL)
-        return (struct vm_weight){ numeral / A_NUMERAL, WEIGHT_NUMERAL, numeral };
-    if (zeros > A_ZERO)
-        return (struct vm_weight){ zeros / A_ZERO, WEIGHT_ZEROS, zeros };
-    return (struct vm_weight){ n / A_TEXT, WEIGHT_TEXT, n };
+    *weighing_work += n / WEIGH_BYTES_PER_UNIT;
+    if (numeral > NUMERAL_BYTES_PER_UNIT)
+        return (struct vm_weight){ numeral / NUMERAL_BYTES_PER_UNIT, WEIGHT_NUMERAL, numeral };
+    if (zeros > ZEROS_PER_UNIT)
+        return (struct vm_weight){ zeros / ZEROS_PER_UNIT, WEIGHT_ZEROS, zeros };
+    return (struct vm_weight){ n / TEXT_BYTES_PER_UNIT, WEIGHT_TEXT, n };
 }
 
 static struct vm_weight number_weight(lua_State *L)
 {
-    double size = fabs(lua_tonumber(L, -1));
-    bool odd = (size > 0x1p256 && size <= DBL_MAX) || (size < 0x1p-256 && size > 0);
+    double magnitude = fabs(lua_tonumber(L, -1));
+    bool is_extreme = (magnitude > 0x1p256 && magnitude <= DBL_MAX) || (magnitude < 0x1p-256 && magnitude > 0);
 
-    if (odd)
-        return (struct vm_weight){ AN_EXTREME, WEIGHT_NUMBER, 256 };
-    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : A_FRACTION, WEIGHT_FRACTION, 0 };
+    if (is_extreme)
+        return (struct vm_weight){ EXTREME_NUMBER_UNITS, WEIGHT_NUMBER, 256 };
+    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : FLOAT_UNITS, WEIGHT_FRACTION, 0 };
 }
 
-/* Returns the length of the chain of tables linked from the one on top by this metatable field, at most DEEP_CHAIN. */
+/* Returns the length of the chain of tables linked from the one on top by this metatable field, at most MAX_CHAIN. */
 static size_t chain_length(lua_State *L, const char *field)
 {
     size_t n = 0;
 
     lua_pushvalue(L, -1);
-    while (n < DEEP_CHAIN && luaL_getmetafield(L, -1, field) == LUA_TTABLE) {
+    while (n < MAX_CHAIN && luaL_getmetafield(L, -1, field) == LUA_TTABLE) {
         lua_replace(L, -2);
         n++;
     }
     return n;
 }
 
-static struct vm_weight table_weight(lua_State *L, uint64_t *looking)
+static struct vm_weight table_weight(lua_State *L, uint64_t *weighing_work)
 {
     int top = lua_gettop(L);
-    size_t read = chain_length(L, "__index");
+    size_t index_links = chain_length(L, "__index");
 
     lua_settop(L, top);
-    size_t written = chain_length(L, "__newindex"), n = read > written ? read : written;
+    size_t newindex_links = chain_length(L, "__newindex"),
+           n = index_links > newindex_links ? index_links : newindex_links;
     lua_settop(L, top);
-    *looking += (read + written) * A_LOOK_AT_LINK;
-    return (struct vm_weight){ n / A_LINK, WEIGHT_CHAIN, n };
+    *weighing_work += (index_links + newindex_links) * WEIGH_LINK_UNITS;
+    return (struct vm_weight){ n / LINKS_PER_UNIT, WEIGHT_CHAIN, n };
 }
 
 /* Raises *w to the weight of the value on top if that is greater, and pops the value. Returns the work of weighing the
  * value. */
 static uint64_t weigh(lua_State *L, struct vm_weight *w)
 {
-    struct vm_weight one = { 0 };
-    uint64_t looking = A_VALUE;
+    struct vm_weight weight = { 0 };
+    uint64_t weighing_work = WEIGH_VALUE_UNITS;
 
     switch (lua_type(L, -1)) {
     case LUA_TSTRING:
-        one = text_weight(L, &looking);
+        weight = text_weight(L, &weighing_work);
         break;
     case LUA_TNUMBER:
-        one = number_weight(L);
+        weight = number_weight(L);
         break;
     case LUA_TTABLE:
-        one = table_weight(L, &looking);
+        weight = table_weight(L, &weighing_work);
         break;
     default:
         break;
     }
-    if (one.more > w->more)
-        *w = one;
+    if (weight.extra > w->extra)
+        *w = weight;
     lua_pop(L, 1);
-    return looking;
+    return weighing_work;
 }
 
 static bool has_argument(lua_State *L, lua_Debug *ar, int n)
 {
-    bool there = lua_getlocal(L, ar, -n) != NULL;
+    bool exists = lua_getlocal(L, ar, -n) != NULL;
 
-    if (there)
+    if (exists)
         lua_pop(L, 1);
-    return there;
+    return exists;
 }
 
 /* Returns the number of values in `...`. */
 static int count_arguments(lua_State *L, lua_Debug *ar)
 {
-    int least = 0, most = 1;
+    int low = 0, high = 1;
 
-    while (has_argument(L, ar, most))
-        least = most, most *= 2;
-    while (most - least > 1) {
-        int middle = least + (most - least) / 2;
+    while (has_argument(L, ar, high))
+        low = high, high *= 2;
+    while (high - low > 1) {
+        int middle = low + (high - low) / 2;
         if (has_argument(L, ar, middle))
-            least = middle;
+            low = middle;
         else
-            most = middle;
+            high = middle;
     }
-    return least;
+    return low;
 }
 
 /* Returns the extra weight, above one, that the heaviest instruction of the running function may have. Adds the work of
  * determining this weight to *looking. */
-static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *looking)
+static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *weighing_work)
 {
     int arguments = count_arguments(L, ar);
-    struct vm_weight w = { (unsigned)arguments / AN_ARGUMENT, WEIGHT_ARGUMENTS, (unsigned)arguments };
+    struct vm_weight w = { (unsigned)arguments / ARGUMENTS_PER_UNIT, WEIGHT_ARGUMENTS, (unsigned)arguments };
 
     for (int i = 1; lua_getlocal(L, ar, i); i++)
-        *looking += weigh(L, &w);
+        *weighing_work += weigh(L, &w);
     lua_getinfo(L, "f", ar);
     for (int i = 1; lua_getupvalue(L, -1, i); i++)
-        *looking += weigh(L, &w);
+        *weighing_work += weigh(L, &w);
     lua_pop(L, 1);
     return w;
 }
 
 static void on_count(lua_State *L, lua_Debug *ar)
 {
-    vm_look(L, ar);
+    vm_take_look(L, ar);
 }
 
 /* Schedules the next look, before the n-th instruction of thread L from now. While profiling, only sets the countdown:
  * the profiler's hook, which runs before each instruction, decrements it. */
-static void look_after(struct vm *vm, lua_State *L, uint32_t n)
+static void schedule_look(struct vm *vm, lua_State *L, uint32_t n)
 {
-    vm->left = n;
+    vm->until_check = n;
     if (!vm->profile)
         lua_sethook(L, on_count, LUA_MASKCOUNT, (int)n);
 }
 
-static void look_later(struct vm *vm, lua_State *L)
+static void schedule_random_look(struct vm *vm, lua_State *L)
 {
-    vm->stream = vm->stream * 1103515245 + 12345;
-    look_after(vm, L, 1 + (vm->stream >> 16) % (2 * STEP));
+    vm->rng_state = vm->rng_state * 1103515245 + 12345;
+    schedule_look(vm, L, 1 + (vm->rng_state >> 16) % (2 * STEP));
 }
 
-void vm_look(lua_State *L, lua_Debug *ar)
+void vm_take_look(lua_State *L, lua_Debug *ar)
 {
     struct vm *vm = &vm_board(L)->vm;
-    uint64_t allocated = heap_work(vm->heap) - vm->looked, looking = 0;
-    struct vm_weight w = weigh_function(L, ar, &looking);
+    uint64_t allocated = heap_work(vm->heap) - vm->checked_heap_work, weighing_work = 0;
+    struct vm_weight w = weigh_function(L, ar, &weighing_work);
 
     /* Floats are not reported, because nearly every loop has some in scope. */
-    if (w.more > vm->heaviest.more && w.why != WEIGHT_FRACTION)
+    if (w.extra > vm->heaviest.extra && w.kind != WEIGHT_FRACTION)
         vm->heaviest = w;
-    vm->looked += allocated;
-    vm_charge(L, STEP * (1 + (uint64_t)w.more) + allocated / AN_ALLOCATION + looking);
-    look_later(vm, L);
+    vm->checked_heap_work += allocated;
+    vm_charge(L, STEP * (1 + (uint64_t)w.extra) + allocated / ALLOCATED_BYTES_PER_UNIT + weighing_work);
+    schedule_random_look(vm, L);
 }
 
 /* ---- the limit ---- */
 
 /* Writes e.g. " (each counts as 65 with a string of 65536 bytes in scope)", or "" if each counted as one. */
-static void say_weight(const struct vm_weight *w, char *text, size_t size)
+static void format_weight(const struct vm_weight *w, char *text, size_t size)
 {
-    static const char *const scope[] = {
+    static const char *const formats[] = {
         [WEIGHT_TEXT] = "a string of %zu bytes",      [WEIGHT_ZEROS] = "a string with %zu zero bytes",
         [WEIGHT_NUMERAL] = "a numeral of %zu bytes",  [WEIGHT_NUMBER] = "a number beyond 2^%zu",
         [WEIGHT_CHAIN] = "a chain of %zu metatables", [WEIGHT_ARGUMENTS] = "%zu arguments"
     };
-    char what[48];
+    char operand[48];
 
     text[0] = 0;
-    if (!w->more)
+    if (!w->extra)
         return;
-    snprintf(what, sizeof what, scope[w->why], w->n);
-    snprintf(text, size, " (each counts as %zu with %s in scope)", w->more + 1, what);
+    snprintf(operand, sizeof operand, formats[w->kind], w->n);
+    snprintf(text, size, " (each counts as %zu with %s in scope)", w->extra + 1, operand);
 }
 
-static int over_limit(lua_State *L, struct vm *vm)
+static int fault_over_limit(lua_State *L, struct vm *vm)
 {
     char weight[112];
 
-    look_after(vm, L, 1); /* so that __close handlers, run while unwinding, are stopped at once */
-    say_weight(&vm->heaviest, weight, sizeof weight);
+    schedule_look(vm, L, 1); /* so that __close handlers, run while unwinding, are stopped at once */
+    format_weight(&vm->heaviest, weight, sizeof weight);
     return vm_fault(L, FAULT_LOOP, "infinite loop: more than %d instructions in one %s%s", (int)vm->limit,
                     vm->limit == WORK_LIMIT ? "frame" : "line", weight);
 }
@@ -251,47 +252,47 @@ void vm_charge(lua_State *L, uint64_t work)
 
     vm->work = work < UINT64_MAX - vm->work ? vm->work + work : UINT64_MAX;
     if (vm->work > vm->limit)
-        over_limit(L, vm);
+        fault_over_limit(L, vm);
 }
 
 /* ---- resetting the counter, switching threads ---- */
 
-void vm_begin(struct board *b, uint64_t limit)
+void vm_reset_work(struct board *b, uint64_t limit)
 {
     struct vm *vm = &b->vm;
 
     if (vm->profile)
-        vm_profile_begin(vm);
+        vm_profile_reset_work(vm);
     vm->work = 0;
     vm->limit = limit;
-    vm->looked = heap_work(vm->heap);
+    vm->checked_heap_work = heap_work(vm->heap);
     vm->heaviest = (struct vm_weight){ 0 };
-    vm->stream = 1;
-    b->output->long_text = 0;
+    vm->rng_state = 1;
+    b->output->too_long_size = 0;
 }
 
 uint32_t vm_enter(struct board *b, lua_State *L)
 {
     struct vm *vm = &b->vm;
-    const uint32_t left = vm->left;
+    const uint32_t left = vm->until_check;
 
     vm->running = L;
     if (vm->profile)
-        vm_profile_turn(vm, L);
-    look_later(vm, L);
+        vm_profile_begin_turn(vm, L);
+    schedule_random_look(vm, L);
     return left;
 }
 
 void vm_leave(struct board *b, lua_State *L, uint32_t left)
 {
     b->vm.running = L;
-    b->vm.left = left;
+    b->vm.until_check = left;
 }
 
-void vm_allocated(struct board *b)
+void vm_on_allocation(struct board *b)
 {
     struct vm *vm = &b->vm;
 
-    if (vm->running && heap_work(vm->heap) - vm->looked > LOOK_NOW)
-        look_after(vm, vm->running, 1);
+    if (vm->running && heap_work(vm->heap) - vm->checked_heap_work > LOOK_BYTES)
+        schedule_look(vm, vm->running, 1);
 }

@@ -18,22 +18,22 @@ void vm_where(lua_State *L, char *place, size_t size)
     place[0] = 0;
     for (int level = 0; lua_getstack(L, level, &ar); level++) {
         lua_getinfo(L, "Sl", &ar);
-        bool std = strncmp(ar.short_src, "@std/", 5) == 0;
-        if (ar.currentline <= 0 || (std && place[0]))
+        bool is_std = strncmp(ar.short_src, "@std/", 5) == 0;
+        if (ar.currentline <= 0 || (is_std && place[0]))
             continue;
         snprintf(place, size, "%s:%d: ", ar.short_src, ar.currentline);
-        if (!std)
+        if (!is_std)
             return;
     }
-    const char *from = tasks_from(vm_board(L), L);
-    if (from)
-        snprintf(place, size, "%s", from);
+    const char *start_place = tasks_origin(vm_board(L), L);
+    if (start_place)
+        snprintf(place, size, "%s", start_place);
 }
 
-/* Returns whether the message has a place: ":LINE:" within its first VM_PLACE bytes. */
+/* Returns whether the message has a place: ":LINE:" within its first VM_PLACE_SIZE bytes. */
 static bool has_place(const char *message)
 {
-    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE; p++) {
+    for (const char *p = message; (p = strchr(p, ':')) != NULL && p - message < VM_PLACE_SIZE; p++) {
         size_t digits = strspn(p + 1, "0123456789");
         if (digits && p[digits + 1] == ':')
             return true;
@@ -43,24 +43,24 @@ static bool has_place(const char *message)
 
 /* Writes the author's place to prefix the message with, if the message has no place or the library's. Writes "" if the
  * message has the author's place already, or if the author's place is unknown and the message has the library's. */
-static void missing_place(lua_State *L, const char *message, char *place, size_t size)
+static void write_missing_place(lua_State *L, const char *message, char *place, size_t size)
 {
-    bool std = strncmp(message, "@std/", 5) == 0;
+    bool is_std = strncmp(message, "@std/", 5) == 0;
 
     place[0] = 0;
-    if (!has_place(message) || std)
+    if (!has_place(message) || is_std)
         vm_where(L, place, size);
-    if (std && strncmp(place, "@std/", 5) == 0)
+    if (is_std && strncmp(place, "@std/", 5) == 0)
         place[0] = 0;
 }
 
-void vm_place(lua_State *L)
+void vm_add_place(lua_State *L)
 {
-    char place[VM_PLACE];
+    char place[VM_PLACE_SIZE];
 
     if (lua_type(L, -1) != LUA_TSTRING)
         return;
-    missing_place(L, lua_tostring(L, -1), place, sizeof place);
+    write_missing_place(L, lua_tostring(L, -1), place, sizeof place);
     lua_pushstring(L, place);
     lua_insert(L, -2);
     lua_concat(L, 2);
@@ -68,10 +68,10 @@ void vm_place(lua_State *L)
 
 int vm_fault(lua_State *L, enum board_fault_kind kind, const char *format, ...)
 {
-    char place[VM_PLACE];
+    char place[VM_PLACE_SIZE];
     va_list args;
 
-    vm_board(L)->vm.kind = kind;
+    vm_board(L)->vm.raised_kind = kind;
     lua_checkstack(L, 4);
     vm_where(L, place, sizeof place);
     lua_pushstring(L, place);
@@ -94,7 +94,7 @@ int vm_fault_at(lua_State *L, const char *place, const char *format, ...)
 {
     va_list args;
 
-    vm_board(L)->vm.kind = FAULT_SCRIPT;
+    vm_board(L)->vm.raised_kind = FAULT_SCRIPT;
     luaL_checkstack(L, 4, NULL);
     lua_pushstring(L, place);
     va_start(args, format);
@@ -104,10 +104,10 @@ int vm_fault_at(lua_State *L, const char *place, const char *format, ...)
     return lua_error(L);
 }
 
-static enum board_fault_kind kind_of(const struct board *b, int status, const char *message)
+static enum board_fault_kind fault_kind_of(const struct board *b, int status, const char *message)
 {
-    if (b->vm.kind != FAULT_NONE)
-        return b->vm.kind;
+    if (b->vm.raised_kind != FAULT_NONE)
+        return b->vm.raised_kind;
     if (status == LUA_ERRERR || strstr(message, "stack overflow"))
         return FAULT_STACK;
     return FAULT_SCRIPT;
@@ -120,28 +120,28 @@ static void copy_text(char *to, size_t size, const char *from)
 
 /* Returns whether the running code can wait, i.e. is a task: false while loading, in a handler and in a console
  * line. */
-static bool waits(const struct board *b)
+static bool can_wait(const struct board *b)
 {
     return b->tasks.current != NO_SLOT && b->vm.limit == WORK_LIMIT;
 }
 
 static void report_shortage(const struct board *b, struct board_fault *f)
 {
-    if (b->output->long_text) {
-        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)", b->output->shortage,
-                 b->output->long_text, (int)MAX_TEXT);
+    if (b->output->too_long_size) {
+        snprintf(f->message, sizeof f->message, "%sstring too long: %zu bytes (at most %d)", b->output->shortage_place,
+                 b->output->too_long_size, (int)MAX_TEXT);
         return;
     }
-    const bool at_once = waits(b) && heap_work(b->vm.heap) - b->vm.swept > b->vm.heap_size / 2;
+    const bool in_one_frame = can_wait(b) && heap_work(b->vm.heap) - b->vm.swept_heap_work > b->vm.heap_size / 2;
     snprintf(f->message, sizeof f->message, "%sout of Lua memory (%d KiB); raise `board.lua_kib` in rom.lua%s",
-             b->output->shortage, b->cart.m.lua_kib,
-             b->output->deep ? " (calls nested deeply: infinite recursion?)"
-             : at_once       ? " (most of it allocated in one frame: infinite loop, missing wait?)"
-                             : "");
+             b->output->shortage_place, b->cart.manifest.lua_kib,
+             b->output->in_deep_calls ? " (calls nested deeply: infinite recursion?)"
+             : in_one_frame           ? " (most of it allocated in one frame: infinite loop, missing wait?)"
+                                      : "");
 }
 
 /* Copies NAME from a message that ends in "a nil value (field 'NAME')". Returns false for any other message. */
-static bool nil_field(const char *message, char *name, size_t size)
+static bool parse_nil_field(const char *message, char *name, size_t size)
 {
     const char *field = strstr(message, "a nil value (field '"), *end;
 
@@ -157,18 +157,18 @@ static bool nil_field(const char *message, char *name, size_t size)
 }
 
 /* Writes a hint, to be appended to Lua's own message, about why a field may be nil here, or "" if there is none. */
-static void hint(lua_State *L, const char *message, char *out, size_t size)
+static void write_hint(lua_State *L, const char *message, char *out, size_t size)
 {
     const struct output *o = vm_board(L)->output;
-    char name[32], calls[100], place[VM_PLACE];
-    const char *space, *instead;
+    char name[32], calls[100], place[VM_PLACE_SIZE];
+    const char *library, *replacement;
 
     out[0] = 0;
-    if (!nil_field(message, name, sizeof name))
+    if (!parse_nil_field(message, name, sizeof name))
         return;
     vm_where(L, place, sizeof place);
-    if ((instead = api_instead_field(name, &space)) != NULL)
-        snprintf(out, size, " (%s.%s is not available: %s)", space, name, instead);
+    if ((replacement = api_find_replacement(name, &library)) != NULL)
+        snprintf(out, size, " (%s.%s is not available: %s)", library, name, replacement);
     else if (strstr(message, "to call") && api_suggest_calls(vm_board(L)->vm.api, name, calls, sizeof calls))
         snprintf(out, size, " (did you mean %s?)", calls);
     else if (!strcmp(name, o->dead_field) && !strcmp(o->dead_place, place))
@@ -176,40 +176,40 @@ static void hint(lua_State *L, const char *message, char *out, size_t size)
 }
 
 /* Returns the likely cause of calls nested too deeply or of a frame that does not end, or "". */
-static const char *cause(const struct board *b, enum board_fault_kind kind)
+static const char *likely_cause(const struct board *b, enum board_fault_kind kind)
 {
     if (kind == FAULT_STACK)
         return " (calls nested too deeply: infinite recursion?)";
     if (kind != FAULT_LOOP || b->vm.limit != WORK_LIMIT)
         return "";
-    return waits(b) ? " (missing wait?)" : " (only a task can wait; start one with task.go)";
+    return can_wait(b) ? " (missing wait?)" : " (only a task can wait; start one with task.go)";
 }
 
 /* Reports any error other than lack of memory. */
-static void report_error(struct board *b, lua_State *from, int status, struct board_fault *f)
+static void report_error(struct board *b, lua_State *thread, int status, struct board_fault *f)
 {
-    char place[VM_PLACE] = "", other[80], why[160] = "";
-    bool raised = lualib_raised(from, -1);
+    char place[VM_PLACE_SIZE] = "", substitute[80], reason[160] = "";
+    bool is_raised = lualib_is_raised(thread, -1);
 
-    if (raised)
-        lualib_unwrap(from, -1);
-    int type = lua_type(from, -1);
-    const char *message = other;
+    if (is_raised)
+        lualib_push_unwrapped(thread, -1);
+    int type = lua_type(thread, -1);
+    const char *message = substitute;
     if (type == LUA_TSTRING || type == LUA_TNUMBER)
-        message = lua_tostring(from, -1);
+        message = lua_tostring(thread, -1);
     else
-        snprintf(other, sizeof other, "error: expected a string as the error value, got a %s",
-                 lua_typename(from, type));
-    missing_place(from, message, place, sizeof place);
-    if (!raised && b->vm.kind == FAULT_NONE)
-        hint(from, message, why, sizeof why);
-    f->kind = raised ? FAULT_SCRIPT : kind_of(b, status, message);
-    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, why, cause(b, f->kind));
+        snprintf(substitute, sizeof substitute, "error: expected a string as the error value, got a %s",
+                 lua_typename(thread, type));
+    write_missing_place(thread, message, place, sizeof place);
+    if (!is_raised && b->vm.raised_kind == FAULT_NONE)
+        write_hint(thread, message, reason, sizeof reason);
+    f->kind = is_raised ? FAULT_SCRIPT : fault_kind_of(b, status, message);
+    snprintf(f->message, sizeof f->message, "%s%s%s%s", place, message, reason, likely_cause(b, f->kind));
     if (f->kind == FAULT_LOOP)
-        board_full_forget(b);
+        board_withdraw_full_reports(b);
 }
 
-void vm_report(struct board *b, lua_State *from, int status)
+void vm_report(struct board *b, lua_State *thread, int status)
 {
     struct board_fault *f = &b->output->fault;
 
@@ -219,17 +219,17 @@ void vm_report(struct board *b, lua_State *from, int status)
     if (status == LUA_ERRMEM)
         report_shortage(b, f);
     else
-        report_error(b, from, status, f);
+        report_error(b, thread, status, f);
     b->output->out.fault = f;
 }
 
-void vm_trace(struct board *b, lua_State *L, lua_State *from)
+void vm_add_traceback(struct board *b, lua_State *L, lua_State *thread)
 {
     if (b->output->fault.trace[0])
         return;
-    lualib_trace(L); /* the traceback of a fault that passed through a pcall, or nil */
+    lualib_push_trace(L); /* the traceback of a fault that passed through a pcall, or nil */
     if (!lua_isstring(L, -1))
-        luaL_traceback(L, from, NULL, 0);
+        luaL_traceback(L, thread, NULL, 0);
     copy_text(b->output->fault.trace, sizeof b->output->fault.trace, lua_tostring(L, -1));
     lua_pop(L, 1);
 }
@@ -241,7 +241,7 @@ static int on_error(lua_State *L)
 
     vm_report(b, L, LUA_ERRRUN);
     lua_settop(L, 1);
-    vm_trace(b, L, L);
+    vm_add_traceback(b, L, L);
     return 1;
 }
 

@@ -16,19 +16,19 @@ static const char modules_key = 0, sys_key = 0;
 void vm_load(lua_State *L, const char *name)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    const char *text, *what;
+    const char *text, *message;
     size_t size;
     int line;
-    char chunk[160], meant[SCRIPT_NAME];
+    char chunk[160], converted[SCRIPT_NAME_BYTES];
 
-    if (!cart_script(cart, name, &text, &size)) {
-        if (script_name(name, meant) && cart_script(cart, meant, &text, &size))
+    if (!cart_find_script(cart, name, &text, &size)) {
+        if (script_normalize_name(name, converted) && cart_find_script(cart, converted, &text, &size))
             vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game (did you mean require \"%s\"?)", name,
-                     meant);
+                     converted);
         vm_fault(L, FAULT_SCRIPT, "require: no script \"%s.lua\" in the game", name);
     }
-    if (!script_scan(text, size, &line, &what)) {
-        lua_pushfstring(L, "%s.lua:%d: %s", name, line, what);
+    if (!script_scan(text, size, &line, &message)) {
+        lua_pushfstring(L, "%s.lua:%d: %s", name, line, message);
         lua_error(L);
     }
     snprintf(chunk, sizeof chunk, "@%s.lua", name);
@@ -71,7 +71,7 @@ void vm_read_piece(lua_State *L, const char *name)
     size_t size;
 
     snprintf(path, sizeof path, "@std/%s", name);
-    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+    if (!cart_find_script(&vm_board(L)->cart, path, &text, &size))
         vm_fault(L, FAULT_SCRIPT, "sys.read: no library file \"%s\" in this ROM", name);
     vm_charge(L, size);
     vm_load(L, path);
@@ -81,19 +81,19 @@ void vm_read_piece(lua_State *L, const char *name)
 
 void vm_load_std(lua_State *L, int i, int sys)
 {
-    const char *name = std_module(i);
+    const char *name = std_module_name(i);
     char path[64];
     const char *text;
     size_t size;
 
     snprintf(path, sizeof path, "@std/%s", name);
-    if (!cart_script(&vm_board(L)->cart, path, &text, &size))
+    if (!cart_find_script(&vm_board(L)->cart, path, &text, &size))
         return;
-    if (std_adds_to(i) && api_off(&vm_board(L)->cart.m, std_adds_to(i)))
+    if (std_extended_table(i) && api_disabled_reason(&vm_board(L)->cart.manifest, std_extended_table(i)))
         return;
     vm_load(L, path);
     snprintf(path, sizeof path, "@@std/%s.lua", name);
-    lualib_drop_locals(L, path);
+    lualib_strip_locals(L, path);
     lua_pushvalue(L, sys);
     lua_call(L, 1, 1);
     lua_pushglobaltable(L);

@@ -18,7 +18,7 @@ const int16_t adpcm_steps[ADPCM_STEPS] = {
 };
 
 /* Decodes n samples of a block, starting at index `from`. */
-static void read_block(const uint8_t *block, int from, int n, int16_t *out)
+static void decode_block(const uint8_t *block, int from, int n, int16_t *out)
 {
     struct adpcm s = { (int16_t)bytes_get16(block), block[2] };
     int i = 0;
@@ -33,41 +33,41 @@ static void read_block(const uint8_t *block, int from, int n, int16_t *out)
 
 static uint32_t blocks_of(uint32_t n)
 {
-    return (n + ADPCM_SAMPLES - 1) / ADPCM_SAMPLES;
+    return (n + ADPCM_BLOCK_SAMPLES - 1) / ADPCM_BLOCK_SAMPLES;
 }
 
 size_t sample_size(uint32_t n, enum sample_coding coding)
 {
-    return SAMPLE_HEADER + (coding == SAMPLE_EXACT ? 2 * (size_t)n : (size_t)blocks_of(n) * ADPCM_BYTES);
+    return SAMPLE_HEADER_SIZE + (coding == SAMPLE_EXACT ? 2 * (size_t)n : (size_t)blocks_of(n) * ADPCM_BLOCK_BYTES);
 }
 
 struct sample sample_of(const uint8_t *data)
 {
     return (struct sample){ bytes_get32(data), bytes_get32(data + 4), bytes_get32(data + 8),
-                            (enum sample_coding)data[12], data + SAMPLE_HEADER };
+                            (enum sample_coding)data[12], data + SAMPLE_HEADER_SIZE };
 }
 
 bool sample_open(const uint8_t *data, size_t size, struct sample *s)
 {
-    if (size < SAMPLE_HEADER || data[12] >= SAMPLE_CODINGS || data[13] | data[14] | data[15])
+    if (size < SAMPLE_HEADER_SIZE || data[12] >= SAMPLE_CODINGS || data[13] | data[14] | data[15])
         return false;
     *s = sample_of(data);
-    if (s->rate < SAMPLE_RATE || s->rate > SND_RATE || s->n < 1 || s->n > SAMPLE_MOST ||
-        (s->loop != SAMPLE_ENDS && s->loop >= s->n) || size != sample_size(s->n, s->coding))
+    if (s->rate < SAMPLE_MIN_RATE || s->rate > SND_RATE || s->n < 1 || s->n > SAMPLE_MAX_LENGTH ||
+        (s->loop != SAMPLE_NO_LOOP && s->loop >= s->n) || size != sample_size(s->n, s->coding))
         return false;
     for (uint32_t i = 0; s->coding == SAMPLE_PACKED && i < blocks_of(s->n); i++)
-        if (s->data[i * ADPCM_BYTES + 2] >= ADPCM_STEPS || s->data[i * ADPCM_BYTES + 3] != 0)
+        if (s->data[i * ADPCM_BLOCK_BYTES + 2] >= ADPCM_STEPS || s->data[i * ADPCM_BLOCK_BYTES + 3] != 0)
             return false;
     return true;
 }
 
-bool samples_open(const uint8_t *data, size_t size, int n)
+bool samples_are_valid(const uint8_t *data, size_t size, int n)
 {
     struct sample first = { 0 }, s;
     size_t at = 0;
 
     for (int i = 0; i < n; i++) {
-        if (size - at < SAMPLE_HEADER)
+        if (size - at < SAMPLE_HEADER_SIZE)
             return false;
         const size_t bytes = sample_size(bytes_get32(data + at + 4), (enum sample_coding)data[at + 12]);
         if (bytes > size - at || !sample_open(data + at, bytes, &s))
@@ -91,18 +91,19 @@ static void read_exact(const uint8_t *data, int n, int16_t *out)
 }
 
 /* Reads n samples, starting at index `from`; all n must be in the recording. */
-static void read_run(const struct sample *s, uint32_t from, int n, int16_t *out)
+static void read_samples(const struct sample *s, uint32_t from, int n, int16_t *out)
 {
     if (s->coding == SAMPLE_EXACT) {
         read_exact(s->data + 2 * (size_t)from, n, out);
         return;
     }
     while (n > 0) {
-        const int first = (int)(from % ADPCM_SAMPLES), here = n < ADPCM_SAMPLES - first ? n : ADPCM_SAMPLES - first;
-        read_block(s->data + (size_t)(from / ADPCM_SAMPLES) * ADPCM_BYTES, first, here, out);
-        from += (uint32_t)here;
-        out += here;
-        n -= here;
+        const int first = (int)(from % ADPCM_BLOCK_SAMPLES),
+                  count = n < ADPCM_BLOCK_SAMPLES - first ? n : ADPCM_BLOCK_SAMPLES - first;
+        decode_block(s->data + (size_t)(from / ADPCM_BLOCK_SAMPLES) * ADPCM_BLOCK_BYTES, first, count, out);
+        from += (uint32_t)count;
+        out += count;
+        n -= count;
     }
 }
 
@@ -111,20 +112,20 @@ void sample_read(const struct sample *s, int64_t from, int n, int16_t *out)
     const int64_t length = s->n, loop = s->loop;
 
     while (n > 0) {
-        int64_t here = n;
-        if (from >= length && s->loop != SAMPLE_ENDS)
+        int64_t count = n;
+        if (from >= length && s->loop != SAMPLE_NO_LOOP)
             from = loop + (from - loop) % (length - loop);
         if (from < 0) {
-            here = -from < n ? -from : n;
-            memset(out, 0, (size_t)here * sizeof *out);
+            count = -from < n ? -from : n;
+            memset(out, 0, (size_t)count * sizeof *out);
         } else if (from >= length) {
             memset(out, 0, (size_t)n * sizeof *out);
         } else {
-            here = length - from < n ? length - from : n;
-            read_run(s, (uint32_t)from, (int)here, out);
+            count = length - from < n ? length - from : n;
+            read_samples(s, (uint32_t)from, (int)count, out);
         }
-        from += here;
-        out += here;
-        n -= (int)here;
+        from += count;
+        out += count;
+        n -= (int)count;
     }
 }

@@ -1,10 +1,10 @@
 /*
  * adpcm.h - sampled sounds: 16 bits per sample, or IMA ADPCM in blocks that can be decoded independently.
  *
- * A recording in a ROM is a header of SAMPLE_HEADER bytes (u32 sample rate in Hz, u32 number of samples, u32 index of
- * the first sample of the loop or SAMPLE_ENDS, u8 coding, three zero bytes), followed by the samples. SAMPLE_EXACT: an
- * i16 per sample. SAMPLE_PACKED: blocks of ADPCM_BYTES: i16 first sample, u8 step index, a zero byte, then two samples
- * per byte, low half first, as in WAV files. A loop always ends at the last sample.
+ * A recording in a ROM is a header of SAMPLE_HEADER_SIZE bytes (u32 sample rate in Hz, u32 number of samples, u32 index
+ * of the first sample of the loop or SAMPLE_NO_LOOP, u8 coding, three zero bytes), followed by the samples.
+ * SAMPLE_EXACT: an i16 per sample. SAMPLE_PACKED: blocks of ADPCM_BLOCK_BYTES: i16 first sample, u8 step index, a zero
+ * byte, then two samples per byte, low half first, as in WAV files. A loop always ends at the last sample.
  */
 #ifndef SOUND_ADPCM_H
 #define SOUND_ADPCM_H
@@ -14,14 +14,14 @@
 #include <stdint.h>
 
 enum {
-    SAMPLE_HEADER = 16,
-    SAMPLE_RATE = 4000,    /* minimum, Hz; the maximum is SND_RATE */
-    SAMPLE_MOST = 1 << 25, /* maximum number of samples */
-    ADPCM_BYTES = 256,
-    ADPCM_SAMPLES = 505,
+    SAMPLE_HEADER_SIZE = 16,
+    SAMPLE_MIN_RATE = 4000,      /* minimum, Hz; the maximum is SND_RATE */
+    SAMPLE_MAX_LENGTH = 1 << 25, /* maximum number of samples */
+    ADPCM_BLOCK_BYTES = 256,
+    ADPCM_BLOCK_SAMPLES = 505,
     ADPCM_STEPS = 89
 };
-#define SAMPLE_ENDS UINT32_MAX
+#define SAMPLE_NO_LOOP UINT32_MAX
 
 enum sample_coding { SAMPLE_PACKED, SAMPLE_EXACT, SAMPLE_CODINGS };
 
@@ -35,7 +35,7 @@ struct sample {
 bool sample_open(const uint8_t *data, size_t size, struct sample *s);
 
 /* Returns whether data is exactly n valid recordings, one after another, all with the same length, rate and loop. */
-bool samples_open(const uint8_t *data, size_t size, int n);
+bool samples_are_valid(const uint8_t *data, size_t size, int n);
 
 /* Returns the header of a recording that sample_open has accepted. */
 struct sample sample_of(const uint8_t *data);
@@ -62,11 +62,11 @@ static inline int32_t adpcm_clamp(int32_t v, int32_t lo, int32_t hi)
 /* Returns the decoder state that follows s after a 4-bit code. */
 static inline struct adpcm adpcm_next(struct adpcm s, int code)
 {
-    static const int8_t moves[8] = { -1, -1, -1, -1, 2, 4, 6, 8 };
+    static const int8_t index_steps[8] = { -1, -1, -1, -1, 2, 4, 6, 8 };
     const int32_t d = ((code & 7) * 2 + 1) * adpcm_steps[s.index] >> 3;
 
     s.value = adpcm_clamp(code & 8 ? s.value - d : s.value + d, -32768, 32767);
-    s.index = adpcm_clamp(s.index + moves[code & 7], 0, ADPCM_STEPS - 1);
+    s.index = adpcm_clamp(s.index + index_steps[code & 7], 0, ADPCM_STEPS - 1);
     return s;
 }
 

@@ -15,7 +15,7 @@
 
 enum { POLY_A = 15303, POLY_B = 16560, POLY_C = 1257, POLY_ONE = 65534 };
 
-static uint16_t high(uint16_t a, uint16_t b)
+static uint16_t mul_high(uint16_t a, uint16_t b)
 {
     return (uint16_t)((uint32_t)a * b >> 16);
 }
@@ -24,10 +24,11 @@ void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++) {
         const int16_t x = (int16_t)(phase[n] >> 16), sign = (int16_t)(x >> 15);
-        const int16_t far = (int16_t)((x ^ sign) - 16384), near = (int16_t)(far ^ (far >> 15));
-        const uint16_t u = (uint16_t)(4 * near + 2), w = high(u, u); /* u: quarter turns from the crest, Q16 */
-        const uint16_t bent = high(w, (uint16_t)(POLY_A - high(w, (uint16_t)(POLY_B - high(w, POLY_C)))));
-        const int16_t crest = (int16_t)((uint16_t)(POLY_ONE - w - bent) >> 1);
+        const int16_t from_crest = (int16_t)((x ^ sign) - 16384), distance = (int16_t)(from_crest ^ (from_crest >> 15));
+        const uint16_t u = (uint16_t)(4 * distance + 2), w = mul_high(u, u); /* u: quarter turns from the crest, Q16 */
+        const uint16_t correction =
+            mul_high(w, (uint16_t)(POLY_A - mul_high(w, (uint16_t)(POLY_B - mul_high(w, POLY_C)))));
+        const int16_t crest = (int16_t)((uint16_t)(POLY_ONE - w - correction) >> 1);
         out[n] = (int16_t)((crest ^ sign) - sign);
     }
 }
@@ -38,17 +39,17 @@ enum { LANES = 8 };
 __extension__ typedef int16_t lanes __attribute__((vector_size(2 * LANES)));
 __extension__ typedef uint16_t ulanes __attribute__((vector_size(2 * LANES)));
 
-static ulanes highs(ulanes a, ulanes b)
+static ulanes mul_high_lanes(ulanes a, ulanes b)
 {
     return (ulanes)__builtin_ia32_pmulhuw128((lanes)a, (lanes)b);
 }
 
-static lanes sines(lanes x)
+static lanes sine_lanes(lanes x)
 {
-    const lanes sign = x >> 15, far = (x ^ sign) - 16384, near = far ^ (far >> 15);
-    const ulanes u = (ulanes)(near << 2) + 2, w = highs(u, u), c = (ulanes){ 0 } + POLY_C;
-    const ulanes bent = highs(w, POLY_A - highs(w, POLY_B - highs(w, c)));
-    const lanes crest = (lanes)((POLY_ONE - w - bent) >> 1);
+    const lanes sign = x >> 15, from_crest = (x ^ sign) - 16384, distance = from_crest ^ (from_crest >> 15);
+    const ulanes u = (ulanes)(distance << 2) + 2, w = mul_high_lanes(u, u), c = (ulanes){ 0 } + POLY_C;
+    const ulanes correction = mul_high_lanes(w, POLY_A - mul_high_lanes(w, POLY_B - mul_high_lanes(w, c)));
+    const lanes crest = (lanes)((POLY_ONE - w - correction) >> 1);
 
     return (crest ^ sign) - sign;
 }
@@ -62,7 +63,7 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
         x[n] = (int16_t)(phase[n] >> 16);
     for (int n = 0; n < FM_BLOCK; n += LANES) {
         memcpy(&v, x + n, sizeof v);
-        v = sines(v);
+        v = sine_lanes(v);
         memcpy(out + n, &v, sizeof v);
     }
 }
@@ -76,66 +77,66 @@ void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK])
 
 #endif
 
-/* Interpolates between two rows and two columns of the feedback table. rows: as for fm_block. */
-static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t rows[2],
+/* Interpolates between two rows and two columns of the feedback table. feedback: as for fm_block. */
+static void feedback_sines(const struct snd_tables *t, const uint32_t phase[FM_BLOCK], const int32_t feedback[2],
                            int16_t out[FM_BLOCK])
 {
-    const int32_t by = (rows[1] - rows[0]) * 8; /* per sample, with 8 fraction bits: 256 / FM_BLOCK is 8 */
+    const int32_t slope = (feedback[1] - feedback[0]) * 8; /* per sample, with 8 fraction bits: 256 / FM_BLOCK is 8 */
 
     for (int n = 0; n < FM_BLOCK; n++) {
-        const int32_t b = rows[0] + (by * n >> 8);
-        const int16_t *row = t->feedback[b / FEEDBACK_ROW], *next = row + FEEDBACK_LONG + 1;
+        const int32_t b = feedback[0] + (slope * n >> 8);
+        const int16_t *row = t->feedback[b / FEEDBACK_ROW_UNITS], *next = row + FEEDBACK_LENGTH + 1;
         const uint32_t i = phase[n] >> (32 - FEEDBACK_BITS);
         const int32_t f = (int32_t)(phase[n] >> (32 - FEEDBACK_BITS - 15) & 0x7fff);
         const int32_t y = row[i] + ((row[i + 1] - row[i]) * f >> 15), z = next[i] + ((next[i + 1] - next[i]) * f >> 15);
-        out[n] = (int16_t)(y + ((z - y) * (b & (FEEDBACK_ROW - 1)) >> 8));
+        out[n] = (int16_t)(y + ((z - y) * (b & (FEEDBACK_ROW_UNITS - 1)) >> 8));
     }
 }
 
-static void make_phases(const struct fm_op *op, const int32_t bend[FM_BLOCK], uint32_t out[FM_BLOCK])
+static void make_phases(const struct fm_op *op, const int32_t modulation[FM_BLOCK], uint32_t out[FM_BLOCK])
 {
     const uint32_t phase = op->phase, step = op->step;
 
     for (uint32_t n = 0; n < FM_BLOCK; n++)
-        out[n] = phase + n * step + (uint32_t)bend[n];
+        out[n] = phase + n * step + (uint32_t)modulation[n];
 }
 
 /* Adds the output of operator op, `sine` times its gain, to the phase modulation of another operator. */
-static void add_bend(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32_t bend[FM_BLOCK])
+static void add_modulation(const int16_t sine[FM_BLOCK], const struct fm_op *op, int32_t modulation[FM_BLOCK])
 {
     const int scale = op->scale;
 
     for (int n = 0; n < FM_BLOCK; n++)
-        bend[n] = (int32_t)((uint32_t)bend[n] + ((uint32_t)(sine[n] * op->gain[n]) << scale));
+        modulation[n] = (int32_t)((uint32_t)modulation[n] + ((uint32_t)(sine[n] * op->gain[n]) << scale));
 }
 
-static void add_heard(const int16_t sine[FM_BLOCK], const struct fm_op *op, int16_t out[FM_BLOCK])
+static void add_audible(const int16_t sine[FM_BLOCK], const struct fm_op *op, int16_t out[FM_BLOCK])
 {
     for (int n = 0; n < FM_BLOCK; n++)
         out[n] = (int16_t)(out[n] + ((sine[n] * op->gain[n] + (1 << 14)) >> 15));
 }
 
-void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
+void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t feedback[2],
               int16_t out[FM_BLOCK])
 {
-    const unsigned heard = inst_heard(ops, algorithm);
-    int32_t bend[FM_OPS][FM_BLOCK] = { { 0 } };
+    const unsigned audible = inst_audible(ops, algorithm);
+    int32_t modulation[FM_OPS][FM_BLOCK] = { { 0 } };
     uint32_t phase[FM_BLOCK];
     int16_t sine[FM_BLOCK];
 
     memset(out, 0, FM_BLOCK * sizeof *out);
     for (int k = 0; k < ops; k++) {
-        const unsigned bends = inst_bends(ops, algorithm, k);
-        make_phases(&op[k], bend[k], phase);
-        if (k == 0 && (rows[0] | rows[1]))
-            feedback_sines(t, phase, rows, sine);
+        const unsigned modulated = inst_modulates(ops, algorithm, k);
+        make_phases(&op[k], modulation[k], phase);
+        if (k == 0 && (feedback[0] | feedback[1]))
+            feedback_sines(t, phase, feedback, sine);
         else
             fm_sines(phase, sine);
         for (int to = k + 1; to < ops; to++)
-            if (bends >> to & 1)
-                add_bend(sine, &op[k], bend[to]);
-        if (heard >> k & 1)
-            add_heard(sine, &op[k], out);
+            if (modulated >> to & 1)
+                add_modulation(sine, &op[k], modulation[to]);
+        if (audible >> k & 1)
+            add_audible(sine, &op[k], out);
     }
 }
 
@@ -146,69 +147,69 @@ enum { STRENGTHS = 8, OCTAVES = 7 /* from note 24 up */ };
 /* For each b of the recursion y = sin(p + b (y' + y'') / 2) at 48 kHz, where y' and y'' are the last two samples: the b
  * of the closed form y = sin(p + b y) with the nearest harmonics, in 4096ths of a radian. Rows: the recursion's b, from
  * 1.5 / 8 to 1.5 radians; columns: the C of seven octaves. */
-static const int16_t nearest[STRENGTHS][OCTAVES] = {
+static const int16_t equivalent_b[STRENGTHS][OCTAVES] = {
     { 778, 778, 758, 758, 758, 758, 737 },        { 1536, 1536, 1536, 1536, 1516, 1475, 1393 },
     { 2294, 2294, 2294, 2273, 2212, 2109, 1987 }, { 3072, 3052, 3011, 2929, 2785, 2601, 2540 },
     { 3789, 3748, 3645, 3482, 3236, 3031, 2826 }, { 4424, 4301, 4116, 3891, 3604, 3400, 3359 },
     { 5018, 4813, 4526, 4198, 3891, 3707, 3645 }, { 5632, 5284, 4895, 4485, 4116, 3953, 3891 },
 };
-static const uint64_t note_24 = 49094033266598; /* phase step of note 24, 2^-56 turns per sample */
+static const uint64_t note_24_step = 49094033266598; /* phase step of note 24, 2^-56 turns per sample */
 
 /* Returns the number of octaves above note 24, in 256ths, interpolated linearly in `step` within an octave. It is at
  * least 0 and at most 256 * (OCTAVES - 1). */
-static int32_t octaves(uint64_t step)
+static int32_t octave_position(uint64_t step)
 {
     int32_t octave = 0;
 
-    if (step <= note_24)
+    if (step <= note_24_step)
         return 0;
-    while (step >> octave >= 2 * note_24 && octave < OCTAVES - 1)
+    while (step >> octave >= 2 * note_24_step && octave < OCTAVES - 1)
         octave++;
     if (octave == OCTAVES - 1)
         return 256 * octave;
-    return 256 * octave + (int32_t)(((step >> octave) - note_24) / (note_24 >> 8));
+    return 256 * octave + (int32_t)(((step >> octave) - note_24_step) / (note_24_step >> 8));
 }
 
-static int32_t in_octave(int k, int32_t at)
+static int32_t interpolate_octave(int k, int32_t at)
 {
-    const int16_t *row = nearest[k > 0 ? k - 1 : 0];
+    const int16_t *row = equivalent_b[k > 0 ? k - 1 : 0];
     const int32_t i = at >> 8, a = row[i], b = i < OCTAVES - 1 ? row[i + 1] : a;
 
     return k > 0 ? a + (b - a) * (at & 255) / 256 : 0;
 }
 
-int32_t fm_strength(int32_t b, uint64_t step)
+int32_t fm_equivalent_feedback(int32_t b, uint64_t step)
 {
-    const int32_t at = octaves(step), part = b * STRENGTHS, i = part / FM_FEEDBACK;
-    const int32_t low = in_octave(i, at), high_ = i < STRENGTHS ? in_octave(i + 1, at) : low;
-    const int32_t radians = low + (high_ - low) * (part % FM_FEEDBACK) / FM_FEEDBACK;
+    const int32_t at = octave_position(step), part = b * STRENGTHS, i = part / FM_MAX_FEEDBACK;
+    const int32_t below = interpolate_octave(i, at), above = i < STRENGTHS ? interpolate_octave(i + 1, at) : below;
+    const int32_t radians = below + (above - below) * (part % FM_MAX_FEEDBACK) / FM_MAX_FEEDBACK;
 
-    return radians * (FEEDBACK_ROWS - 1) * (FEEDBACK_ROW / 256) / (FM_FEEDBACK / 256);
+    return radians * (FEEDBACK_ROWS - 1) * (FEEDBACK_ROW_UNITS / 256) / (FM_MAX_FEEDBACK / 256);
 }
 
 /* ---- notes ---- */
 
 /* Returns the age at which an operator is released; NOTE_HELD if it ignores the note's release at age `off`. */
-static int32_t off_of(const struct op *o, int32_t off)
+static int32_t op_release_age(const struct op *o, int32_t off)
 {
     return o->env.release ? off : NOTE_HELD;
 }
 
-static void keep_levels(struct fm_note *f, int32_t age, int32_t off)
+static void store_levels(struct fm_note *f, int32_t age, int32_t off)
 {
     f->at = age;
     for (int k = 0; k < f->ops; k++)
-        f->level[k] = wave_level(&f->op[k].env, age, off_of(&f->op[k], off));
+        f->level[k] = wave_level(&f->op[k].env, age, op_release_age(&f->op[k], off));
 }
 
 void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes)
 {
-    f->ops = inst_ops(inst->kind);
+    f->ops = inst_op_count(inst->kind);
     f->algorithm = inst->algorithm;
     f->feedback = inst->feedback;
     f->at = INT32_MIN;
     for (int k = 0; k < f->ops; k++)
-        f->op[k] = inst_op(bytes, k);
+        f->op[k] = inst_read_op(bytes, k);
 }
 
 /* Returns unit * level / 32767, rounded to nearest. */
@@ -221,48 +222,48 @@ static int32_t gain_of(int32_t unit, int32_t level)
 
 /* Computes an operator's gains in a block: its own level times its envelope. level: the envelope's level at `age` and
  * at the block's end. */
-static void make_gains(const struct op *o, bool is_heard, int32_t age, int32_t off, const int32_t level[2],
+static void make_gains(const struct op *o, bool is_audible, int32_t age, int32_t off, const int32_t level[2],
                        struct fm_op *out)
 {
     const struct env *e = &o->env;
     int32_t unit = o->level;
 
     out->scale = 0;
-    if (!is_heard) {
+    if (!is_audible) {
         while (o->level >= 1024 << out->scale)
             out->scale++;
         unit = o->level * 32 >> out->scale;
     }
-    if (wave_corner(e, age, age + FM_BLOCK, off)) {
+    if (wave_has_corner(e, age, age + FM_BLOCK, off)) {
         for (int n = 0; n < FM_BLOCK; n++)
             out->gain[n] = (int16_t)gain_of(unit, wave_level(e, age + n, off));
         return;
     }
-    const int32_t from = gain_of(unit, level[0]), by = gain_of(unit, level[1]) - from;
-    for (int n = 0, v = from * FM_BLOCK; n < FM_BLOCK; n++, v += by)
+    const int32_t from = gain_of(unit, level[0]), delta = gain_of(unit, level[1]) - from;
+    for (int n = 0, v = from * FM_BLOCK; n < FM_BLOCK; n++, v += delta)
         out->gain[n] = (int16_t)(v >> 5);
 }
 
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK])
 {
-    const unsigned heard = inst_heard(f->ops, f->algorithm);
+    const unsigned audible = inst_audible(f->ops, f->algorithm);
     struct fm_op op[FM_OPS];
-    int32_t from[FM_OPS], rows[2] = { 0, 0 };
+    int32_t from[FM_OPS], feedback[2] = { 0, 0 };
 
     if (f->at != age)
-        keep_levels(f, age, off);
+        store_levels(f, age, off);
     memcpy(from, f->level, sizeof from);
-    keep_levels(f, age + FM_BLOCK, off);
+    store_levels(f, age + FM_BLOCK, off);
     for (int k = 0; k < f->ops; k++) {
         const struct op *o = &f->op[k];
         const int32_t level[2] = { from[k], f->level[k] };
         op[k].phase = (uint32_t)(phase * o->ratio >> 32) + (uint32_t)age * (uint32_t)o->detune;
         op[k].step = (uint32_t)(step * o->ratio >> 32) + (uint32_t)o->detune;
-        make_gains(o, heard >> k & 1, age, off_of(o, off), level, &op[k]);
+        make_gains(o, audible >> k & 1, age, op_release_age(o, off), level, &op[k]);
         if (k == 0 && f->feedback)
             for (int end = 0; end < 2; end++)
-                rows[end] = fm_strength(f->feedback * level[end] >> 15, (step >> 8) * o->ratio);
+                feedback[end] = fm_equivalent_feedback(f->feedback * level[end] >> 15, (step >> 8) * o->ratio);
     }
-    fm_block(t, f->ops, f->algorithm, op, rows, out);
+    fm_block(t, f->ops, f->algorithm, op, feedback, out);
 }

@@ -3,7 +3,7 @@
  *
  * A block depends only on phases and gains, not on earlier samples. This includes feedback: y = sin(p + b y) is looked
  * up in a table, in which b selects the row and p the column. FM chips compute y from the last two samples instead; at
- * higher notes, their feedback sounds like a smaller b (fm_strength).
+ * higher notes, their feedback sounds like a smaller b (fm_equivalent_feedback).
  */
 #ifndef SOUND_FM_H
 #define SOUND_FM_H
@@ -20,9 +20,9 @@ struct fm_op {
     int16_t gain[FM_BLOCK];
 };
 
-/* Computes a block of a note with `ops` operators, 2 or 4. rows: the first operator's feedback at the start and end of
- * the block, FEEDBACK_ROW units per row of the feedback table; 0: none. */
-void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t rows[2],
+/* Computes a block of a note with `ops` operators, 2 or 4. feedback: the first operator's feedback at the start and end
+ * of the block, FEEDBACK_ROW_UNITS units per row of the feedback table; 0: none. */
+void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct fm_op *op, const int32_t feedback[2],
               int16_t out[FM_BLOCK]);
 
 /* Computes the sines, Q15, of phases in 2^-32 turns, to within two units. The lower 16 bits of a phase are ignored.
@@ -30,9 +30,9 @@ void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct f
 void fm_sines(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 void fm_sines_plain(const uint32_t phase[FM_BLOCK], int16_t out[FM_BLOCK]);
 
-/* Returns the feedback, FEEDBACK_ROW units per row of the feedback table, that sounds like an FM chip's feedback of b
- * (4096ths of a radian) at a phase step of `step` (2^-56 turns per sample). */
-int32_t fm_strength(int32_t b, uint64_t step);
+/* Returns the feedback, FEEDBACK_ROW_UNITS units per row of the feedback table, that sounds like an FM chip's feedback
+ * of b (4096ths of a radian) at a phase step of `step` (2^-56 turns per sample). */
+int32_t fm_equivalent_feedback(int32_t b, uint64_t step);
 
 /* State of an FM note that is computed block by block. */
 struct fm_note {

@@ -1,12 +1,12 @@
 /*
  * inst.h - instruments: the source of a note's wave, and how its level, pitch and pan change over time.
  *
- * In a tune, an instrument is INST_BYTES bytes, little-endian; the operators, INST_OP bytes each, are at its end. Its
- * curves and its wave are elsewhere in the tune; their places are byte offsets from the instrument's first byte, 0:
+ * In a tune, an instrument is INST_BYTES bytes, little-endian; the operators, INST_OP_BYTES bytes each, are at its end.
+ * Its curves and its wave are elsewhere in the tune; their places are byte offsets from the instrument's first byte, 0:
  * none.
  *
- * A curve: u8 number of values, 1 to CURVE_MOST; u8 index of the value that follows the last one, or CURVE_STAYS; u16
- * frames from one value to the next; then the values, i16 each. Values are interpolated linearly.
+ * A curve: u8 number of values, 1 to CURVE_MAX_VALUES; u8 index of the value that follows the last one, or
+ * CURVE_NO_LOOP; u16 frames from one value to the next; then the values, i16 each. Values are interpolated linearly.
  *
  * A wave: u8 number of versions, 1 to WAVE_VERSIONS; a zero byte; then the versions. Version v is 2^inst_wave_bits(v)
  * samples, i16 each, followed by a copy of its first sample; it has as many harmonics as version v in snd_tables.
@@ -21,20 +21,20 @@
 #include "pitch.h"
 
 enum {
-    INST_NAME = 32, /* bytes of a sample's name, with its NUL */
+    INST_NAME_SIZE = 32, /* bytes of a sample's name, with its NUL */
     INST_BYTES = 212,
     INST_WAVE_AT = 48,   /* offset of the wave's place */
     INST_CURVES_AT = 52, /* offset of the places of the curves: volume, pitch, pan */
-    INST_OPS = 116,      /* offset of the operators */
-    INST_OP = 24,
+    INST_OPS_AT = 116,   /* offset of the operators */
+    INST_OP_BYTES = 24,
     FM_OPS = 4,
     FM_ALGORITHMS = 8,
-    FM_FEEDBACK = 6144, /* maximum: 1.5 radians, in 4096ths of a radian */
-    FM_DEEPEST = 15646, /* maximum modulation: 24 radians, in 4096ths of a turn */
-    CURVE_MOST = 64,
-    CURVE_STAYS = 255,
-    CURVE_FRAMES = 3600,
-    ARPEGGIO_MOST = 16,
+    FM_MAX_FEEDBACK = 6144,    /* maximum: 1.5 radians, in 4096ths of a radian */
+    FM_MAX_MODULATION = 15646, /* maximum modulation: 24 radians, in 4096ths of a turn */
+    CURVE_MAX_VALUES = 64,
+    CURVE_NO_LOOP = 255,
+    CURVE_MAX_FRAMES = 3600,
+    ARPEGGIO_MAX = 16,
     WAVE_VERSIONS = 10, /* the last one has 32 harmonics */
     WAVE_HARMONICS = 32
 };
@@ -75,7 +75,7 @@ struct inst {
     int32_t root;                /* pitch at which a sample plays as recorded, 65536ths of a semitone */
     uint32_t wave, volume_curve, pitch_curve, pan_curve; /* places; 0: none */
     uint16_t arpeggio_frames;                            /* frames per pitch */
-    uint8_t arpeggio_n;                                  /* number of pitches; 0: no arpeggio */
+    uint8_t arpeggio_count;                              /* number of pitches; 0: no arpeggio */
     const uint8_t *arpeggio;                             /* semitones, as int8_t */
 };
 
@@ -88,13 +88,13 @@ struct op {
     struct env env;
 };
 
-static inline struct lfo inst_lfo(const uint8_t *depth, const uint8_t *times)
+static inline struct lfo inst_read_lfo(const uint8_t *depth, const uint8_t *times)
 {
     return (struct lfo){ bytes_get16(depth), bytes_get32(times), bytes_get32(times + 4) };
 }
 
 /* Reads an instrument from a tune's bytes. Inline, so that a caller that needs three fields reads only those three. */
-static inline struct inst inst_of(const uint8_t *p)
+static inline struct inst inst_read(const uint8_t *p)
 {
     return (struct inst){ .kind = p[0],
                           .algorithm = p[1],
@@ -102,22 +102,22 @@ static inline struct inst inst_of(const uint8_t *p)
                           .feedback = bytes_get16(p + 6),
                           .env = { bytes_get16(p + 4), bytes_get32(p + 8), bytes_get32(p + 12), bytes_get32(p + 16),
                                    bytes_get32(p + 20) },
-                          .vibrato = inst_lfo(p + 32, p + 24),
-                          .tremolo = inst_lfo(p + 34, p + 36),
+                          .vibrato = inst_read_lfo(p + 32, p + 24),
+                          .tremolo = inst_read_lfo(p + 34, p + 36),
                           .root = (int32_t)bytes_get32(p + 44),
                           .wave = bytes_get32(p + 48),
                           .volume_curve = bytes_get32(p + 52),
                           .pitch_curve = bytes_get32(p + 56),
                           .pan_curve = bytes_get32(p + 60),
                           .arpeggio_frames = bytes_get16(p + 64),
-                          .arpeggio_n = p[66],
+                          .arpeggio_count = p[66],
                           .arpeggio = p + 68 };
 }
 
-struct op inst_op(const uint8_t *bytes, int k);
+struct op inst_read_op(const uint8_t *bytes, int k);
 
 /* Returns the name of the sound in rom.lua whose recording the instrument plays; "": the tune's own recording. */
-static inline const char *inst_sample(const uint8_t *bytes)
+static inline const char *inst_sample_name(const uint8_t *bytes)
 {
     return (const char *)bytes + 84;
 }
@@ -125,15 +125,15 @@ static inline const char *inst_sample(const uint8_t *bytes)
 void inst_write(uint8_t bytes[INST_BYTES], const struct inst *i, const struct op ops[FM_OPS], const char *sample);
 
 /* Returns the number of operators of an instrument of that kind: 0, 2 or 4. */
-static inline int inst_ops(int kind)
+static inline int inst_op_count(int kind)
 {
     return kind == INST_FM4 ? 4 : kind == INST_FM ? 2 : 0;
 }
 
-/* inst_heard returns the set of audible operators, inst_bends the set of operators that operator k modulates. Bit i of
- * a set is operator i. */
-unsigned inst_heard(int ops, int algorithm);
-unsigned inst_bends(int ops, int algorithm, int k);
+/* inst_audible returns the set of audible operators, inst_modulates the set of operators that operator k modulates. Bit
+ * i of a set is operator i. */
+unsigned inst_audible(int ops, int algorithm);
+unsigned inst_modulates(int ops, int algorithm, int k);
 
 /* Returns the size of a curve in bytes. */
 static inline size_t inst_curve_size(const uint8_t *curve)
@@ -142,23 +142,23 @@ static inline size_t inst_curve_size(const uint8_t *curve)
 }
 
 /* Returns a curve's value at an age in samples. */
-int32_t inst_curve(const uint8_t *curve, int32_t age);
+int32_t inst_curve_value(const uint8_t *curve, int32_t age);
 
 /* Returns whether a curve's slope can change between two ages. */
-bool inst_curve_corner(const uint8_t *curve, int32_t from, int32_t to);
+bool inst_curve_has_corner(const uint8_t *curve, int32_t from, int32_t to);
 
-/* inst_wave_bits returns the binary logarithm of the number of samples in a version of a wave; inst_wave_at the
+/* inst_wave_bits returns the binary logarithm of the number of samples in a version of a wave; inst_wave_offset the
  * version's byte offset in the wave; inst_wave_size the size in bytes of a wave with `versions` versions. */
-enum { WAVE_SHORTEST = 8 /* minimum bits: 256 samples */ };
+enum { WAVE_MIN_BITS = 8 /* minimum bits: 256 samples */ };
 int inst_wave_bits(int version);
-size_t inst_wave_at(int version);
+size_t inst_wave_offset(int version);
 static inline size_t inst_wave_size(int versions)
 {
-    return inst_wave_at(versions);
+    return inst_wave_offset(versions);
 }
 
 /* Returns whether all fields are in range. end: bytes from the instrument's first byte to the end of the area that can
- * contain its curves and its wave; own_sample: whether the tune is a recording. */
-bool inst_ok(const uint8_t *bytes, size_t end, bool own_sample);
+ * contain its curves and its wave; has_own_sample: whether the tune is a recording. */
+bool inst_is_valid(const uint8_t *bytes, size_t end, bool has_own_sample);
 
 #endif

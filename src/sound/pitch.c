@@ -24,8 +24,8 @@ static const uint64_t fine[16] = { 9223372036854775808u, 9225453376579012720u, 9
                                    9242121011531094253u, 9244206582135927395u, 9246292623369173897u,
                                    9248379135337035441u, 9250466118145737672u, 9252553571901530207u,
                                    9254641496710686640u };
-static const uint64_t ln2_per_unit = 16258632208764u; /* ln 2 / (12 * 65536), Q64 */
-static const uint64_t top = 3217426564159819447u;     /* step of note 120, 8372 Hz, in 2^-64 turns per sample */
+static const uint64_t ln2_per_unit = 16258632208764u;       /* ln 2 / (12 * 65536), Q64 */
+static const uint64_t note_120_step = 3217426564159819447u; /* step of note 120, 8372 Hz, in 2^-64 turns per sample */
 static const uint32_t halved_16[16] = { 1073741824, 1028218693, 984625594, 942880699, 902905651, 864625413,
                                         827968132,  792865000,  759250125, 727060411, 696235434, 666717336,
                                         638450708,  611382493,  585461881, 560640218 };
@@ -53,9 +53,9 @@ static int32_t clamp(int32_t v, int32_t lo, int32_t hi)
 
 uint64_t pitch_step(int32_t pitch)
 {
-    const uint32_t p = (uint32_t)clamp(pitch, 0, PITCH_MOST);
+    const uint32_t p = (uint32_t)clamp(pitch, 0, PITCH_MAX);
 
-    return fx_mul_high(within_octave(p % OCTAVE), top) << 1 >> (10 - p / OCTAVE) >> 8;
+    return fx_mul_high(within_octave(p % OCTAVE), note_120_step) << 1 >> (10 - p / OCTAVE) >> 8;
 }
 
 uint64_t pitch_ratio(int32_t pitch)

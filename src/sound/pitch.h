@@ -12,11 +12,11 @@ enum {
     SND_RATE = 48000,  /* stereo samples a second */
     SND_FRAME = 800,   /* stereo samples in a frame of the board */
     PITCH_ONE = 65536, /* a semitone */
-    PITCH_MOST = 131 * PITCH_ONE
+    PITCH_MAX = 131 * PITCH_ONE
 };
 
 /* Returns a pitch's phase step per sample at SND_RATE, in 2^-56 turns, accurate to 0.0001 cents. The pitch is clamped
- * to 0 .. PITCH_MOST. */
+ * to 0 .. PITCH_MAX. */
 uint64_t pitch_step(int32_t pitch);
 
 /* Returns the frequency ratio of an interval, 2^(semitones / 12), in Q32. The interval is clamped to -8..4 octaves. */

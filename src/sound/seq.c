@@ -6,28 +6,42 @@
 
 #include <string.h>
 
-#define FOLLOWS "computed from tune and pos"
+#define WHY_DERIVED "computed from tune and pos"
 static const struct column seq_columns[] = {
-    REGISTER(seq, tune),         REGISTER(seq, next),
-    REGISTER(seq, fade),         REGISTER(seq, fade_over),
-    REGISTER(seq, mark),         REGISTER(seq, marks),
-    REGISTER(seq, tempo),        REGISTER(seq, pos),
-    REGISTER(seq, next_back),    REGISTER(seq, next_is_scheduled),
-    REGISTER(seq, when),         REGISTER(seq, level),
-    REGISTER(seq, level_to),     REGISTER(seq, level_over),
-    REGISTER(seq, passes),       REGISTER(seq, ahead),
-    REGISTER(seq, passed),       REGISTERS(seq, heard),
-    REGISTER(seq, aside),        REGISTERS(seq, kept),
-    REGISTERS(seq, kept_mark),   REGISTERS(seq, kept_marks),
-    REGISTERS(seq, kept_tempo),  REGISTERS(seq, kept_pos),
-    DERIVED(seq, at, FOLLOWS),   DERIVED(seq, left, FOLLOWS),
-    DERIVED(seq, inst, FOLLOWS), DERIVED(seq, volume, FOLLOWS),
-    DERIVED(seq, pan, FOLLOWS),
+    REGISTER(seq, tune),
+    REGISTER(seq, next),
+    REGISTER(seq, fade),
+    REGISTER(seq, fade_length),
+    REGISTER(seq, mark),
+    REGISTER(seq, marks_passed),
+    REGISTER(seq, tempo),
+    REGISTER(seq, pos),
+    REGISTER(seq, next_suspends),
+    REGISTER(seq, next_is_scheduled),
+    REGISTER(seq, next_start),
+    REGISTER(seq, level),
+    REGISTER(seq, level_target),
+    REGISTER(seq, level_frames),
+    REGISTER(seq, is_skipping),
+    REGISTER(seq, frames_ahead),
+    REGISTER(seq, frames_skipped),
+    REGISTERS(seq, started),
+    REGISTER(seq, suspended_count),
+    REGISTERS(seq, suspended_tune),
+    REGISTERS(seq, suspended_mark),
+    REGISTERS(seq, suspended_marks_passed),
+    REGISTERS(seq, suspended_tempo),
+    REGISTERS(seq, suspended_pos),
+    DERIVED(seq, at, WHY_DERIVED),
+    DERIVED(seq, left, WHY_DERIVED),
+    DERIVED(seq, inst, WHY_DERIVED),
+    DERIVED(seq, volume, WHY_DERIVED),
+    DERIVED(seq, pan, WHY_DERIVED),
 };
 static const struct column cues_columns[] = {
-    COLUMN(cues, tune), COLUMN(cues, born),  COLUMN(cues, track),  COLUMN(cues, at),
-    COLUMN(cues, left), COLUMN(cues, inst),  COLUMN(cues, volume), COLUMN(cues, pan),
-    COLUMN(cues, loud), COLUMN(cues, place), COLUMN(cues, pitch),  REGISTERS(cues, last),
+    COLUMN(cues, tune),       COLUMN(cues, born),       COLUMN(cues, track),  COLUMN(cues, at),
+    COLUMN(cues, left),       COLUMN(cues, inst),       COLUMN(cues, volume), COLUMN(cues, pan),
+    COLUMN(cues, cue_volume), COLUMN(cues, pan_offset), COLUMN(cues, pitch),  REGISTERS(cues, last_played),
 };
 
 const struct chip seq_chip = { "music", seq_columns, sizeof seq_columns / sizeof *seq_columns, true, false };
@@ -35,28 +49,29 @@ const struct chip cues_chip = { "cues", cues_columns, sizeof cues_columns / size
 
 enum { FIRST_VOLUME = 100 };
 
-static void end_next(struct seq *s)
+static void clear_next(struct seq *s)
 {
-    s->next = s->fade = s->fade_over = 0;
-    s->next_back = s->next_is_scheduled = 0;
-    s->when = 0;
+    s->next = s->fade = s->fade_length = 0;
+    s->next_suspends = s->next_is_scheduled = 0;
+    s->next_start = 0;
 }
 
 void seq_start(struct seq *s, uint16_t index, const struct tune *t)
 {
     s->tune = index;
-    end_next(s);
+    clear_next(s);
     s->mark = 0;
-    s->marks = 0;
+    s->marks_passed = 0;
     s->pos = index ? 0 - (uint64_t)t->lead * t->tempo : 0;
     s->tempo = index ? t->tempo : 0;
     for (int i = 0; i < SEQ_TRACKS; i++) {
-        const struct track_cursor c = index && i <= t->tracks ? tune_begin(t, i - 1) : (struct track_cursor){ 0, 0 };
+        const struct track_cursor c =
+            index && i <= t->tracks ? tune_track_start(t, i - 1) : (struct track_cursor){ 0, 0 };
         s->at[i] = c.at;
         s->left[i] = c.left;
         s->inst[i] = 0;
         s->volume[i] = FIRST_VOLUME;
-        s->pan[i] = TUNE_PAN;
+        s->pan[i] = TUNE_PAN_CENTRE;
     }
 }
 
@@ -72,11 +87,11 @@ static void copy_tracks(struct seq *s, int to, int from)
     memcpy(s->pan + t, s->pan + f, SEQ_TRACKS);
 }
 
-static void clear_kept(struct seq *s, int i)
+static void clear_suspended(struct seq *s, int i)
 {
-    s->kept[i] = s->kept_mark[i] = 0;
-    s->kept_marks[i] = s->kept_tempo[i] = 0;
-    s->kept_pos[i] = 0;
+    s->suspended_tune[i] = s->suspended_mark[i] = 0;
+    s->suspended_marks_passed[i] = s->suspended_tempo[i] = 0;
+    s->suspended_pos[i] = 0;
     for (int k = (1 + i) * SEQ_TRACKS; k < (2 + i) * SEQ_TRACKS; k++) {
         s->at[k] = 0;
         s->left[k] = 0;
@@ -84,64 +99,64 @@ static void clear_kept(struct seq *s, int i)
     }
 }
 
-void seq_keep(struct seq *s)
+void seq_suspend(struct seq *s)
 {
-    const int i = s->aside;
+    const int i = s->suspended_count;
 
-    if (i == SEQ_ASIDE || !s->tune)
+    if (i == SEQ_MAX_SUSPENDED || !s->tune)
         return;
-    s->kept[i] = s->tune;
-    s->kept_mark[i] = s->mark;
-    s->kept_marks[i] = s->marks;
-    s->kept_tempo[i] = s->tempo;
-    s->kept_pos[i] = s->pos;
+    s->suspended_tune[i] = s->tune;
+    s->suspended_mark[i] = s->mark;
+    s->suspended_marks_passed[i] = s->marks_passed;
+    s->suspended_tempo[i] = s->tempo;
+    s->suspended_pos[i] = s->pos;
     copy_tracks(s, 1 + i, 0);
-    s->aside++;
+    s->suspended_count++;
 }
 
-void seq_forget(struct seq *s, int i)
+void seq_drop_from(struct seq *s, int i)
 {
-    while (s->aside > i)
-        clear_kept(s, --s->aside);
+    while (s->suspended_count > i)
+        clear_suspended(s, --s->suspended_count);
 }
 
-void seq_drop(struct seq *s, int i)
+void seq_drop_suspended(struct seq *s, int i)
 {
-    for (; i + 1 < s->aside; i++) {
-        s->kept[i] = s->kept[i + 1];
-        s->kept_mark[i] = s->kept_mark[i + 1];
-        s->kept_marks[i] = s->kept_marks[i + 1];
-        s->kept_tempo[i] = s->kept_tempo[i + 1];
-        s->kept_pos[i] = s->kept_pos[i + 1];
+    for (; i + 1 < s->suspended_count; i++) {
+        s->suspended_tune[i] = s->suspended_tune[i + 1];
+        s->suspended_mark[i] = s->suspended_mark[i + 1];
+        s->suspended_marks_passed[i] = s->suspended_marks_passed[i + 1];
+        s->suspended_tempo[i] = s->suspended_tempo[i + 1];
+        s->suspended_pos[i] = s->suspended_pos[i + 1];
         copy_tracks(s, 1 + i, 2 + i);
     }
-    seq_forget(s, i);
+    seq_drop_from(s, i);
 }
 
-void seq_back(struct seq *s)
+void seq_resume(struct seq *s)
 {
-    const int i = s->aside - 1;
+    const int i = s->suspended_count - 1;
 
-    s->tune = s->kept[i];
-    s->mark = s->kept_mark[i];
-    s->marks = s->kept_marks[i];
-    s->tempo = s->kept_tempo[i];
-    s->pos = s->kept_pos[i];
-    end_next(s);
+    s->tune = s->suspended_tune[i];
+    s->mark = s->suspended_mark[i];
+    s->marks_passed = s->suspended_marks_passed[i];
+    s->tempo = s->suspended_tempo[i];
+    s->pos = s->suspended_pos[i];
+    clear_next(s);
     copy_tracks(s, 0, 1 + i);
-    seq_forget(s, i);
+    seq_drop_from(s, i);
 }
 
-int seq_kept(const struct seq *s, uint16_t index)
+int seq_find_suspended(const struct seq *s, uint16_t index)
 {
-    int i = s->aside - 1;
+    int i = s->suspended_count - 1;
 
-    while (i >= 0 && s->kept[i] != index)
+    while (i >= 0 && s->suspended_tune[i] != index)
         i--;
     return i;
 }
 
-bool seq_over(const struct seq *s)
+bool seq_has_ended(const struct seq *s)
 {
     for (int i = 1; i < SEQ_TRACKS; i++)
         if (s->at[i] != 0)
@@ -152,7 +167,7 @@ bool seq_over(const struct seq *s)
 /* Reads the conductor's events from the current position on, ignoring their times: up to the end of the loop, then the
  * whole loop once more. A run of simultaneous events that wraps around stops before the position where it started,
  * because a loop has a length; so the run passes the loop's end only once. */
-bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
+bool seq_has_mark_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {
     struct track_cursor c = { s->at[0], 0 };
     struct tune_played e;
@@ -162,7 +177,7 @@ bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *wo
     *work = 0;
     while (c.at != 0 && loops < 2 && !found) {
         struct tune_run r = { t, -1, { c.at, 0 }, 1, 0, 1, 0 };
-        for (; tune_next(&r, &e); ++*work)
+        for (; tune_next_event(&r, &e); ++*work)
             found = found || (e.event == TUNE_MARK && e.value == mark);
         ++*work;
         loops += r.at.at <= c.at;
@@ -172,29 +187,30 @@ bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *wo
 }
 
 /* Stores the setting that an event changes. slot: 0: the conductor, 1 + i: track i. */
-static void keep_setting(struct seq *s, int slot, const struct tune_played *e)
+static void store_setting(struct seq *s, int slot, const struct tune_played *e)
 {
     if (e->event == TUNE_INST)
         s->inst[slot] = (uint8_t)e->value;
     if (e->event == TUNE_VOLUME)
         s->volume[slot] = (uint8_t)e->value;
-    if (e->event == TUNE_PLACE)
+    if (e->event == TUNE_PANNING)
         s->pan[slot] = (uint8_t)e->value;
     if (e->event == TUNE_TEMPO)
         s->tempo = (uint32_t)e->value;
     if (e->event == TUNE_MARK) {
         s->mark = (uint16_t)(e->value + 1);
-        s->marks++;
+        s->marks_passed++;
     }
 }
 
-/* Returns a run over n samples of the frame, from sample `first` on, at the current tempo. slot: as in keep_setting. */
+/* Returns a run over n samples of the frame, from sample `first` on, at the current tempo. slot: as in
+ * store_setting. */
 static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
     return (struct tune_run){ t, slot - 1, { s->at[slot], s->left[slot] }, s->tempo, first, n, 0 };
 }
 
-static void keep_place(struct seq *s, int slot, const struct tune_run *r)
+static void store_cursor(struct seq *s, int slot, const struct tune_run *r)
 {
     s->at[slot] = r->at.at;
     s->left[slot] = r->at.left;
@@ -202,32 +218,32 @@ static void keep_place(struct seq *s, int slot, const struct tune_run *r)
 
 /* Executes the conductor's events that are due at sample `first`. Returns the number of samples until its next event,
  * at least 1 and at most the rest of the frame. */
-static int until_conductor(struct seq *s, const struct tune *t, int first)
+static int step_conductor(struct seq *s, const struct tune *t, int first)
 {
     const uint32_t tempo = s->tempo;
     struct tune_run r = run_of(s, t, 0, first, 1);
     struct tune_played e;
 
-    while (tune_next(&r, &e))
-        keep_setting(s, 0, &e);
-    keep_place(s, 0, &r);
+    while (tune_next_event(&r, &e))
+        store_setting(s, 0, &e);
+    store_cursor(s, 0, &r);
     s->left[0] += tempo; /* the events of this one sample are done, but no time has passed */
     const int64_t left = s->at[0] == 0 || s->left[0] <= 0 ? SND_FRAME : (s->left[0] + s->tempo - 1) / s->tempo;
     return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
 }
 
-void seq_wait(struct seq *s, int beats)
+void seq_schedule_next(struct seq *s, int beats)
 {
     const uint64_t step = (uint64_t)beats * TUNE_QUARTER * TUNE_TICK;
 
     s->next_is_scheduled = 1;
-    s->when = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
+    s->next_start = (int64_t)s->pos < 0 ? 0 : s->pos / step * step + step;
 }
 
 /* Returns the number of samples until the next piece starts, at most SND_FRAME. */
-static int until_next(const struct seq *s)
+static int samples_until_next(const struct seq *s)
 {
-    const int64_t left = (int64_t)(s->when - s->pos);
+    const int64_t left = (int64_t)(s->next_start - s->pos);
 
     if (!s->next_is_scheduled || left > (int64_t)SND_FRAME * s->tempo)
         return SND_FRAME;
@@ -236,13 +252,13 @@ static int until_next(const struct seq *s)
 
 /* Starts the section at w->first, which ends at the conductor's next event, where the next piece starts, or with the
  * frame. */
-static void begin_part(struct seq_run *w)
+static void begin_section(struct seq_run *w)
 {
     struct seq *s = w->s;
-    int n = until_conductor(s, w->t, w->first);
+    int n = step_conductor(s, w->t, w->first);
 
-    if (n > until_next(s))
-        n = until_next(s);
+    if (n > samples_until_next(s))
+        n = samples_until_next(s);
     s->left[0] -= (int64_t)n * s->tempo;
     w->slot = 1;
     w->run = run_of(s, w->t, 1, w->first, n);
@@ -254,16 +270,16 @@ bool seq_next(struct seq_run *w, struct tune_played *e)
 
     for (;;) {
         if (w->slot == 0) {
-            if (w->first >= SND_FRAME || until_next(s) == 0)
+            if (w->first >= SND_FRAME || samples_until_next(s) == 0)
                 return false;
-            begin_part(w);
+            begin_section(w);
         }
         for (; w->slot <= w->t->tracks; w->run = run_of(s, w->t, w->slot, w->first, w->run.n)) {
-            if (tune_next(&w->run, e)) {
-                keep_setting(s, w->slot, e);
+            if (tune_next_event(&w->run, e)) {
+                store_setting(s, w->slot, e);
                 return true;
             }
-            keep_place(s, w->slot++, &w->run);
+            store_cursor(s, w->slot++, &w->run);
         }
         s->pos += (uint64_t)w->run.n * s->tempo;
         w->first += w->run.n;
@@ -293,23 +309,23 @@ static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
     return ended;
 }
 
-/* Returns whether the same sound already started in this frame; if so, raises its volume to cue->loud if that is
+/* Returns whether the same sound already started in this frame; if so, raises its volume to cue->volume if that is
  * higher. */
-static bool joined(struct cues *c, const struct cue *cue, uint32_t frame)
+static bool join_same_cue(struct cues *c, const struct cue *cue, uint32_t frame)
 {
-    bool there = false;
+    bool found = false;
 
     for (int i = 0; i < CUES; i++)
         if (c->tune[i] == cue->tune && c->born[i] == frame) {
-            there = true;
-            if (cue->loud > c->loud[i])
-                c->loud[i] = cue->loud;
+            found = true;
+            if (cue->volume > c->cue_volume[i])
+                c->cue_volume[i] = cue->volume;
         }
-    return there;
+    return found;
 }
 
 /* Returns the first slot of the oldest playing instance of a sound, or -1. Stores the number of instances in *n. */
-static int oldest_of(const struct cues *c, uint32_t tune, int *n)
+static int find_oldest(const struct cues *c, uint32_t tune, int *n)
 {
     int oldest = -1;
 
@@ -332,40 +348,40 @@ static int priority_of(const struct cues *c, const uint8_t *rom, int i)
 /* Returns a free slot, preferably one whose voice is silent; otherwise the slot to replace, or -1 if every slot's
  * sound has a higher priority, or the same priority and started in this frame. ringing: a bit for each slot whose voice
  * still sounds. */
-static int room_for(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame, uint32_t ringing)
+static int find_slot(const struct cues *c, const uint8_t *rom, int priority, uint32_t frame, uint32_t ringing)
 {
-    int least = -1, rings = -1;
+    int replaceable = -1, free_slot = -1;
 
     for (int i = CUES - 1; i >= 0; i--)
-        if (c->tune[i] == 0 && (rings < 0 || !(ringing >> i & 1) || ringing >> rings & 1))
-            rings = i;
-    if (rings >= 0)
-        return rings;
+        if (c->tune[i] == 0 && (free_slot < 0 || !(ringing >> i & 1) || ringing >> free_slot & 1))
+            free_slot = i;
+    if (free_slot >= 0)
+        return free_slot;
     for (int i = 0; i < CUES; i++) {
         const int p = priority_of(c, rom, i);
         if (p > priority || (p == priority && c->born[i] == frame))
             continue;
-        if (least < 0 || p < priority_of(c, rom, least) ||
-            (p == priority_of(c, rom, least) && c->born[i] < c->born[least]))
-            least = i;
+        if (replaceable < 0 || p < priority_of(c, rom, replaceable) ||
+            (p == priority_of(c, rom, replaceable) && c->born[i] < c->born[replaceable]))
+            replaceable = i;
     }
-    return least;
+    return replaceable;
 }
 
 static void set_cue(struct cues *c, int i, const struct tune *t, int track, const struct cue *cue, uint32_t frame)
 {
-    const struct track_cursor at = tune_begin(t, track);
+    const struct track_cursor cursor = tune_track_start(t, track);
 
     c->tune[i] = cue->tune;
     c->born[i] = frame;
     c->track[i] = (uint8_t)track;
-    c->at[i] = at.at;
-    c->left[i] = at.left;
+    c->at[i] = cursor.at;
+    c->left[i] = cursor.left;
     c->inst[i] = 0;
     c->volume[i] = FIRST_VOLUME;
-    c->pan[i] = TUNE_PAN;
-    c->loud[i] = cue->loud;
-    c->place[i] = cue->place;
+    c->pan[i] = TUNE_PAN_CENTRE;
+    c->cue_volume[i] = cue->volume;
+    c->pan_offset[i] = cue->pan_offset;
     c->pitch[i] = cue->pitch;
 }
 
@@ -373,14 +389,14 @@ uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, u
 {
     const struct tune t = tune_of(rom + cue->tune);
     uint32_t ended = 0;
-    int n, oldest = oldest_of(c, cue->tune, &n);
+    int n, oldest = find_oldest(c, cue->tune, &n);
 
-    if (joined(c, cue, frame))
+    if (join_same_cue(c, cue, frame))
         return 0;
     if (n >= t.limit)
         ended = end_sound(c, cue->tune, c->born[oldest]);
     for (int track = 0; track < t.tracks; track++) {
-        const int i = room_for(c, rom, t.priority, frame, ringing);
+        const int i = find_slot(c, rom, t.priority, frame, ringing);
         if (i < 0)
             break;
         if (c->tune[i])
@@ -411,12 +427,12 @@ bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tu
             w->run = (struct tune_run){ &w->t, c->track[i], { c->at[i], c->left[i] }, w->t.tempo, 0, SND_FRAME, 0 };
             w->begun = true;
         }
-        if (tune_next(&w->run, e)) {
+        if (tune_next_event(&w->run, e)) {
             if (e->event == TUNE_INST)
                 c->inst[i] = (uint8_t)e->value;
             if (e->event == TUNE_VOLUME)
                 c->volume[i] = (uint8_t)e->value;
-            if (e->event == TUNE_PLACE)
+            if (e->event == TUNE_PANNING)
                 c->pan[i] = (uint8_t)e->value;
             return true;
         }

@@ -15,36 +15,37 @@
 #include "../base/slots.h"
 
 enum {
-    SEQ_TRACKS = 1 + TUNE_TRACKS, /* slot 0: the conductor */
-    SEQ_ASIDE = 3,                /* maximum number of suspended pieces */
-    SEQ_SLOTS = (1 + SEQ_ASIDE) * SEQ_TRACKS,
-    SEQ_FULL = 32767, /* full volume of the music */
-    SEQ_HEARD = 1024,
+    SEQ_TRACKS = 1 + TUNE_MAX_TRACKS, /* slot 0: the conductor */
+    SEQ_MAX_SUSPENDED = 3,            /* maximum number of suspended pieces */
+    SEQ_SLOTS = (1 + SEQ_MAX_SUSPENDED) * SEQ_TRACKS,
+    SEQ_FULL_VOLUME = 32767, /* full volume of the music */
+    SEQ_MAX_PIECES = 1024,
     CUES = 8,
     CUE_KINDS = 32
 };
 
 struct seq {
     struct slots s;
-    uint16_t tune;            /* the current piece, index in the ROM's music + 1; 0: none */
-    uint16_t next;            /* the piece that starts after the fade, index + 1; 0: none */
-    uint16_t fade, fade_over; /* frames left of the fade-out, and its length; 0: no fade */
-    uint16_t mark;            /* the last marker passed, index + 1; 0: none yet */
-    uint32_t marks;           /* number of markers passed */
-    uint32_t tempo;           /* hundredths of a quarter note a minute */
+    uint16_t tune;              /* the current piece, index in the ROM's music + 1; 0: none */
+    uint16_t next;              /* the piece that starts after the fade, index + 1; 0: none */
+    uint16_t fade, fade_length; /* frames left of the fade-out, and its length; 0: no fade */
+    uint16_t mark;              /* the last marker passed, index + 1; 0: none yet */
+    uint32_t marks_passed;      /* number of markers passed */
+    uint32_t tempo;             /* hundredths of a quarter note a minute */
     uint64_t pos; /* units since the first beat (TUNE_TICK per tick); negative in two's complement before that beat */
-    uint8_t next_back;         /* 1: the current piece is suspended when `next` starts */
-    uint8_t next_is_scheduled; /* 1: `next` starts at the sample where pos reaches `when` */
-    uint64_t when;
-    uint16_t level, level_to; /* volume and target volume, of SEQ_FULL */
-    uint16_t level_over;      /* frames until the target volume is reached */
-    uint8_t passes;           /* 1: a stage is skipping to a mark, and the music skips too */
-    uint32_t ahead, passed;   /* frames by which the music is ahead of the stage's clock; frames skipped in total */
-    uint64_t heard[SEQ_HEARD / 64]; /* a bit for each piece that has started in this game */
-    uint16_t aside;                 /* number of suspended pieces; their tune, mark, marks, tempo and pos are below */
-    uint16_t kept[SEQ_ASIDE], kept_mark[SEQ_ASIDE];
-    uint32_t kept_marks[SEQ_ASIDE], kept_tempo[SEQ_ASIDE];
-    uint64_t kept_pos[SEQ_ASIDE];
+    uint8_t next_suspends;     /* 1: the current piece is suspended when `next` starts */
+    uint8_t next_is_scheduled; /* 1: `next` starts at the sample where pos reaches `next_start` */
+    uint64_t next_start;
+    uint16_t level, level_target; /* volume and target volume, of SEQ_FULL_VOLUME */
+    uint16_t level_frames;        /* frames until the target volume is reached */
+    uint8_t is_skipping;          /* 1: a stage is skipping to a mark, and the music skips too */
+    uint32_t frames_ahead,
+        frames_skipped; /* frames by which the music is ahead of the stage's clock; frames skipped in total */
+    uint64_t started[SEQ_MAX_PIECES / 64]; /* a bit for each piece that has started in this game */
+    uint16_t suspended_count; /* number of suspended pieces; their tune, mark, marks, tempo and pos are below */
+    uint16_t suspended_tune[SEQ_MAX_SUSPENDED], suspended_mark[SEQ_MAX_SUSPENDED];
+    uint32_t suspended_marks_passed[SEQ_MAX_SUSPENDED], suspended_tempo[SEQ_MAX_SUSPENDED];
+    uint64_t suspended_pos[SEQ_MAX_SUSPENDED];
     uint32_t *at; /* track positions (struct track_cursor): of the current piece, then of the suspended ones */
     int64_t *left;
     uint8_t *inst, *volume, *pan; /* each track's settings for its next notes */
@@ -59,10 +60,10 @@ struct cues {
     uint32_t *at;
     int64_t *left;
     uint8_t *inst, *volume, *pan;
-    uint16_t *loud;           /* volume passed to cues_start, of 256 */
-    int16_t *place;           /* pan added to that of the tune's events, of TUNE_PAN; positive: right */
-    int32_t *pitch;           /* transposition, 65536ths of a semitone */
-    uint32_t last[CUE_KINDS]; /* frame + 1 in which each automatic sound (enum cart_cue) last played; 0: never */
+    uint16_t *cue_volume;            /* volume passed to cues_start, of 256 */
+    int16_t *pan_offset;             /* pan added to that of the tune's events, of TUNE_PAN_CENTRE; positive: right */
+    int32_t *pitch;                  /* transposition, 65536ths of a semitone */
+    uint32_t last_played[CUE_KINDS]; /* frame + 1 in which each automatic sound (enum cart_cue) last played; 0: never */
 };
 
 extern const struct chip seq_chip, cues_chip;
@@ -70,24 +71,24 @@ extern const struct chip seq_chip, cues_chip;
 /* Starts piece t from its beginning. index: t's index in the ROM's music + 1; 0: stops the music, and t is not used. */
 void seq_start(struct seq *s, uint16_t index, const struct tune *t);
 
-/* seq_keep suspends the current piece unless SEQ_ASIDE pieces are suspended already. seq_forget drops the i-th
- * suspended piece and all later ones, seq_drop only the i-th. seq_back resumes the last suspended piece; there
- * must be one. */
-void seq_keep(struct seq *s);
-void seq_forget(struct seq *s, int i);
-void seq_drop(struct seq *s, int i);
-void seq_back(struct seq *s);
+/* seq_suspend suspends the current piece unless SEQ_MAX_SUSPENDED pieces are suspended already. seq_drop_from drops the
+ * i-th suspended piece and all later ones, seq_drop_suspended only the i-th. seq_resume resumes the last suspended
+ * piece; there must be one. */
+void seq_suspend(struct seq *s);
+void seq_drop_from(struct seq *s, int i);
+void seq_drop_suspended(struct seq *s, int i);
+void seq_resume(struct seq *s);
 
 /* Returns the position among the suspended pieces of the last one that is a given piece, or -1. index: the piece's
  * index in the ROM's music + 1. */
-int seq_kept(const struct seq *s, uint16_t index);
+int seq_find_suspended(const struct seq *s, uint16_t index);
 
 /* Returns whether all tracks of the current piece have ended. */
-bool seq_over(const struct seq *s);
+bool seq_has_ended(const struct seq *s);
 
 /* Returns whether the current piece, which is tune t, has marker `mark` ahead of its position, including after its loop
  * restarts. Stores in *work the number of events examined. */
-bool seq_comes(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
+bool seq_has_mark_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work);
 
 /* Iterates over the events of tune t in a frame, from sample `first` on. slot and run are private to seq_next and start
  * zeroed. */
@@ -105,7 +106,7 @@ bool seq_next(struct seq_run *w, struct tune_played *e);
 
 /* Delays the start of `next` to the next multiple of `beats` beats in the current piece: 1 waits for a beat, the number
  * of beats in a bar waits for a bar. */
-void seq_wait(struct seq *s, int beats);
+void seq_schedule_next(struct seq *s, int beats);
 
 /* Returns the number of whole quarter notes since the first beat; 0 before the first beat. */
 static inline uint64_t seq_beats(const struct seq *s)
@@ -115,8 +116,8 @@ static inline uint64_t seq_beats(const struct seq *s)
 
 struct cue {
     uint32_t tune; /* place of the sound (cart.h) */
-    uint16_t loud;
-    int16_t place;
+    uint16_t volume;
+    int16_t pan_offset;
     int32_t pitch;
 };
 

@@ -9,7 +9,7 @@
 #include <string.h>
 #include "../base/trig.h"
 
-enum { HALF = WAVE_LONG / 2, STRONG = 2 * SINC_TAPS };
+enum { HALF = WAVE_LENGTH / 2, WEIGHT_SHIFT = 2 * SINC_TAPS };
 
 /* Number of harmonics of each version, in steps of about half an octave. */
 static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  16,  23, 32,
@@ -18,44 +18,44 @@ static const uint16_t harmonics[WAVE_MIPS] = { 1,  2,  3,  4,   6,   8,   11,  1
 /* Adds harmonic h to the sums: sine / h for the saw; +-sine / h^2 for the triangle, which has only odd harmonics. */
 static void add_harmonic(struct snd_tables *t, uint32_t h)
 {
-    const int64_t part = ((int64_t)1 << 20) / h;
+    const int64_t amplitude = ((int64_t)1 << 20) / h;
 
     for (uint32_t i = 0, k = 0; i < HALF; i++, k += h) {
-        const int64_t s = t->sine30[k % WAVE_LONG] * part >> 20;
-        t->work[0][i] += s;
+        const int64_t s = t->sine30[k % WAVE_LENGTH] * amplitude >> 20;
+        t->harmonic_sums[0][i] += s;
         if (h & 1)
-            t->work[1][i] += h & 2 ? -(s * part >> 20) : s * part >> 20;
+            t->harmonic_sums[1][i] += h & 2 ? -(s * amplitude >> 20) : s * amplitude >> 20;
     }
 }
 
 /* Stores the current sums as version m of the waves. A saw of full amplitude would overshoot to 1.18 between its
  * samples, so its amplitude is 0.84. */
-static void keep_version(struct snd_tables *t, int m)
+static void store_version(struct snd_tables *t, int m)
 {
     for (int i = 0; i < HALF; i++) {
-        const int16_t saw = (int16_t)((t->work[0][i] * 41722 >> 16) * 27600 >> 30);
-        const int16_t triangle = (int16_t)((t->work[1][i] * 53120 >> 16) * 32700 >> 30);
+        const int16_t saw = (int16_t)((t->harmonic_sums[0][i] * 41722 >> 16) * 27600 >> 30);
+        const int16_t triangle = (int16_t)((t->harmonic_sums[1][i] * 53120 >> 16) * 32700 >> 30);
         t->saw[m][i] = saw;
         if (i > 0)
-            t->saw[m][WAVE_LONG - i] = (int16_t)-saw;
+            t->saw[m][WAVE_LENGTH - i] = (int16_t)-saw;
         t->triangle[m][i] = triangle;
         t->triangle[m][HALF + i] = (int16_t)-triangle;
     }
     t->saw[m][HALF] = 0;
-    t->saw[m][WAVE_LONG] = t->saw[m][0];
-    t->triangle[m][WAVE_LONG] = t->triangle[m][0];
+    t->saw[m][WAVE_LENGTH] = t->saw[m][0];
+    t->triangle[m][WAVE_LENGTH] = t->triangle[m][0];
 }
 
 static void make_waves(struct snd_tables *t)
 {
     uint32_t h = 1;
 
-    memset(t->work, 0, sizeof t->work);
+    memset(t->harmonic_sums, 0, sizeof t->harmonic_sums);
     for (int m = 0; m < WAVE_MIPS; m++) {
         t->harmonics[m] = harmonics[m];
         for (; h <= harmonics[m]; h++)
             add_harmonic(t, h);
-        keep_version(t, m);
+        store_version(t, m);
     }
 }
 
@@ -85,59 +85,60 @@ static int64_t sinc(int32_t x)
 static void make_sinc(int16_t out[SINC_TAPS], int phase)
 {
     int64_t weight[SINC_TAPS], sum = 0;
-    int32_t left = 1 << 15;
+    int32_t deficit = 1 << 15;
 
     for (int j = 0; j < SINC_TAPS; j++) {
         const int32_t x = (j - 3) * SINC_PHASES - phase;
-        weight[j] = (sinc(x) * kaiser(x)) >> STRONG;
+        weight[j] = (sinc(x) * kaiser(x)) >> WEIGHT_SHIFT;
         sum += weight[j];
     }
     for (int j = 0; j < SINC_TAPS; j++) {
         const int64_t twice = weight[j] * 2 * (1 << 15) + sum; /* rounds to nearest */
         out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
-        left -= out[j];
+        deficit -= out[j];
     }
-    out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + left);
+    out[phase < SINC_PHASES / 2 ? 3 : 4] = (int16_t)(out[phase < SINC_PHASES / 2 ? 3 : 4] + deficit);
 }
 
 /* ---- low-pass filters ---- */
 
 /* edges: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops the frequencies that
- * would fold back below 20 kHz. reach: Q32; for each row, the largest step for which the row before it (for row 0, no
- * filter) is enough. */
-static const uint32_t edges[LOW_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
-                                          804553372,  700187608,  607208282,  524373120,  450575381 };
-static const uint64_t reach[LOW_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,  7954141537, 8928222003,
-                                          10021590357, 11248854839, 12626412644, 14172668999, 15908283075 };
+ * would fold back below 20 kHz. max_steps: Q32; for each row, the largest step for which the row before it (for row 0,
+ * no filter) is enough. */
+static const uint32_t edges[LOW_PASS_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
+                                               804553372,  700187608,  607208282,  524373120,  450575381 };
+static const uint64_t max_steps[LOW_PASS_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,
+                                                   7954141537,  8928222003,  10021590357, 11248854839,
+                                                   12626412644, 14172668999, 15908283075 };
 
-int snd_low(uint64_t step)
+int snd_low_pass_row(uint64_t step)
 {
     int row = -1;
 
-    while (row < LOW_ROWS - 1 && step > reach[row + 1])
+    while (row < LOW_PASS_ROWS - 1 && step > max_steps[row + 1])
         row++;
     return row;
 }
 
-static void make_low(int16_t out[LOW_TAPS], uint32_t edge)
+static void make_low_pass(int16_t out[LOW_PASS_TAPS], uint32_t edge)
 {
-    int64_t weight[LOW_TAPS] = { 0 }, sum = 0;
-    int32_t left = 1 << 14;
+    int64_t weight[LOW_PASS_TAPS] = { 0 }, sum = 0;
+    int32_t deficit = 1 << 14;
 
-    for (int j = 1; j < LOW_TAPS; j++) {
-        const int32_t x = j - LOW_TAPS / 2;
-        const int64_t high =
+    for (int j = 1; j < LOW_PASS_TAPS; j++) {
+        const int32_t x = j - LOW_PASS_TAPS / 2;
+        const int64_t ideal =
             x ? (int64_t)trig_sin30((ang)x * edge) * ((int64_t)1 << 16) / (x * (int64_t)205887) : (int64_t)edge >> 1;
-        weight[j] = (high * kaiser(x * (8192 / LOW_TAPS))) >> STRONG;
+        weight[j] = (ideal * kaiser(x * (8192 / LOW_PASS_TAPS))) >> WEIGHT_SHIFT;
         sum += weight[j];
     }
-    for (int j = 1; j < LOW_TAPS; j++) {
+    for (int j = 1; j < LOW_PASS_TAPS; j++) {
         const int64_t twice = weight[j] * 2 * (1 << 14) + sum;
         out[j] = (int16_t)((twice - (twice < 0 ? 2 * sum - 1 : 0)) / (2 * sum));
-        left -= out[j];
+        deficit -= out[j];
     }
     out[0] = 0;
-    out[LOW_TAPS / 2] = (int16_t)(out[LOW_TAPS / 2] + left);
+    out[LOW_PASS_TAPS / 2] = (int16_t)(out[LOW_PASS_TAPS / 2] + deficit);
 }
 
 /* ---- feedback ---- */
@@ -146,7 +147,7 @@ static void make_low(int16_t out[LOW_TAPS], uint32_t edge)
 static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
 {
     const uint32_t i = phase >> (32 - WAVE_BITS);
-    const int64_t a = t->sine30[i], b = t->sine30[(i + 1) % WAVE_LONG];
+    const int64_t a = t->sine30[i], b = t->sine30[(i + 1) % WAVE_LENGTH];
 
     return (int32_t)(a + ((b - a) * (phase & ((1u << (32 - WAVE_BITS)) - 1)) >> (32 - WAVE_BITS)));
 }
@@ -155,35 +156,35 @@ static int32_t sine_at(const struct snd_tables *t, uint32_t phase)
  * the stable branch, as a slow recursion would. */
 static void make_feedback(struct snd_tables *t, int row)
 {
-    const int64_t bend = (int64_t)row * 500658; /* 1.5 / 32 radians per row, in 2^-26 turns */
+    const int64_t modulation = (int64_t)row * 500658; /* 1.5 / 32 radians per row, in 2^-26 turns */
     int64_t y = 0;
 
-    for (uint32_t k = 0; k < FEEDBACK_LONG; k++) {
-        const uint32_t i = (k + FEEDBACK_LONG / 2) % FEEDBACK_LONG, phase = i << (32 - FEEDBACK_BITS);
-        for (int again = 0; again < 24; again++)
-            y += (sine_at(t, phase + (uint32_t)(y * bend >> 24)) - y) / 2;
+    for (uint32_t k = 0; k < FEEDBACK_LENGTH; k++) {
+        const uint32_t i = (k + FEEDBACK_LENGTH / 2) % FEEDBACK_LENGTH, phase = i << (32 - FEEDBACK_BITS);
+        for (int iteration = 0; iteration < 24; iteration++)
+            y += (sine_at(t, phase + (uint32_t)(y * modulation >> 24)) - y) / 2;
         t->feedback[row][i] = (int16_t)(y * 32767 >> 30);
     }
-    t->feedback[row][FEEDBACK_LONG] = t->feedback[row][0];
+    t->feedback[row][FEEDBACK_LENGTH] = t->feedback[row][0];
 }
 
 void snd_tables_make(struct snd_tables *t)
 {
-    for (uint32_t i = 0; i < WAVE_LONG; i++)
+    for (uint32_t i = 0; i < WAVE_LENGTH; i++)
         t->sine30[i] = trig_sin30((ang)i << (32 - WAVE_BITS));
-    for (uint32_t i = 0; i <= WAVE_LONG; i++)
-        t->sine[i] = (int16_t)((int64_t)t->sine30[i % WAVE_LONG] * 32767 >> 30);
+    for (uint32_t i = 0; i <= WAVE_LENGTH; i++)
+        t->sine[i] = (int16_t)((int64_t)t->sine30[i % WAVE_LENGTH] * 32767 >> 30);
     for (uint32_t i = 0; i <= 256; i++)
         t->pan[i] = (int16_t)((int64_t)trig_sin30((ang)i << 22) * 32767 >> 30);
     make_waves(t);
     for (int i = 0; i <= SINC_PHASES; i++)
         make_sinc(t->sinc[i], i);
-    for (int i = 0; i < LOW_ROWS; i++)
-        make_low(t->low[i], edges[i]);
+    for (int i = 0; i < LOW_PASS_ROWS; i++)
+        make_low_pass(t->low_pass[i], edges[i]);
     for (int i = 0; i < FEEDBACK_ROWS; i++)
         make_feedback(t, i);
     memcpy(t->feedback[FEEDBACK_ROWS], t->feedback[FEEDBACK_ROWS - 1], sizeof t->feedback[0]);
-    t->music = t->sounds = 100;
+    t->music_volume = t->sound_volume = 100;
 }
 
 /* Allows harmonics up to 28 kHz: above half the sample rate, they fold back to 20 kHz or more, which is inaudible. */

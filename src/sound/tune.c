@@ -1,7 +1,7 @@
 /*
- * tune.c - see tune.h. tune_open checks once that every event of every track is valid, that a loop starts at an event
- * and has a length, and that names are terminated. A run reads at most EVENTS_A_RUN events, so that a track with many
- * simultaneous events does not make a tick slow.
+ * tune.c - see tune.h. tune_validate checks once that every event of every track is valid, that a loop starts at an
+ * event and has a length, and that names are terminated. A run reads at most MAX_EVENTS_PER_RUN events, so that a track
+ * with many simultaneous events does not make a tick slow.
  */
 #include "tune.h"
 
@@ -12,25 +12,25 @@
 #include "adpcm.h"
 #include "pitch.h"
 
-enum { EVENTS_A_RUN = 64 };
+enum { MAX_EVENTS_PER_RUN = 64 };
 
-static const uint8_t values_of[TUNE_EVENTS] = {
-    [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,  [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
-    [TUNE_VOLUME] = 1, [TUNE_PLACE] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
+static const uint8_t value_bytes[TUNE_EVENTS] = {
+    [TUNE_NOTE] = 2,   [TUNE_SLUR] = 2,    [TUNE_GLIDE] = 4, [TUNE_INST] = 1,
+    [TUNE_VOLUME] = 1, [TUNE_PANNING] = 1, [TUNE_TEMPO] = 2, [TUNE_MARK] = 1,
 };
 
 /* ---- sections ---- */
 
-enum { PLACES = TUNE_HEADER + TUNE_TITLE, PLACE_BYTES = 8 };
+enum { TRACK_TABLE = TUNE_HEADER_SIZE + TUNE_TITLE_SIZE, TRACK_ENTRY_BYTES = 8 };
 
-static size_t insts_at(const struct tune *t)
+static size_t insts_offset(const struct tune *t)
 {
-    return PLACES + PLACE_BYTES * ((size_t)t->tracks + 1);
+    return TRACK_TABLE + TRACK_ENTRY_BYTES * ((size_t)t->tracks + 1);
 }
 
-static size_t marks_at(const struct tune *t)
+static size_t marks_offset(const struct tune *t)
 {
-    return insts_at(t) + INST_BYTES * (size_t)t->insts;
+    return insts_offset(t) + INST_BYTES * (size_t)t->insts;
 }
 
 struct tune tune_of(const uint8_t *p)
@@ -42,55 +42,55 @@ struct tune tune_of(const uint8_t *p)
                           .volume = p[1],
                           .priority = p[2],
                           .limit = p[3],
-                          .bar = p[4],
-                          .sides = p[20],
+                          .beats_per_bar = p[4],
+                          .channels = p[20],
                           .duck = p[TUNE_DUCK_AT],
                           .tempo = bytes_get32(p + 8),
-                          .rest = bytes_get32(p + 24),
+                          .loop_units = bytes_get32(p + 24),
                           .lead = bytes_get32(p + 28) };
 }
 
 const char *tune_title(const struct tune *t)
 {
-    return (const char *)t->data + TUNE_HEADER;
+    return (const char *)t->data + TUNE_HEADER_SIZE;
 }
 
-const char *tune_mark(const struct tune *t, int i)
+const char *tune_mark_name(const struct tune *t, int i)
 {
-    return (const char *)t->data + marks_at(t) + TUNE_NAME * (size_t)i;
+    return (const char *)t->data + marks_offset(t) + TUNE_NAME_SIZE * (size_t)i;
 }
 
 const uint8_t *tune_inst(const struct tune *t, int i)
 {
-    return t->data + insts_at(t) + INST_BYTES * (size_t)i;
+    return t->data + insts_offset(t) + INST_BYTES * (size_t)i;
 }
 
 /* begins returns the offset where track i starts (-1: the conductor); loops, the offset where its loop starts, or 0 if
  * it has none. */
-static uint32_t begins(const struct tune *t, int i)
+static uint32_t track_start(const struct tune *t, int i)
 {
-    return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1));
+    return bytes_get32(t->data + TRACK_TABLE + TRACK_ENTRY_BYTES * (i + 1));
 }
 
-static uint32_t loops(const struct tune *t, int i)
+static uint32_t track_loop(const struct tune *t, int i)
 {
-    return bytes_get32(t->data + PLACES + PLACE_BYTES * (i + 1) + 4);
+    return bytes_get32(t->data + TRACK_TABLE + TRACK_ENTRY_BYTES * (i + 1) + 4);
 }
 
-bool tune_recording(const struct tune *t)
+bool tune_is_recording(const struct tune *t)
 {
-    return t->sides > 0;
+    return t->channels > 0;
 }
 
-bool tune_streams(const struct tune *t)
+bool tune_is_stream(const struct tune *t)
 {
-    return t->sides > 0 && bytes_get32(t->data + 12) == 0;
+    return t->channels > 0 && bytes_get32(t->data + 12) == 0;
 }
 
-bool tune_endless(const struct tune *t)
+bool tune_is_endless(const struct tune *t)
 {
     for (int i = 0; i < t->tracks; i++)
-        if (loops(t, i))
+        if (track_loop(t, i))
             return true;
     return false;
 }
@@ -111,9 +111,9 @@ static uint32_t read_ticks(const uint8_t *data, uint32_t *at)
     return v;
 }
 
-struct track_cursor tune_begin(const struct tune *t, int i)
+struct track_cursor tune_track_start(const struct tune *t, int i)
 {
-    struct track_cursor c = { begins(t, i), 0 };
+    struct track_cursor c = { track_start(t, i), 0 };
 
     c.left = (int64_t)read_ticks(t->data, &c.at) * TUNE_TICK + (i < 0 ? (int64_t)t->lead * t->tempo : 0);
     return c;
@@ -127,28 +127,28 @@ static bool read_event(const struct tune *t, int track, struct track_cursor *c, 
 
     e->event = p[0];
     e->value = p[1];
-    e->more = 0;
+    e->value2 = 0;
     if (e->event == TUNE_END) {
-        c->at = loops(t, track);
+        c->at = track_loop(t, track);
         if (c->at == 0)
             return true;
-        c->left += t->rest;
+        c->left += t->loop_units;
     } else {
-        c->at += 1u + values_of[e->event];
-        if (values_of[e->event] >= 2)
+        c->at += 1u + value_bytes[e->event];
+        if (value_bytes[e->event] >= 2)
             e->value = bytes_get16(p + 1);
-        if (values_of[e->event] == 4)
-            e->more = bytes_get16(p + 3);
+        if (value_bytes[e->event] == 4)
+            e->value2 = bytes_get16(p + 3);
     }
     c->left += (int64_t)read_ticks(t->data, &c->at) * TUNE_TICK;
     return p[0] != TUNE_END;
 }
 
-bool tune_next(struct tune_run *r, struct tune_played *e)
+bool tune_next_event(struct tune_run *r, struct tune_played *e)
 {
     struct track_cursor *c = &r->at;
 
-    for (; c->at != 0 && r->events < EVENTS_A_RUN; r->events++) {
+    for (; c->at != 0 && r->events < MAX_EVENTS_PER_RUN; r->events++) {
         const int64_t at = c->left <= 0 ? 0 : (c->left + r->tempo - 1) / r->tempo;
         if (at >= r->n)
             break;
@@ -171,10 +171,10 @@ struct check {
     size_t err_size;
 };
 
-static bool bad(const struct check *c, int track, const char *what)
+static bool fail(const struct check *c, int track, const char *problem)
 {
-    return track < 0 ? err_set(c->err, c->err_size, "conductor: %s", what)
-                     : err_set(c->err, c->err_size, "track %d: %s", track + 1, what);
+    return track < 0 ? err_set(c->err, c->err_size, "conductor: %s", problem)
+                     : err_set(c->err, c->err_size, "track %d: %s", track + 1, problem);
 }
 
 static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
@@ -184,12 +184,12 @@ static bool ticks_ok(const struct check *c, uint32_t *at, uint32_t *ticks)
     if (from + 5 > c->end)
         return false;
     *ticks = read_ticks(c->t->data, at);
-    return *ticks <= TUNE_PAUSE && (*at - from < 4 || c->t->data[*at - 1] < 128);
+    return *ticks <= TUNE_MAX_PAUSE && (*at - from < 4 || c->t->data[*at - 1] < 128);
 }
 
 static bool pitch_ok(const uint8_t *p)
 {
-    return bytes_get16(p) <= PITCH_MOST / 256;
+    return bytes_get16(p) <= PITCH_MAX / 256;
 }
 
 static bool values_ok(const struct tune *t, int track, const uint8_t *p)
@@ -204,11 +204,11 @@ static bool values_ok(const struct tune *t, int track, const uint8_t *p)
     case TUNE_INST:
         return track >= 0 && p[1] < t->insts;
     case TUNE_VOLUME:
-        return track >= 0 && p[1] <= TUNE_LOUD;
-    case TUNE_PLACE:
-        return track >= 0 && p[1] <= 2 * TUNE_PAN;
+        return track >= 0 && p[1] <= TUNE_MAX_VOLUME;
+    case TUNE_PANNING:
+        return track >= 0 && p[1] <= 2 * TUNE_PAN_CENTRE;
     case TUNE_TEMPO:
-        return track < 0 && bytes_get16(p + 1) >= TEMPO_LEAST && bytes_get16(p + 1) <= TEMPO_MOST;
+        return track < 0 && bytes_get16(p + 1) >= TEMPO_MIN && bytes_get16(p + 1) <= TEMPO_MAX;
     case TUNE_MARK:
         return track < 0 && p[1] < t->marks;
     default:
@@ -218,27 +218,27 @@ static bool values_ok(const struct tune *t, int track, const uint8_t *p)
 
 static bool track_ok(const struct check *c, int track)
 {
-    const uint32_t loop = loops(c->t, track);
-    uint32_t at = begins(c->t, track), ticks;
-    uint64_t after = 0; /* ticks since the loop's start */
-    bool found = loop == 0;
+    const uint32_t loop = track_loop(c->t, track);
+    uint32_t at = track_start(c->t, track), ticks;
+    uint64_t loop_ticks = 0; /* ticks since the loop's start */
+    bool loop_found = loop == 0;
 
-    if (at < marks_at(c->t) + TUNE_NAME * (size_t)c->t->marks || at >= c->end)
-        return bad(c, track, "its start is out of range");
+    if (at < marks_offset(c->t) + TUNE_NAME_SIZE * (size_t)c->t->marks || at >= c->end)
+        return fail(c, track, "its start is out of range");
     for (;;) {
         if (at == loop) {
-            found = true;
-            after = 0;
+            loop_found = true;
+            loop_ticks = 0;
         }
         if (!ticks_ok(c, &at, &ticks))
-            return bad(c, track, "it runs past the end of the tune");
-        after += ticks;
+            return fail(c, track, "it runs past the end of the tune");
+        loop_ticks += ticks;
         const uint8_t *p = c->t->data + at;
-        if (p[0] >= TUNE_EVENTS || at + 1 + values_of[p[0]] > c->end || !values_ok(c->t, track, p))
-            return bad(c, track, "an event is unknown or out of range");
+        if (p[0] >= TUNE_EVENTS || at + 1 + value_bytes[p[0]] > c->end || !values_ok(c->t, track, p))
+            return fail(c, track, "an event is unknown or out of range");
         if (p[0] == TUNE_END)
-            return found && (loop == 0 || after > 0) ? true : bad(c, track, "its loop has no length");
-        at += 1u + values_of[p[0]];
+            return loop_found && (loop == 0 || loop_ticks > 0) ? true : fail(c, track, "its loop has no length");
+        at += 1u + value_bytes[p[0]];
     }
 }
 
@@ -255,38 +255,39 @@ static bool name_ok(const char *s, size_t n)
     return end < n;
 }
 
-static bool zero(const uint8_t *p, size_t n)
+static bool is_zero(const uint8_t *p, size_t n)
 {
     while (n > 0 && p[n - 1] == 0)
         n--;
     return n == 0;
 }
 
-bool tune_open(const uint8_t *data, size_t size, char *err, size_t err_size)
+bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
 {
-    if (size < TUNE_HEADER + TUNE_TITLE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
-        !zero(data + 22, 2))
+    if (size < TUNE_HEADER_SIZE + TUNE_TITLE_SIZE || data[0] != TUNE_FORMAT || bytes_get32(data + 16) != size ||
+        !is_zero(data + 22, 2))
         return err_set(err, err_size, "not a tune in format %d", TUNE_FORMAT);
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
-    if (t.tracks < 1 || t.tracks > TUNE_TRACKS || t.insts > TUNE_INSTS || t.marks > TUNE_MARKS || t.priority > 7 ||
-        t.limit < 1 || t.limit > 8 || t.bar < 1 || t.tempo < TEMPO_LEAST || t.tempo > TEMPO_MOST ||
-        t.sides > TUNE_SIDES || (t.sides == 0 && sample_at) || t.rest >= TUNE_TICK || t.lead > TUNE_LEAD)
+    if (t.tracks < 1 || t.tracks > TUNE_MAX_TRACKS || t.insts > TUNE_MAX_INSTS || t.marks > TUNE_MAX_MARKS ||
+        t.priority > 7 || t.limit < 1 || t.limit > 8 || t.beats_per_bar < 1 || t.tempo < TEMPO_MIN ||
+        t.tempo > TEMPO_MAX || t.channels > TUNE_MAX_CHANNELS || (t.channels == 0 && sample_at) ||
+        t.loop_units >= TUNE_TICK || t.lead > TUNE_MAX_LEAD)
         return err_set(err, err_size, "its header is out of range");
-    if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MOST + 4 ||
-        marks_at(&t) + TUNE_NAME * (size_t)t.marks > c.end || sample_at % 4 != 0)
+    if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MAX_BYTES + 4 ||
+        marks_offset(&t) + TUNE_NAME_SIZE * (size_t)t.marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "shorter than its header says");
-    if (!name_ok(tune_title(&t), TUNE_TITLE))
+    if (!name_ok(tune_title(&t), TUNE_TITLE_SIZE))
         return err_set(err, err_size, "its title is not a single line of text");
-    if (sample_at && !samples_open(data + sample_at, size - sample_at, t.sides))
+    if (sample_at && !samples_are_valid(data + sample_at, size - sample_at, t.channels))
         return err_set(err, err_size, "its samples are invalid");
     for (int i = 0; i < t.insts; i++)
-        if (!inst_ok(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_recording(&t)) ||
-            !name_ok(inst_sample(tune_inst(&t, i)), INST_NAME))
+        if (!inst_is_valid(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_is_recording(&t)) ||
+            !name_ok(inst_sample_name(tune_inst(&t, i)), INST_NAME_SIZE))
             return err_set(err, err_size, "instrument %d is out of range", i + 1);
     for (int i = 0; i < t.marks; i++)
-        if (!name_ok(tune_mark(&t, i), TUNE_NAME))
+        if (!name_ok(tune_mark_name(&t, i), TUNE_NAME_SIZE))
             return err_set(err, err_size, "marker %d has no name", i + 1);
     for (int i = -1; i < t.tracks; i++)
         if (!track_ok(&c, i))

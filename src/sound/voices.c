@@ -10,11 +10,13 @@
 #include "fm.h"
 
 static const struct column columns[] = {
-    COLUMN(voices, phase),   COLUMN(voices, step0),  COLUMN(voices, step1),    COLUMN(voices, age),
-    COLUMN(voices, off),     COLUMN(voices, kill),   COLUMN(voices, pitch),    COLUMN(voices, goal),
-    COLUMN(voices, glide),   COLUMN(voices, inst),   COLUMN(voices, wave),     COLUMN(voices, vol0),
-    COLUMN(voices, vol1),    COLUMN(voices, pan0),   COLUMN(voices, pan1),     REGISTER(voices, gain0),
-    REGISTER(voices, gain1), REGISTER(voices, held), REGISTER(voices, ducked),
+    COLUMN(voices, phase),        COLUMN(voices, step0),      COLUMN(voices, step1),
+    COLUMN(voices, age),          COLUMN(voices, off),        COLUMN(voices, fade_age),
+    COLUMN(voices, pitch),        COLUMN(voices, goal_pitch), COLUMN(voices, glide_step),
+    COLUMN(voices, inst),         COLUMN(voices, wave),       COLUMN(voices, vol0),
+    COLUMN(voices, vol1),         COLUMN(voices, pan0),       COLUMN(voices, pan1),
+    REGISTER(voices, gain0),      REGISTER(voices, gain1),    REGISTER(voices, music_paused),
+    REGISTER(voices, duck_depth),
 };
 
 const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
@@ -25,7 +27,7 @@ const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *co
  * reads. */
 static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave, int32_t pitch)
 {
-    const uint64_t most = (uint64_t)4 << 32;
+    const uint64_t max_step = (uint64_t)4 << 32;
 
     if (i->kind == INST_NOISE)
         return pitch_step(pitch) >> 12;
@@ -34,19 +36,19 @@ static uint64_t step_of(const uint8_t *rom, const struct inst *i, uint32_t wave,
     if (wave == 0)
         return 0;
     const uint64_t step = pitch_ratio(pitch - i->root) * sample_of(rom + wave).rate / SND_RATE;
-    return step < most ? step : most;
+    return step < max_step ? step : max_step;
 }
 
 /* Returns the pitch offset of an arpeggio in a frame that starts at `age`. The offset is constant during a frame. */
-static int32_t arpeggio(const struct inst *inst, int32_t age)
+static int32_t arpeggio_offset(const struct inst *inst, int32_t age)
 {
     const int32_t frames = age > 0 ? (age + SND_FRAME - 1) / SND_FRAME : 0;
 
-    return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_n] * PITCH_ONE;
+    return (int8_t)inst->arpeggio[frames / inst->arpeggio_frames % inst->arpeggio_count] * PITCH_ONE;
 }
 
 /* Returns an oscillator's value at an age, Q30. The oscillator stays at phase `turn` until its delay is over. */
-static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
+static int32_t lfo_value(const struct lfo *l, int32_t age, uint32_t turn)
 {
     const int32_t t = age - (int32_t)l->delay;
 
@@ -54,14 +56,14 @@ static int32_t slow_wave(const struct lfo *l, int32_t age, uint32_t turn)
 }
 
 /* Returns the pitch offset that vibrato and the pitch curve cause at an age. */
-static int32_t bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
+static int32_t pitch_bend(const struct inst *inst, const uint8_t *bytes, int32_t age)
 {
     int32_t pitch_offset = 0;
 
     if (inst->vibrato.depth)
-        pitch_offset = (int32_t)((int64_t)slow_wave(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
+        pitch_offset = (int32_t)((int64_t)lfo_value(&inst->vibrato, age, 0) * inst->vibrato.depth >> 22);
     if (inst->pitch_curve)
-        pitch_offset += inst_curve(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
+        pitch_offset += inst_curve_value(bytes + inst->pitch_curve, age) * (PITCH_ONE / 256);
     return pitch_offset;
 }
 
@@ -70,25 +72,25 @@ static uint64_t step_at(const struct voices *s, const uint8_t *rom, const struct
                         int32_t age)
 {
     const uint8_t *bytes = rom + s->inst[i];
-    const int32_t jump = inst->arpeggio_n ? arpeggio(inst, now) : 0;
+    const int32_t offset = inst->arpeggio_count ? arpeggio_offset(inst, now) : 0;
 
-    return step_of(rom, inst, s->wave[i], s->pitch[i] + jump + bend(inst, bytes, age));
+    return step_of(rom, inst, s->wave[i], s->pitch[i] + offset + pitch_bend(inst, bytes, age));
 }
 
 /* ---- starting and ending notes ---- */
 
 /* Copies slot `from` to slot `to`. */
-static void copy(struct voices *s, int to, int from)
+static void copy_slot(struct voices *s, int to, int from)
 {
     s->phase[to] = s->phase[from];
     s->step0[to] = s->step0[from];
     s->step1[to] = s->step1[from];
     s->age[to] = s->age[from];
     s->off[to] = s->off[from];
-    s->kill[to] = s->kill[from];
+    s->fade_age[to] = s->fade_age[from];
     s->pitch[to] = s->pitch[from];
-    s->goal[to] = s->goal[from];
-    s->glide[to] = s->glide[from];
+    s->goal_pitch[to] = s->goal_pitch[from];
+    s->glide_step[to] = s->glide_step[from];
     s->inst[to] = s->inst[from];
     s->wave[to] = s->wave[from];
     s->vol0[to] = s->vol0[from];
@@ -97,18 +99,18 @@ static void copy(struct voices *s, int to, int from)
     s->pan1[to] = s->pan1[from];
 }
 
-void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at)
+void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at)
 {
-    const struct inst i = inst_of(rom + n->inst);
+    const struct inst i = inst_read(rom + n->inst);
 
-    if (voices_busy(s, voice)) {
-        copy(s, VOICES + voice, voice);
+    if (voices_is_busy(s, voice)) {
+        copy_slot(s, VOICES + voice, voice);
         voices_cut(s, VOICES + voice, at);
     }
     s->age[voice] = -at;
-    s->off[voice] = s->kill[voice] = NOTE_HELD;
-    s->pitch[voice] = s->goal[voice] = n->pitch;
-    s->glide[voice] = 0;
+    s->off[voice] = s->fade_age[voice] = NOTE_HELD;
+    s->pitch[voice] = s->goal_pitch[voice] = n->pitch;
+    s->glide_step[voice] = 0;
     s->inst[voice] = n->inst;
     s->wave[voice] = n->wave;
     s->vol0[voice] = s->vol1[voice] = n->vol;
@@ -119,27 +121,27 @@ void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct v
 
 void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch)
 {
-    if (!voices_busy(s, voice))
+    if (!voices_is_busy(s, voice))
         return;
-    const struct inst i = inst_of(rom + s->inst[voice]);
-    s->pitch[voice] = s->goal[voice] = pitch;
-    s->glide[voice] = 0;
+    const struct inst i = inst_read(rom + s->inst[voice]);
+    s->pitch[voice] = s->goal_pitch[voice] = pitch;
+    s->glide_step[voice] = 0;
     s->step1[voice] = step_at(s, rom, &i, voice, s->age[voice], s->age[voice] + SND_FRAME);
 }
 
 void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames)
 {
-    s->goal[voice] = pitch;
-    s->glide[voice] = (pitch - s->pitch[voice]) / (frames > 0 ? frames : 1);
-    if (s->glide[voice] == 0)
+    s->goal_pitch[voice] = pitch;
+    s->glide_step[voice] = (pitch - s->pitch[voice]) / (frames > 0 ? frames : 1);
+    if (s->glide_step[voice] == 0)
         s->pitch[voice] = pitch;
 }
 
-void voices_off(struct voices *s, int voice, int at)
+void voices_release(struct voices *s, int voice, int at)
 {
     const int32_t age = s->age[voice] + at;
 
-    if (voices_busy(s, voice) && s->off[voice] == NOTE_HELD)
+    if (voices_is_busy(s, voice) && s->off[voice] == NOTE_HELD)
         s->off[voice] = age > 0 ? age : 0;
 }
 
@@ -147,11 +149,11 @@ void voices_cut(struct voices *s, int voice, int at)
 {
     const int32_t age = s->age[voice] + at;
 
-    if (voices_busy(s, voice) && age < s->kill[voice])
-        s->kill[voice] = age;
+    if (voices_is_busy(s, voice) && age < s->fade_age[voice])
+        s->fade_age[voice] = age;
 }
 
-void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
+void voices_set_volume_and_pan(struct voices *s, int voice, uint16_t vol, uint8_t pan)
 {
     s->vol1[voice] = vol;
     s->pan1[voice] = pan;
@@ -159,113 +161,113 @@ void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan)
 
 /* ---- suspended music ---- */
 
-static int kept(int place, int voice)
+static int saved_slot(int place, int voice)
 {
     return VOICE_SLOTS + place * VOICES_MUSIC + voice;
 }
 
-void voices_keep(struct voices *s, int place)
+void voices_save_music(struct voices *s, int place)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        copy(s, kept(place, i), i);
+        copy_slot(s, saved_slot(place, i), i);
 }
 
-void voices_shift(struct voices *s, int to, int from)
+void voices_move_saved(struct voices *s, int to, int from)
 {
     for (int i = 0; i < VOICES_MUSIC; i++)
-        copy(s, kept(to, i), kept(from, i));
+        copy_slot(s, saved_slot(to, i), saved_slot(from, i));
 }
 
-void voices_bring(struct voices *s, int place)
+void voices_restore_music(struct voices *s, int place)
 {
     for (int i = 0; i < VOICES_MUSIC; i++) {
-        if (!voices_busy(s, kept(place, i)))
+        if (!voices_is_busy(s, saved_slot(place, i)))
             continue;
-        if (voices_busy(s, i)) {
-            copy(s, VOICES + i, i);
+        if (voices_is_busy(s, i)) {
+            copy_slot(s, VOICES + i, i);
             voices_cut(s, VOICES + i, 0);
         }
-        copy(s, i, kept(place, i));
+        copy_slot(s, i, saved_slot(place, i));
         s->vol0[i] = 0;
-        s->inst[kept(place, i)] = 0;
+        s->inst[saved_slot(place, i)] = 0;
     }
 }
 
 /* ---- advancing by a frame ---- */
 
 /* Advances the pitch by a frame of its slide. */
-static void slide(struct voices *s, int i)
+static void step_glide(struct voices *s, int i)
 {
-    const int32_t by = s->glide[i], to = s->goal[i];
+    const int32_t step = s->glide_step[i], to = s->goal_pitch[i];
 
-    if (by == 0)
+    if (step == 0)
         return;
-    s->pitch[i] += by;
-    if ((by > 0) == (s->pitch[i] >= to)) {
+    s->pitch[i] += step;
+    if ((step > 0) == (s->pitch[i] >= to)) {
         s->pitch[i] = to;
-        s->glide[i] = 0;
+        s->glide_step[i] = 0;
     }
 }
 
-static bool ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
+static bool has_ended(const struct voices *s, const uint8_t *rom, const struct inst *inst, int i)
 {
-    if (s->kill[i] != NOTE_HELD && s->age[i] - s->kill[i] >= VOICE_FADE)
+    if (s->fade_age[i] != NOTE_HELD && s->age[i] - s->fade_age[i] >= VOICE_FADE)
         return true;
-    if (wave_over(&inst->env, s->age[i], s->off[i]))
+    if (wave_is_silent(&inst->env, s->age[i], s->off[i]))
         return true;
     if (inst->kind != INST_SAMPLE || s->wave[i] == 0)
         return false;
     const struct sample sample = sample_of(rom + s->wave[i]);
-    return sample.loop == SAMPLE_ENDS && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
+    return sample.loop == SAMPLE_NO_LOOP && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
 enum { OLDEST = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
 
 /* Returns how far the position in a recording moves back, Q32: whole loops if the position is OLDEST or more beyond the
  * end, otherwise 0. Recordings are far shorter than OLDEST. */
-static uint64_t loops_back(const struct sample *s, uint64_t phase)
+static uint64_t loop_rewind(const struct sample *s, uint64_t phase)
 {
     const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
 
-    return s->loop == SAMPLE_ENDS || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+    return s->loop == SAMPLE_NO_LOOP || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
 }
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
 {
-    const struct inst inst = inst_of(rom + s->inst[i]);
+    const struct inst inst = inst_read(rom + s->inst[i]);
     const uint64_t step = s->step0[i];
     const int64_t step_delta = (int64_t)(s->step1[i] - step) / SND_FRAME;
 
     s->phase[i] += SND_FRAME * step + (uint64_t)(SND_FRAME * (SND_FRAME - 1) / 2 * step_delta);
     if (inst.kind == INST_SAMPLE && s->wave[i]) {
         const struct sample sample = sample_of(rom + s->wave[i]);
-        s->phase[i] -= loops_back(&sample, s->phase[i]);
+        s->phase[i] -= loop_rewind(&sample, s->phase[i]);
     }
     s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
-    s->step0[i] = inst.arpeggio_n ? step_at(s, rom, &inst, i, s->age[i], s->age[i]) : s->step1[i];
-    if (s->glide[i] || inst.arpeggio_n || inst.vibrato.depth || inst.pitch_curve) {
-        slide(s, i);
+    s->step0[i] = inst.arpeggio_count ? step_at(s, rom, &inst, i, s->age[i], s->age[i]) : s->step1[i];
+    if (s->glide_step[i] || inst.arpeggio_count || inst.vibrato.depth || inst.pitch_curve) {
+        step_glide(s, i);
         s->step1[i] = step_at(s, rom, &inst, i, s->age[i], s->age[i] + SND_FRAME);
     }
-    if (ended(s, rom, &inst, i))
+    if (has_ended(s, rom, &inst, i))
         s->inst[i] = 0;
 }
 
 void voices_step(struct voices *s, const uint8_t *rom)
 {
     for (int i = 0; i < VOICE_SLOTS; i++)
-        if (voices_busy(s, i) && !(s->held && i % VOICES < VOICES_MUSIC))
+        if (voices_is_busy(s, i) && !(s->music_paused && i % VOICES < VOICES_MUSIC))
             step_slot(s, rom, i);
     s->gain0 = s->gain1;
 }
 
 /* ---- the mix ---- */
 
-/* PASSED: maximum samples of a recording that a frame needs for interpolation, a multiple of four. READ: PASSED plus
- * the samples that the low-pass filters need on both sides. */
-enum { PASSED = 4 * SND_FRAME + 64, READ = PASSED + LOW_TAPS };
+/* FILTERED_SAMPLES: maximum samples of a recording that a frame needs for interpolation, a multiple of four.
+ * RAW_SAMPLES: FILTERED_SAMPLES plus the samples that the low-pass filters need on both sides. */
+enum { FILTERED_SAMPLES = 4 * SND_FRAME + 64, RAW_SAMPLES = FILTERED_SAMPLES + LOW_PASS_TAPS };
 
 /* A note in slot i, with the values that are computed once per frame. */
 struct note {
@@ -275,17 +277,18 @@ struct note {
     const uint8_t *bytes; /* the packed instrument */
     struct inst inst;
     struct fm_note fm;
-    int32_t age, off, kill;
-    int64_t bend; /* change of the step per sample */
+    int32_t age, off, fade_age;
+    int64_t step_delta; /* change of the step per sample */
     int mip0, mip1;
-    int64_t first; /* sample index of passed[0] in the recording */
-    int16_t passed[PASSED], read[READ];
+    int64_t first; /* sample index of filtered[0] in the recording */
+    int16_t filtered[FILTERED_SAMPLES], raw[RAW_SAMPLES];
 };
 
 /* Returns the phase at sample `at` of the frame. */
 static uint64_t phase_at(const struct note *n, int at)
 {
-    return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] + (uint64_t)((int64_t)at * (at - 1) / 2 * n->bend);
+    return n->s->phase[n->i] + (uint64_t)at * n->s->step0[n->i] +
+           (uint64_t)((int64_t)at * (at - 1) / 2 * n->step_delta);
 }
 
 /* Reads the samples of the recording that the frame needs, and removes the frequencies that would fold back. */
@@ -296,25 +299,25 @@ static void read_recording(struct note *n, const uint8_t *rom)
     const int64_t last = ((int64_t)phase_at(n, SND_FRAME) >> 32) + SINC_TAPS;
 
     n->first = ((int64_t)s->phase[n->i] >> 32) - SINC_TAPS;
-    const int64_t all = last - n->first + 1;
-    const int many = (int)(all < PASSED ? all : PASSED);
-    if (snd_low(s->step0[n->i]) < 0 && snd_low(s->step1[n->i]) < 0) {
-        sample_read(&sample, n->first, many, n->passed);
+    const int64_t needed = last - n->first + 1;
+    const int count = (int)(needed < FILTERED_SAMPLES ? needed : FILTERED_SAMPLES);
+    if (snd_low_pass_row(s->step0[n->i]) < 0 && snd_low_pass_row(s->step1[n->i]) < 0) {
+        sample_read(&sample, n->first, count, n->filtered);
         return;
     }
-    sample_read(&sample, n->first - LOW_TAPS / 2, ((many + 3) & ~3) + LOW_TAPS, n->read);
-    wave_low(n->t, n->read + LOW_TAPS / 2, many, s->step0[n->i], s->step1[n->i], n->passed);
+    sample_read(&sample, n->first - LOW_PASS_TAPS / 2, ((count + 3) & ~3) + LOW_PASS_TAPS, n->raw);
+    wave_low_pass(n->t, n->raw + LOW_PASS_TAPS / 2, count, s->step0[n->i], s->step1[n->i], n->filtered);
 }
 
 static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
 {
     const uint64_t from = phase_at(n, b * SND_BLOCK), to = phase_at(n, (b + 1) * SND_BLOCK);
     const uint64_t step = (uint64_t)((int64_t)(to - from) / SND_BLOCK);
-    const struct wave_at at = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
+    const struct wave_params at = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
 
     if (n->inst.kind == INST_SAMPLE)
-        wave_sample(n->t, n->passed + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
-    else if (inst_ops(n->inst.kind))
+        wave_sample(n->t, n->filtered + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
+    else if (inst_op_count(n->inst.kind))
         fm_play(&n->fm, n->t, n->age + b * SND_BLOCK, n->off, from, step, out);
     else
         wave_block(n->t, &n->inst, &at, out);
@@ -329,22 +332,23 @@ static int32_t level_at(const struct note *n, int32_t age)
     int32_t level = wave_level(&n->inst.env, age, n->off);
 
     if (tremolo->depth) {
-        const int32_t softer = ((1 << 30) - slow_wave(tremolo, age, (uint32_t)1 << 30)) >> 16; /* cosine: 0 to 2, Q14 */
-        level -= (level * tremolo->depth >> 15) * softer >> 15;
+        const int32_t attenuation =
+            ((1 << 30) - lfo_value(tremolo, age, (uint32_t)1 << 30)) >> 16; /* cosine: 0 to 2, Q14 */
+        level -= (level * tremolo->depth >> 15) * attenuation >> 15;
     }
     if (n->inst.volume_curve)
-        level = level * inst_curve(n->bytes + n->inst.volume_curve, age) / 32767;
-    if (n->kill == NOTE_HELD || age <= n->kill)
+        level = level * inst_curve_value(n->bytes + n->inst.volume_curve, age) / 32767;
+    if (n->fade_age == NOTE_HELD || age <= n->fade_age)
         return level;
-    return age - n->kill >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->kill)) / VOICE_FADE;
+    return age - n->fade_age >= VOICE_FADE ? 0 : level * (VOICE_FADE - (age - n->fade_age)) / VOICE_FADE;
 }
 
 static bool has_corner(const struct note *n, int32_t from, int32_t to)
 {
-    return wave_corner(&n->inst.env, from, to, n->off) ||
-           (n->kill != NOTE_HELD &&
-            ((from < n->kill && to > n->kill) || (from < n->kill + VOICE_FADE && to > n->kill + VOICE_FADE))) ||
-           (n->inst.volume_curve && inst_curve_corner(n->bytes + n->inst.volume_curve, from, to));
+    return wave_has_corner(&n->inst.env, from, to, n->off) ||
+           (n->fade_age != NOTE_HELD && ((from < n->fade_age && to > n->fade_age) ||
+                                         (from < n->fade_age + VOICE_FADE && to > n->fade_age + VOICE_FADE))) ||
+           (n->inst.volume_curve && inst_curve_has_corner(n->bytes + n->inst.volume_curve, from, to));
 }
 
 /* Computes the levels of the samples of block b. Returns false if all are 0. */
@@ -364,7 +368,7 @@ static bool make_levels(const struct note *n, int b, int16_t out[SND_BLOCK])
 }
 
 /* Returns the gains at the start of block b, from volume, pan, the gain of music and the listener's volume. */
-static struct wave_sides sides_at(const struct note *n, int b)
+static struct wave_gains gains_at(const struct note *n, int b)
 {
     const struct voices *s = n->s;
     const int i = n->i;
@@ -372,18 +376,18 @@ static struct wave_sides sides_at(const struct note *n, int b)
     int32_t vol = s->vol0[i] + (s->vol1[i] - s->vol0[i]) * b / SND_BLOCKS;
 
     if (n->inst.pan_curve) {
-        pan += 2 * inst_curve(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
+        pan += 2 * inst_curve_value(n->bytes + n->inst.pan_curve, n->age + b * SND_BLOCK);
         pan = pan < 0 ? 0 : pan > 256 ? 256 : pan;
     }
     if (i % VOICES < VOICES_MUSIC)
-        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_GAIN * n->t->music / 100;
+        vol = vol * (s->gain0 + (s->gain1 - s->gain0) * b / SND_BLOCKS) / VOICE_FULL_GAIN * n->t->music_volume / 100;
     else
-        vol = vol * n->t->sounds / 100;
-    return (struct wave_sides){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
+        vol = vol * n->t->sound_volume / 100;
+    return (struct wave_gains){ vol * n->t->pan[256 - pan] >> 15, vol * n->t->pan[pan] >> 15 };
 }
 
 /* Returns whether the gains are constant during the frame. */
-static bool sides_stay(const struct note *n)
+static bool has_constant_gains(const struct note *n)
 {
     const struct voices *s = n->s;
     const int i = n->i;
@@ -398,25 +402,25 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
     int16_t wave[SND_BLOCK], level[SND_BLOCK];
 
     n->bytes = rom + s->inst[i];
-    n->inst = inst_of(n->bytes);
+    n->inst = inst_read(n->bytes);
     n->age = s->age[i];
     n->off = s->off[i];
-    n->kill = s->kill[i];
-    n->bend = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
+    n->fade_age = s->fade_age[i];
+    n->step_delta = (int64_t)(s->step1[i] - s->step0[i]) / SND_FRAME;
     n->mip0 = snd_mip(n->t, (uint32_t)(s->step0[i] >> 24));
     n->mip1 = snd_mip(n->t, (uint32_t)(s->step1[i] >> 24));
     if (n->inst.kind == INST_SAMPLE && s->wave[i] == 0)
         return;
     if (n->inst.kind == INST_SAMPLE)
         read_recording(n, rom);
-    if (inst_ops(n->inst.kind))
+    if (inst_op_count(n->inst.kind))
         fm_begin(&n->fm, &n->inst, n->bytes);
-    const bool stay = sides_stay(n);
-    struct wave_sides from, to = sides_at(n, 0);
+    const bool is_constant = has_constant_gains(n);
+    struct wave_gains from, to = gains_at(n, 0);
     for (int b = 0; b < SND_BLOCKS; b++) {
         from = to;
-        if (!stay)
-            to = sides_at(n, b + 1);
+        if (!is_constant)
+            to = gains_at(n, b + 1);
         if (!make_levels(n, b, level))
             continue;
         make_block(n, b, wave);
@@ -428,10 +432,10 @@ void voices_mix(const struct voices *s, const uint8_t *rom, const struct snd_tab
 {
     int32_t left[SND_FRAME] = { 0 }, right[SND_FRAME] = { 0 };
     struct note n = { .s = s, .t = t };
-    const bool music = s->gain0 != 0 || s->gain1 != 0;
+    const bool is_music_audible = s->gain0 != 0 || s->gain1 != 0;
 
     for (n.i = 0; n.i < VOICE_SLOTS; n.i++)
-        if (voices_busy(s, n.i) && (music || n.i % VOICES >= VOICES_MUSIC))
+        if (voices_is_busy(s, n.i) && (is_music_audible || n.i % VOICES >= VOICES_MUSIC))
             add_note(&n, rom, left, right);
     for (int k = 0; k < SND_FRAME; k++) {
         out[2 * k] = wave_limit(left[k]);

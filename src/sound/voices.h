@@ -22,11 +22,11 @@ enum {
     VOICES = 24,
     VOICES_MUSIC = 16,
     VOICE_SLOTS = 2 * VOICES,
-    VOICE_PLACES = 3, /* pieces of music that can be suspended (seq.h) */
-    VOICE_ROOM = VOICE_SLOTS + VOICE_PLACES * VOICES_MUSIC,
+    VOICE_MAX_SUSPENDED = 3, /* pieces of music that can be suspended (seq.h) */
+    VOICE_CAPACITY = VOICE_SLOTS + VOICE_MAX_SUSPENDED * VOICES_MUSIC,
     VOICE_FADE = 96, /* samples in which a tail fades out */
-    VOICE_LOUD = 32767,
-    VOICE_GAIN = 32767 /* full gain of music */
+    VOICE_FULL_VOLUME = 32767,
+    VOICE_FULL_GAIN = 32767 /* full gain of music */
 };
 
 struct voices {
@@ -34,15 +34,16 @@ struct voices {
     uint64_t *phase; /* at the frame's first sample: 2^-56 turns; noise: 2^-44 turns; recording: sample index, Q32 */
     uint64_t *step0, *step1; /* phase per sample, at the frame's start and end */
     int32_t *age; /* samples since the note's start, at the frame's start; negative: the note starts in this frame */
-    int32_t *off, *kill; /* ages at which the note is released, and at which it starts to fade out; NOTE_HELD: never */
-    int32_t *pitch, *goal; /* pitch without vibrato, and target of a slide; 65536ths of a semitone */
-    int32_t *glide;        /* pitch change per frame; 0: no slide */
+    int32_t *off,
+        *fade_age; /* ages at which the note is released, and at which it starts to fade out; NOTE_HELD: never */
+    int32_t *pitch, *goal_pitch; /* pitch without vibrato, and target of a slide; 65536ths of a semitone */
+    int32_t *glide_step;         /* pitch change per frame; 0: no slide */
     uint32_t *inst, *wave;
-    uint16_t *vol0, *vol1; /* volume, of VOICE_LOUD, at the frame's start and end */
+    uint16_t *vol0, *vol1; /* volume, of VOICE_FULL_VOLUME, at the frame's start and end */
     uint8_t *pan0, *pan1;  /* pan at the frame's start and end; 0: left, 128: right */
-    uint16_t gain0, gain1; /* gain of all music, of VOICE_GAIN, at the frame's start and end */
-    uint16_t ducked;       /* how much softer music is because of a sound, of VOICE_GAIN */
-    uint8_t held;          /* 1: the music is paused; afterwards the frame in which the pause started plays again */
+    uint16_t gain0, gain1; /* gain of all music, of VOICE_FULL_GAIN, at the frame's start and end */
+    uint16_t duck_depth;   /* how much softer music is because of a sound, of VOICE_FULL_GAIN */
+    uint8_t music_paused;  /* 1: the music is paused; afterwards the frame in which the pause started plays again */
 };
 
 extern const struct chip voices_chip;
@@ -55,22 +56,23 @@ struct voice_note {
 };
 
 /* Starts a note at sample `at` of the frame that starts now. */
-void voices_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at);
+void voices_start_note(struct voices *s, const uint8_t *rom, int voice, const struct voice_note *n, int at);
 
 /* voices_slur continues a voice's note at another pitch; voices_glide slides the note to that pitch within `frames`
- * frames. voices_off releases the note at sample `at` of the frame; voices_cut fades it out from that sample on.
- * voices_set sets the note's volume and pan at the frame's end. */
+ * frames. voices_release releases the note at sample `at` of the frame; voices_cut fades it out from that sample on.
+ * voices_set_volume_and_pan sets the note's volume and pan at the frame's end. */
 void voices_slur(struct voices *s, const uint8_t *rom, int voice, int32_t pitch);
 void voices_glide(struct voices *s, int voice, int32_t pitch, int32_t frames);
-void voices_off(struct voices *s, int voice, int at);
+void voices_release(struct voices *s, int voice, int at);
 void voices_cut(struct voices *s, int voice, int at);
-void voices_set(struct voices *s, int voice, uint16_t vol, uint8_t pan);
+void voices_set_volume_and_pan(struct voices *s, int voice, uint16_t vol, uint8_t pan);
 
-/* voices_keep saves the notes of the music at a place for suspended music, 0 to VOICE_PLACES - 1; voices_shift copies
- * saved notes from one place to another; voices_bring restores the notes saved at a place, fading in from silence. */
-void voices_keep(struct voices *s, int place);
-void voices_shift(struct voices *s, int to, int from);
-void voices_bring(struct voices *s, int place);
+/* voices_save_music saves the notes of the music at a place for suspended music, 0 to VOICE_MAX_SUSPENDED - 1;
+ * voices_move_saved copies saved notes from one place to another; voices_restore_music restores the notes saved at a
+ * place, fading in from silence. */
+void voices_save_music(struct voices *s, int place);
+void voices_move_saved(struct voices *s, int to, int from);
+void voices_restore_music(struct voices *s, int place);
 
 /* Advances all voices by a frame, except those of the music while it is paused. */
 void voices_step(struct voices *s, const uint8_t *rom);
@@ -79,7 +81,7 @@ void voices_step(struct voices *s, const uint8_t *rom);
 void voices_mix(const struct voices *s, const uint8_t *rom, const struct snd_tables *t, int16_t out[2 * SND_FRAME]);
 
 /* Returns whether a slot holds a note. */
-static inline bool voices_busy(const struct voices *s, int slot)
+static inline bool voices_is_busy(const struct voices *s, int slot)
 {
     return s->inst[slot] != 0;
 }

@@ -23,18 +23,18 @@ static void read_wave(const int16_t *wave, uint32_t phase, uint32_t step, int16_
 /* A pulse is the difference of two saws. */
 static void read_pulse(const int16_t *saw, uint32_t phase, uint32_t step, uint32_t duty, int16_t out[SND_BLOCK])
 {
-    int16_t other[SND_BLOCK];
+    int16_t shifted[SND_BLOCK];
 
     read_wave(saw, phase, step, out);
-    read_wave(saw, phase - duty, step, other);
+    read_wave(saw, phase - duty, step, shifted);
     for (int n = 0; n < SND_BLOCK; n++)
-        out[n] = (int16_t)((out[n] - other[n]) >> 1);
+        out[n] = (int16_t)((out[n] - shifted[n]) >> 1);
 }
 
 /* Reads one version of the wave of an INST_WAVE instrument. */
-static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
+static void read_custom_wave(const uint8_t *wave, int version, uint32_t phase, uint32_t step, int16_t out[SND_BLOCK])
 {
-    const uint8_t *p = wave + inst_wave_at(version);
+    const uint8_t *p = wave + inst_wave_offset(version);
     const int bits = inst_wave_bits(version);
 
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
@@ -45,7 +45,7 @@ static void read_own(const uint8_t *wave, int version, uint32_t phase, uint32_t 
 }
 
 /* Reads version mip of the wave of an instrument whose wave has several versions. */
-static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int mip,
+static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at, int mip,
                          int16_t out[SND_BLOCK])
 {
     const uint32_t phase = (uint32_t)(at->phase >> 24), step = (uint32_t)(at->step >> 24);
@@ -53,26 +53,26 @@ static void read_version(const struct snd_tables *t, const struct inst *inst, co
     if (inst->kind == INST_PULSE)
         read_pulse(t->saw[mip], phase, step, (uint32_t)inst->duty << 16, out);
     else if (inst->kind == INST_WAVE)
-        read_own(at->wave, mip < at->wave[0] ? mip : at->wave[0] - 1, phase, step, out);
+        read_custom_wave(at->wave, mip < at->wave[0] ? mip : at->wave[0] - 1, phase, step, out);
     else
         read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
 }
 
 /* Reads a wave. If the frame's end needs another version than its start, crossfades between the two. */
-static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at,
+static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at,
                           int16_t out[SND_BLOCK])
 {
-    int16_t other[SND_BLOCK];
+    int16_t second[SND_BLOCK];
 
     read_version(t, inst, at, at->mip0, out);
     if (at->mip0 == at->mip1)
         return;
-    read_version(t, inst, at, at->mip1, other);
+    read_version(t, inst, at, at->mip1, second);
     for (int n = 0; n < SND_BLOCK; n++)
-        out[n] = (int16_t)(out[n] + (other[n] - out[n]) * (at->part * SND_BLOCK + n) / SND_FRAME);
+        out[n] = (int16_t)(out[n] + (second[n] - out[n]) * (at->block_index * SND_BLOCK + n) / SND_FRAME);
 }
 
-static uint32_t mixed(uint32_t x)
+static uint32_t mix_bits(uint32_t x)
 {
     x = (x ^ x >> 16) * 0x7feb352du;
     x = (x ^ x >> 15) * 0x846ca68bu;
@@ -80,15 +80,16 @@ static uint32_t mixed(uint32_t x)
 }
 
 /* Each value of the noise is a hash of its index; the phase is in 2^-44 turns (struct wave_at). */
-static void read_noise(const struct wave_at *at, int16_t out[SND_BLOCK])
+static void read_noise(const struct wave_params *at, int16_t out[SND_BLOCK])
 {
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
         const uint32_t number = (uint32_t)((at->phase + n * at->step) >> 40);
-        out[n] = (int16_t)(mixed(number * 0x9e3779b9u + at->seed) >> 16);
+        out[n] = (int16_t)(mix_bits(number * 0x9e3779b9u + at->seed) >> 16);
     }
 }
 
-void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_at *at, int16_t out[SND_BLOCK])
+void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at,
+                int16_t out[SND_BLOCK])
 {
     switch (inst->kind) {
     case INST_SINE:
@@ -111,17 +112,17 @@ typedef const int16_t *group[GROUP];
 
 #if defined(__SSE2__) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
-#define WEIGHS_GROUPS
+#define HAS_SHUFFLEVECTOR
 #endif
 #endif
 
-#ifdef WEIGHS_GROUPS
+#ifdef HAS_SHUFFLEVECTOR
 
 __extension__ typedef int16_t lanes __attribute__((vector_size(16)));
 __extension__ typedef int32_t sums __attribute__((vector_size(16)));
 
 /* Returns the sum of the lanes of each argument, in one lane per argument. */
-static inline sums added(sums v, sums w, sums x, sums y)
+static inline sums sum_lanes(sums v, sums w, sums x, sums y)
 {
     const sums a = __builtin_shufflevector(v, w, 0, 4, 1, 5) + __builtin_shufflevector(v, w, 2, 6, 3, 7);
     const sums b = __builtin_shufflevector(x, y, 0, 4, 1, 5) + __builtin_shufflevector(x, y, 2, 6, 3, 7);
@@ -129,7 +130,7 @@ static inline sums added(sums v, sums w, sums x, sums y)
     return __builtin_shufflevector(a, b, 0, 1, 4, 5) + __builtin_shufflevector(a, b, 2, 3, 6, 7);
 }
 
-static inline sums more(sums sum, const int16_t *x, const int16_t *weights)
+static inline sums multiply_add(sums sum, const int16_t *x, const int16_t *weights)
 {
     lanes a, b;
 
@@ -141,25 +142,25 @@ static inline sums more(sums sum, const int16_t *x, const int16_t *weights)
 /* Computes a group of samples, each the sum of `taps` values of x times their weights, shifted right by `shift` and
  * rounded. Gives the same results as the version below, but adds up the lanes of four samples together; compilers add
  * up the lanes of each sample separately. */
-static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
 {
     sums a = { 0 }, b = a, c = a, d = a;
 
     for (int j = 0; j < taps; j += 8) {
-        a = more(a, x[0] + j, weights[0] + j);
-        b = more(b, x[1] + j, weights[1] + j);
-        c = more(c, x[2] + j, weights[2] + j);
-        d = more(d, x[3] + j, weights[3] + j);
+        a = multiply_add(a, x[0] + j, weights[0] + j);
+        b = multiply_add(b, x[1] + j, weights[1] + j);
+        c = multiply_add(c, x[2] + j, weights[2] + j);
+        d = multiply_add(d, x[3] + j, weights[3] + j);
     }
     const int32_t half = 1 << (shift - 1);
-    const sums halves = { half, half, half, half }, sum = (added(a, b, c, d) + halves) >> shift;
+    const sums halves = { half, half, half, half }, sum = (sum_lanes(a, b, c, d) + halves) >> shift;
     const lanes packed = (lanes)__builtin_ia32_packssdw128(sum, sum);
     memcpy(out, &packed, GROUP * sizeof *out);
 }
 
 #else
 
-static inline void weigh(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
+static inline void weighted_sums(const group x, const group weights, int taps, int shift, int16_t out[GROUP])
 {
     for (int k = 0; k < GROUP; k++) {
         int32_t sum = 1 << (shift - 1);
@@ -182,61 +183,62 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
             from[k] = x + (at >> 32) - 3;
             weights[k] = t->sinc[((at & 0xffffffff) + (1 << 21)) >> 22];
         }
-        weigh(from, weights, SINC_TAPS, SINC_SHIFT, out + n);
+        weighted_sums(from, weights, SINC_TAPS, SINC_SHIFT, out + n);
     }
 }
 
 /* ---- low-pass filters ---- */
 
 /* Filters the group of samples that starts at x with a row of `low`; -1: copies the group unchanged. */
-static void pass(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
+static void filter_group(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
 {
     if (row < 0) {
         memcpy(out, x, GROUP * sizeof *out);
         return;
     }
-    const int16_t *w = t->low[row], *from = x - LOW_TAPS / 2;
-    weigh((group){ from, from + 1, from + 2, from + 3 }, (group){ w, w, w, w }, LOW_TAPS, LOW_SHIFT, out);
+    const int16_t *w = t->low_pass[row], *from = x - LOW_PASS_TAPS / 2;
+    weighted_sums((group){ from, from + 1, from + 2, from + 3 }, (group){ w, w, w, w }, LOW_PASS_TAPS, LOW_SHIFT, out);
 }
 
-void wave_low(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out)
+void wave_low_pass(const struct snd_tables *t, const int16_t *x, int n, uint64_t step0, uint64_t step1, int16_t *out)
 {
-    const int row0 = snd_low(step0), row1 = snd_low(step1);
+    const int row0 = snd_low_pass_row(step0), row1 = snd_low_pass_row(step1);
     int16_t group0[GROUP], group1[GROUP];
 
     for (int i = 0; i < n; i += GROUP) {
-        const int many = n - i < GROUP ? n - i : GROUP;
-        pass(t, row0, x + i, group0);
+        const int count = n - i < GROUP ? n - i : GROUP;
+        filter_group(t, row0, x + i, group0);
         if (row0 != row1)
-            pass(t, row1, x + i, group1);
-        for (int k = 0; row0 != row1 && k < many; k++)
+            filter_group(t, row1, x + i, group1);
+        for (int k = 0; row0 != row1 && k < count; k++)
             group0[k] = (int16_t)(group0[k] + (group1[k] - group0[k]) * (int64_t)(i + k) / n);
-        memcpy(out + i, group0, (size_t)many * sizeof *out);
+        memcpy(out + i, group0, (size_t)count * sizeof *out);
     }
 }
 
 /* ---- level ---- */
 
-/* Returns the level that is left after `samples` samples, halving every `half` samples; half 0: it does not fall. */
-static int32_t fallen(int32_t level, int32_t samples, uint32_t half)
+/* Returns the level that is left after `samples` samples, halving every `half_life` samples; half_life 0: it does not
+ * fall. */
+static int32_t decay_level(int32_t level, int32_t samples, uint32_t half_life)
 {
-    if (half == 0)
+    if (half_life == 0)
         return level;
-    return (int32_t)((int64_t)level * pitch_exp2_neg(((uint64_t)(uint32_t)samples << 32) / half) >> 30);
+    return (int32_t)((int64_t)level * pitch_exp2_neg(((uint64_t)(uint32_t)samples << 32) / half_life) >> 30);
 }
 
-static int32_t held(const struct env *e, int32_t age)
+static int32_t held_level(const struct env *e, int32_t age)
 {
     const int32_t attack = (int32_t)e->attack;
 
     if (age < attack)
         return (int32_t)((int64_t)32767 * age / attack);
     const int32_t sustain = e->decay ? e->sustain : 32767;
-    return fallen(sustain + fallen(32767 - sustain, age - attack, e->decay), age - attack, e->fade);
+    return decay_level(sustain + decay_level(32767 - sustain, age - attack, e->decay), age - attack, e->fade);
 }
 
 /* Returns the half-life of the release, at least 16 samples: a release of 0 would click. */
-static uint32_t release_of(const struct env *e)
+static uint32_t release_half_life(const struct env *e)
 {
     return e->release > 16 ? e->release : 16;
 }
@@ -245,24 +247,25 @@ int32_t wave_level(const struct env *e, int32_t age, int32_t off)
 {
     if (age < 0)
         return 0;
-    return age < off ? held(e, age) : fallen(held(e, off), age - off, release_of(e));
+    return age < off ? held_level(e, age) : decay_level(held_level(e, off), age - off, release_half_life(e));
 }
 
 enum { HALVINGS = 15 /* halvings from full level to silence */ };
 
-bool wave_over(const struct env *e, int32_t age, int32_t off)
+bool wave_is_silent(const struct env *e, int32_t age, int32_t off)
 {
     const uint32_t attack = e->attack;
 
-    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_of(e))
+    if (off != NOTE_HELD && age > off && (uint32_t)(age - off) / HALVINGS > release_half_life(e))
         return true;
     if (age < 0 || (uint32_t)age < attack)
         return false;
-    const uint32_t after = (uint32_t)age - attack;
-    return (e->fade && after / HALVINGS > e->fade) || (e->decay && !e->sustain && after / HALVINGS > e->decay);
+    const uint32_t since_attack = (uint32_t)age - attack;
+    return (e->fade && since_attack / HALVINGS > e->fade) ||
+           (e->decay && !e->sustain && since_attack / HALVINGS > e->decay);
 }
 
-bool wave_corner(const struct env *e, int32_t from, int32_t to, int32_t off)
+bool wave_has_corner(const struct env *e, int32_t from, int32_t to, int32_t off)
 {
     const int32_t attack = (int32_t)e->attack;
 
@@ -279,15 +282,15 @@ static void add_side(const int16_t wave[SND_BLOCK], int32_t g0, int32_t g1, int3
         mix[k] += wave[k] * gain[k] >> 8;
 }
 
-void wave_add(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], const struct wave_sides *from,
-              const struct wave_sides *to, int32_t left[SND_BLOCK], int32_t right[SND_BLOCK])
+void wave_add(const int16_t wave[SND_BLOCK], const int16_t level[SND_BLOCK], const struct wave_gains *from,
+              const struct wave_gains *to, int32_t left[SND_BLOCK], int32_t right[SND_BLOCK])
 {
-    int16_t heard[SND_BLOCK];
+    int16_t scaled[SND_BLOCK];
 
     for (int k = 0; k < SND_BLOCK; k++)
-        heard[k] = (int16_t)((wave[k] * level[k] + (1 << 14)) >> 15);
-    add_side(heard, from->left, to->left, left);
-    add_side(heard, from->right, to->right, right);
+        scaled[k] = (int16_t)((wave[k] * level[k] + (1 << 14)) >> 15);
+    add_side(scaled, from->left, to->left, left);
+    add_side(scaled, from->right, to->right, right);
 }
 
 /* The curve is (2 - (3 - u)^3 / 27) / 2, where u is the excess over one half of full scale, in halves. It starts with
@@ -298,8 +301,8 @@ int16_t wave_limit(int32_t v)
     int32_t a = v < 0 ? -v : v;
 
     if (a > half) {
-        const int64_t left = a - half > 3 * half ? 0 : 3 * half - (a - half);
-        a = 2 * half - (int32_t)((left * left >> 21) * left / 27 >> 21);
+        const int64_t remaining = a - half > 3 * half ? 0 : 3 * half - (a - half);
+        a = 2 * half - (int32_t)((remaining * remaining >> 21) * remaining / 27 >> 21);
     }
     a = (a + 64) >> 7;
     a = a > 32767 ? 32767 : a;

@@ -153,7 +153,7 @@ check 'every core version is frozen' frozen "$core" tests/demos/table
 for demo in $(demos); do check "$demo is listed" listed "$demo" tests/demos/table; done
 check 'every core version says what changed' versions docs/internals/determinism.md "$core"
 read -r oldest newest \
-    < <(sed -n 's/.*DEMO_FORMAT = \([0-9]*\).*/\1/p;s/.*DEMO_OLDEST = \([0-9]*\).*/\1/p' src/demo/demo.h |
+    < <(sed -n 's/.*DEMO_FORMAT = \([0-9]*\).*/\1/p;s/.*DEMO_OLDEST_FORMAT = \([0-9]*\).*/\1/p' src/demo/demo.h |
     sort -n | xargs)
 check 'a demo of every format' formats "$oldest" "$newest" tests/demos/*.demo
 # Format 1 came with core version 1 and ended with it.

@@ -14,7 +14,7 @@ static void look(const struct ase_sprite *s)
     const size_t pixels = (size_t)s->picture.w * (size_t)s->picture.h;
     uint32_t sum = 0;
 
-    if (s->sprite.frames < 1 || s->sprite.frames > CART_MAX_FRAMES || s->sprite.every < 1 ||
+    if (s->sprite.frames < 1 || s->sprite.frames > CART_MAX_FRAMES || s->sprite.frame_ticks < 1 ||
         s->picture.w != s->sprite.w * s->sprite.frames || s->picture.h != s->sprite.h || s->hit.rows > 4)
         abort();
     for (size_t i = 0; i < pixels; i++)
@@ -28,7 +28,7 @@ static void look(const struct ase_sprite *s)
 
 static void make(const struct sheet *sheet, const struct art_sheet *asked, struct art_sprite sprite)
 {
-    static uint8_t rgb[CART_PALETTE];
+    static uint8_t rgb[CART_PALETTE_SIZE];
     struct ase_sprite made;
     char err[256] = "";
     uint8_t *lump = NULL;
@@ -53,8 +53,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct art_sheet asked = { .file = "a.ase", .by_index = size > 0 && data[0] & 1 };
-    struct art_sprite all = { .percent = size > 0 && data[0] & 2 ? 150 : 100 };
-    struct art_sprite part = { .x = 1, .y = 1, .w = 2, .h = 2, .percent = 100, .every = 3 };
+    struct art_sprite all = { .scale_percent = size > 0 && data[0] & 2 ? 150 : 100 };
+    struct art_sprite part = { .x = 1, .y = 1, .w = 2, .h = 2, .scale_percent = 100, .frame_ticks = 3 };
     char err[256] = "";
     struct sheet sheet;
 

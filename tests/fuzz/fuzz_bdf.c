@@ -22,7 +22,8 @@ static unsigned look(const struct face *face, uint32_t code)
 
     if (!face_find(face, code, &g))
         return 0;
-    need(g.w <= g.pitch && g.pitch % 8 == 0 && g.w <= FACE_SIDE && g.h <= FACE_SIDE && g.advance <= FACE_HEIGHT);
+    need(g.w <= g.pitch && g.pitch % 8 == 0 && g.w <= FACE_MAX_SIDE && g.h <= FACE_MAX_SIDE &&
+         g.advance <= FACE_MAX_HEIGHT);
     for (int i = 0; i < g.pitch * g.h; i++) {
         need(g.pix[i] <= 15);
         sum += g.pix[i];

@@ -19,7 +19,7 @@ static enum result compare(const uint8_t *a, size_t a_n, const uint8_t *b, size_
 
     if (first && second) {
         result = bisect_files(first, "a", second, "b", err, sizeof err);
-        if (result == RESULT_HOST || (result == RESULT_REFUSED) != (err[0] != 0))
+        if (result == RESULT_HOST_FAILED || (result == RESULT_REFUSED) != (err[0] != 0))
             abort();
     }
     if (first)

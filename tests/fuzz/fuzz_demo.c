@@ -29,12 +29,12 @@ static void check(const struct demo *d, size_t file_size)
     uint16_t pads[PADS];
     uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
-    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? NVRAM_MOST : 32768));
+    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? MAX_NVRAM : 32768));
     must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
-    must(d->frames <= (d->sparse ? 3 : 1) * file_size && d->seconds <= file_size);
+    must(d->frames <= (d->sparse ? 3 : 1) * file_size && d->n_rows <= file_size);
     must(d->checksum_parts != 0 && (d->checksum_frames == d->frames || d->checksum_frames + 1 == d->frames));
-    must(!d->complete || d->fault || d->seconds == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
+    must(!d->complete || d->fault || d->n_rows == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
     must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
     for (int i = 0; i < d->start.practice.registers; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
@@ -46,16 +46,16 @@ static void check(const struct demo *d, size_t file_size)
         must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames && !d->sparse));
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
-        h += demo_differs(d, f, hashes);
+        h += demo_differing_parts(d, f, hashes);
     }
-    for (uint32_t i = 0; i < d->seconds * (uint32_t)d->parts; i++)
-        h += d->track[i];
+    for (uint32_t i = 0; i < d->n_rows * (uint32_t)d->parts; i++)
+        h += d->rows[i];
     for (uint32_t i = 0; i < d->n_markers; i++) {
         must(d->markers[i].frame <= d->frames && (i == 0 || d->markers[i].frame >= d->markers[i - 1].frame));
         must(memchr(d->markers[i].marker.name, 0, sizeof d->markers[i].marker.name) != NULL);
         must(d->format > 3 || (d->markers[i].marker.kind <= MARKER_LISTED && !d->markers[i].marker.value));
     }
-    for (uint32_t i = 0; i < d->seconds; i++)
+    for (uint32_t i = 0; i < d->n_rows; i++)
         must(demo_row_frame(d, i) <= d->frames);
     h += hash_bytes(0, d->start.nvram, d->start.nvram_size);
     must(h != 1); /* uses it */
@@ -79,7 +79,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (demo_read(&d, copy, n, err, sizeof err))
         check(&d, n);
     else
-        must(err[0] != '\0' && d.pads == NULL && d.checksums == NULL && d.markers == NULL && d.track == NULL);
+        must(err[0] != '\0' && d.pads == NULL && d.checksums == NULL && d.markers == NULL && d.rows == NULL);
     demo_free(&d);
     if (n > 0)
         memcpy(copy, data + 1, n);

@@ -21,9 +21,9 @@ static void need(bool good)
 static void make(struct manifest *m)
 {
     static const struct dip dips[] = {
-        { .name = "coins", .values = 3, .value_name = { "free", "one", "two" } },
-        { .name = "ships", .number = true, .lo = 1, .hi = 9, .value = 3 },
-        { .name = "any", .number = true, .lo = INT32_MIN, .hi = INT32_MAX },
+        { .name = "coins", .n_values = 3, .value_name = { "free", "one", "two" } },
+        { .name = "ships", .is_number = true, .lo = 1, .hi = 9, .default_value = 3 },
+        { .name = "any", .is_number = true, .lo = INT32_MIN, .hi = INT32_MAX },
     };
 
     m->n_dips = sizeof dips / sizeof *dips;
@@ -62,7 +62,7 @@ static bool reads(const char *s, int64_t v)
 
 static void taken(const struct game *g, const struct args *a)
 {
-    const struct manifest *m = &g->cart.m;
+    const struct manifest *m = &g->cart.manifest;
     const struct practice *p = &g->start.practice;
     const char *text;
 
@@ -70,11 +70,11 @@ static void taken(const struct game *g, const struct args *a)
         const struct dip *dip = &m->dips[i];
         int32_t v = g->start.dip[i];
         text = given(a->dips, a->n_dips, dip->name);
-        need(dip->number ? v >= dip->lo && v <= dip->hi : v >= 0 && v < dip->values);
+        need(dip->is_number ? v >= dip->lo && v <= dip->hi : v >= 0 && v < dip->n_values);
         if (!text)
-            need(v == dip->value);
+            need(v == dip->default_value);
         else
-            need(dip->number ? reads(text, v) : strcmp(text, dip->value_name[v]) == 0);
+            need(dip->is_number ? reads(text, v) : strcmp(text, dip->value_name[v]) == 0);
     }
     need(g->start.difficulty >= -1 && g->start.difficulty < m->n_difficulties);
     need(!a->difficulty || strcmp(m->difficulties[g->start.difficulty], a->difficulty) == 0);
@@ -120,7 +120,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (copy)
         argc = cut(copy, copy + size, argv, argc);
     if (copy && g && args_parse(&a, argc, argv, err, sizeof err)) {
-        make(&g->cart.m);
+        make(&g->cart.manifest);
         if (game_start(g, &a, err, sizeof err))
             taken(g, &a);
         else

@@ -41,7 +41,7 @@ static void binary(const uint8_t *data, size_t size)
 static void text(const char *data, size_t size)
 {
     static struct art art;
-    static _Alignas(16) uint8_t work[MANIFEST_WORK];
+    static _Alignas(16) uint8_t work[MANIFEST_SCRATCH_SIZE];
     uint8_t bytes[MANIFEST_BYTES];
     struct manifest m, back;
     char err[256] = "";

@@ -12,7 +12,7 @@ static void check_cells(const struct map_cells *c)
     uint32_t sum = 0;
 
     if (c->sheets < 1 || c->sheets > MAP_SHEETS || c->cols < 1 || c->rows < 1 ||
-        (int64_t)c->cols * c->rows > CART_MAP_CELLS || c->cell == NULL)
+        (int64_t)c->cols * c->rows > CART_MAX_MAP_CELLS || c->cell == NULL)
         abort();
     for (int i = 0; i < c->cols * c->rows; i++)
         sum += c->cell[i] & MAP_NUMBER;
@@ -22,7 +22,7 @@ static void check_cells(const struct map_cells *c)
 
 static void make(const struct map_cells *c)
 {
-    static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE];
+    static uint8_t rgba[64 * 64 * 4], rgb[CART_PALETTE_SIZE];
     const struct art_picture sheet = { .rgba = rgba, .w = 64, .h = 64 };
     struct map_picture picture[MAP_SHEETS];
     char err[256] = "";

@@ -40,7 +40,7 @@ static void keep_again(struct nvram *nv, const char *key)
 {
     struct nv_value v = nvram_get(nv, key);
 
-    need(v.type != NV_NONE && v.type <= NV_BOOL && v.length <= NV_STRING);
+    need(v.type != NV_NONE && v.type <= NV_BOOL && v.length <= NV_MAX_STRING);
     need(nvram_set(nv, key, &v));
     struct nv_value back = nvram_get(nv, key);
     need(back.type == v.type && back.length == v.length && back.bits == v.bits);
@@ -50,8 +50,8 @@ static void keep_again(struct nvram *nv, const char *key)
 static void use(struct nvram *nv)
 {
     const struct nv_value number = { .type = NV_INT, .bits = 7 };
-    struct nv_row mine = { .name = "me", .ship = "crow", .score = 1000, .stage = 3 }, rows[NV_ROWS];
-    char key[NV_KEY + 1];
+    struct nv_row mine = { .name = "me", .ship = "crow", .score = 1000, .stage = 3 }, rows[NV_MAX_ROWS];
+    char key[NV_MAX_KEY + 1];
     uint32_t size;
 
     for (uint32_t at = 4; at < nv->s.live; at += size) {
@@ -66,8 +66,8 @@ static void use(struct nvram *nv)
     need(kept || nvram_get(nv, "one more").type != NV_INT || nvram_get(nv, "one more").bits != 7);
     need(!kept || nvram_get(nv, "one more").bits == 7);
     for (int i = 0; i < 2; i++, mine.ship[0] = 0) {
-        int row = nvram_enter(nv, "table", &mine), n = nvram_rows(nv, "table", mine.ship, rows);
-        need(row >= -2 && row < NV_ROWS && row < (n ? n : 1) && n <= NV_ROWS);
+        int row = nvram_enter_row(nv, "table", &mine), n = nvram_get_rows(nv, "table", mine.ship, rows);
+        need(row >= -2 && row < NV_MAX_ROWS && row < (n ? n : 1) && n <= NV_MAX_ROWS);
         for (int r = 1; r < n; r++)
             need(rows[r - 1].score >= rows[r].score);
     }
@@ -90,14 +90,14 @@ static void compare_old(const struct nvram *nv, const uint8_t *image)
     }
     for (int t = 0; t < 16; t++) {
         const uint8_t *p = image + 4 + 256 * 96 + t * (32 + 240);
-        struct nv_row rows[NV_ROWS];
+        struct nv_row rows[NV_MAX_ROWS];
         bool first = p[0] && p[32];
         for (int k = 0; k < t; k++) {
             const uint8_t *q = image + 4 + 256 * 96 + k * (32 + 240);
             first = first && (!q[32] || strcmp((const char *)q, (const char *)p));
         }
-        int n = first ? nvram_rows(nv, (const char *)p, "", rows) : 0;
-        for (int r = 0; first && r < NV_ROWS && p[32 + r * 24]; r++) {
+        int n = first ? nvram_get_rows(nv, (const char *)p, "", rows) : 0;
+        for (int r = 0; first && r < NV_MAX_ROWS && p[32 + r * 24]; r++) {
             const uint8_t *row = p + 32 + r * 24;
             int k = 0;
             while (k < n &&
@@ -128,16 +128,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         edit(image, copy, size - 1);
     const uint8_t *from = whole ? copy : image;
     size_t n = whole ? size - 1 : NV_OLD_BYTES;
-    bool good = nvram_valid(from, n), old = n == NV_OLD_BYTES && !memcmp(from, "NV01", 4);
+    bool good = nvram_is_valid(from, n), old = n == NV_OLD_BYTES && !memcmp(from, "NV01", 4);
     nvram_load(&nv, from, n);
-    need(nvram_valid(nv.bytes, nv.s.live) && nv.s.live <= room && nv.s.live >= 4 && (good || nv.s.live == 4));
+    need(nvram_is_valid(nv.bytes, nv.s.live) && nv.s.live <= room && nv.s.live >= 4 && (good || nv.s.live == 4));
     if (good && !old)
         need(memcmp(nv.bytes, from, nv.s.live) == 0 && (n > room || nv.s.live == n));
     if (good && old && room == NV_OLD_BYTES)
         compare_old(&nv, from);
     if (good)
         use(&nv);
-    need(nvram_valid(nv.bytes, nv.s.live) && nv.s.live <= room);
+    need(nvram_is_valid(nv.bytes, nv.s.live) && nv.s.live <= room);
     free(nv.bytes);
     free(copy);
     return 0;

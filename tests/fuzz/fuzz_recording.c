@@ -29,18 +29,22 @@ static const char *name_of(const uint8_t *data, size_t size)
 static void make(const struct pcm *pcm)
 {
     static const struct art_marker marker = { "start", 0 };
-    const struct art_sound about = {
-        .volume = 255, .priority = 4, .limit = 2, .bar = 4, .stereo = true, .exact = pcm->n > 2000, .n_markers = 1
-    };
+    const struct art_sound about = { .volume = 255,
+                                     .priority = 4,
+                                     .limit = 2,
+                                     .beats_per_bar = 4,
+                                     .stereo = true,
+                                     .exact = pcm->n > 2000,
+                                     .n_markers = 1 };
     struct recording_bytes tune, wave;
     char err[256] = "";
 
     need(recording_sound(pcm, &about, &tune, err, sizeof err));
-    need(tune_open(tune.data, tune.n, err, sizeof err));
+    need(tune_validate(tune.data, tune.n, err, sizeof err));
     free(tune.data);
     need(recording_music(pcm, &about, &marker, &tune, &wave, err, sizeof err));
-    need(tune_open(tune.data, tune.n, err, sizeof err));
-    need(samples_open(wave.data, wave.n, tune_of(tune.data).sides));
+    need(tune_validate(tune.data, tune.n, err, sizeof err));
+    need(samples_are_valid(wave.data, wave.n, tune_of(tune.data).channels));
     free(tune.data);
     free(wave.data);
 }

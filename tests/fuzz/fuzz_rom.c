@@ -31,8 +31,8 @@ static uint64_t read_cart(const struct cart *cart)
             abort();
         h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
     }
-    return hash_bytes(hash_bytes(h, cart_palette(cart, "main"), CART_PALETTE), cart->glyphs,
-                      (size_t)cart->n_glyphs * CART_GLYPH);
+    return hash_bytes(hash_bytes(h, cart_palette(cart, "main"), CART_PALETTE_SIZE), cart->glyphs,
+                      (size_t)cart->n_glyphs * CART_GLYPH_SIZE);
 }
 
 /* Every lump is found under its own name. */
@@ -54,9 +54,9 @@ static bool plain(uint8_t **bytes, size_t *size, bool repair, char *err, size_t 
 
     if (repair)
         repair_compressed(*bytes, *size);
-    const size_t n = compressed_size(*bytes, *size, err, err_size);
+    const size_t n = compressed_plain_size(*bytes, *size, err, err_size);
     uint8_t *out = n > 0 ? malloc(n) : NULL;
-    bool good = out && (n <= MOST || !repair) && compressed_read(*bytes, *size, out, err, err_size);
+    bool good = out && (n <= MOST || !repair) && compressed_unpack(*bytes, *size, out, err, err_size);
     if (out && !good && repair && n <= MOST)
         good = lzma_read(*bytes + COMPRESSED_HEADER, *size - COMPRESSED_HEADER, out, n);
     free(good ? *bytes : out);
@@ -74,8 +74,8 @@ static void there_and_back(const uint8_t *bytes, size_t size)
     size_t n;
 
     if (back && compress_rom(bytes, size, &small, &n) && small) {
-        if (n >= size || compressed_size(small, n, err, sizeof err) != size ||
-            !compressed_read(small, n, back, err, sizeof err) || memcmp(back, bytes, size) != 0)
+        if (n >= size || compressed_plain_size(small, n, err, sizeof err) != size ||
+            !compressed_unpack(small, n, back, err, sizeof err) || memcmp(back, bytes, size) != 0)
             abort();
         free(small);
     }
@@ -97,7 +97,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (n > 0)
         memcpy(copy, data + 1, n);
     there_and_back(copy, n);
-    if (compressed_is(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
+    if (compressed_detect(copy, n) && !plain(&copy, &n, data[0] % 2 == 0, err, sizeof err)) {
         free(copy);
         return 0;
     }

@@ -26,11 +26,11 @@ static void play(const uint8_t *bytes)
         snd_tables_make(&tables);
     voiced(&t, &tables);
     for (int k = -1; k < t.tracks; k++) {
-        struct track_cursor c = tune_begin(&t, k);
+        struct track_cursor c = tune_track_start(&t, k);
         for (int f = 0; f < 20; f++) {
             struct tune_run run = { &t, k, c, t.tempo, 0, SND_FRAME, 0 };
             struct tune_played e;
-            while (tune_next(&run, &e))
+            while (tune_next_event(&run, &e))
                 need(e.event < TUNE_EVENTS && e.sample >= 0 && e.sample < SND_FRAME);
             c = run.at;
         }
@@ -48,7 +48,7 @@ static void as_mml(const uint8_t *data, size_t size)
         need(strncmp(err, "x.mml:", 6) == 0 && strlen(err) > 9);
         return;
     }
-    need(tune_open(out, n, err, sizeof err));
+    need(tune_validate(out, n, err, sizeof err));
     play(out);
     free(out);
 }
@@ -65,7 +65,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (size)
         memcpy(copy, data, size);
     as_mml(copy, size);
-    if (tune_open(copy, size, err, sizeof err))
+    if (tune_validate(copy, size, err, sizeof err))
         play(copy);
     else
         need(err[0]);

@@ -107,7 +107,7 @@ int main(void)
     FILE *f = fopen("tests/demos/frozen.rom", "rb");
     if (!rom_open(&rom, bytes, fread(bytes, 1, sizeof bytes, f), err, sizeof err) ||
         !board_size(&rom, &size, err, sizeof err) ||
-        !board_power(aligned_alloc(64, (size + 63) / 64 * 64), size, &rom, &start, err, sizeof err))
+        !board_power_on(aligned_alloc(64, (size + 63) / 64 * 64), size, &rom, &start, err, sizeof err))
         puts(err);
     return *err != 0;
 }

@@ -11,7 +11,7 @@ NO_PREFIX = {
     "snd_": "src/sound",
     "int64_": "int.h's functions of the wider type",
     "luaerror_ luapattern_ luatable_ luatext_ luautf8_ luamath_": "luaparts.h says what each file of the library gives",
-    "board_eval board_profile": "operations on a board, in headers of their own",
+    "board_eval board_set_profile": "operations on a board, in headers of their own",
 }
 LISTED = tuple(" ".join(NO_PREFIX).split())
 LONGEST = 100  # lines of a function

@@ -46,7 +46,7 @@ check "shots hit the nearest enemy, every sprite is drawn, and steps back find t
     "$bench" battle pictures rewind
 refuse "a section it does not have" "sections: machine boss crowd prices" "$bench" nothing
 engine_copy
-sed 's/\(events_push(.*EV_SHOT, who, whom\))/\1 ^ 1)/' \
+sed 's/\(events_push(.*EV_SHOT, shot_handle, target\))/\1 ^ 1)/' \
     src/machine/collision/hit_shots.c >"$copy/src/machine/collision/hit_shots.c"
 another() {
     ! cmp -s src/machine/collision/hit_shots.c "$copy/src/machine/collision/hit_shots.c" || return 2

@@ -12,7 +12,7 @@ __extension__ typedef __int128 wide;
 /* ---- scenes by chance ---- */
 
 static struct rng rng;
-static const fx edge = (fx)WORLD << 16, fastest = (fx)MAX_SPEED << 16;
+static const fx edge = (fx)WORLD_EDGE << 16, fastest = (fx)MAX_SPEED << 16;
 
 static inline bool one_in(uint64_t n)
 {
@@ -46,7 +46,7 @@ static inline void open_pools(struct rig *r, struct rig_game *game, int bullets,
  * to `last`, which are for no other kind. A capsule as of enemies has a bar of its own. */
 static inline void draw_pieces(const struct shape_columns *c, uint32_t k, uint32_t last, bool bar, fx most)
 {
-    uint32_t n = last - k + 1 < SHAPE_PARTS ? last - k + 1 : SHAPE_PARTS;
+    uint32_t n = last - k + 1 < SHAPE_MAX_CIRCLES ? last - k + 1 : SHAPE_MAX_CIRCLES;
     int32_t left = (int32_t)rng_below(&rng, n);
 
     if (!left) {
@@ -149,7 +149,7 @@ struct thing {
 /* A thing in pieces. */
 struct whole {
     int n;
-    struct thing piece[SHAPE_PARTS];
+    struct thing piece[SHAPE_MAX_CIRCLES];
 };
 
 static struct whole whole_of(struct thing t, const struct shape_columns *k, uint16_t kind, bool turns, ang dir)
@@ -196,8 +196,8 @@ static struct whole foe(const struct board *b, uint32_t i)
     const struct shape_columns shapes = { k->shape, k->a, k->b, k->x, k->y };
     uint16_t kind = e->kind[i];
     bool bar = k->shape[kind] == SHAPE_CAPSULE;
-    struct thing t = { k->shape[kind], k->a[kind],           k->b[kind],          e->x[i], e->y[i], e->was_x[i],
-                       e->was_y[i],    bar ? k->x[kind] : 0, bar ? k->y[kind] : 0 };
+    struct thing t = { k->shape[kind], k->a[kind],           k->b[kind],          e->x[i], e->y[i], e->prev_x[i],
+                       e->prev_y[i],   bar ? k->x[kind] : 0, bar ? k->y[kind] : 0 };
 
     return whole_of(t, &shapes, kind, false, 0);
 }
@@ -206,7 +206,7 @@ static struct whole pilot(const struct board *b, uint32_t p, wide r)
 {
     const struct player *pl = &b->player;
 
-    return (struct whole){ 1, { { SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->was_x[p], pl->was_y[p], 0, 0 } } };
+    return (struct whole){ 1, { { SHAPE_CIRCLE, r, 0, pl->x[p], pl->y[p], pl->prev_x[p], pl->prev_y[p], 0, 0 } } };
 }
 
 /* On one axis: is the way from v to e more than half away from 0? */
@@ -298,7 +298,7 @@ static inline void hit_now(struct board *b)
     struct bullets_query query[PADS];
 
     b->events.n = 0;
-    hit_queries(b, query);
+    hit_get_queries(b, query);
     for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++)
         b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
     b->bullets.holds_all = true;
@@ -349,7 +349,7 @@ static inline void player_reference(const struct board *b, uint32_t p)
         if (meets(foe(b, e), pilot(b, p, b->player_kinds.radius[kind]), b->enemy_kinds.flags[k] & ENEMY_SWEPT)) {
             expect(b, EV_HIT, H_PLAYER, p, H_ENEMY, e);
             seen.touches++;
-            seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_PLAIN;
+            seen.long_touches += b->enemy_kinds.shape[k] > SHAPE_MAX_PLAIN;
         } else
             seen.touch_misses++;
     }
@@ -399,8 +399,8 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
         uint32_t found = 0;
         EACH_LIVE (e, &b->enemies.s) {
             struct whole f = foe(b, e);
-            apart = square((wide)pool->x[i] - pool->vx[i] - b->enemies.was_x[e]) +
-                    square((wide)pool->y[i] - pool->vy[i] - b->enemies.was_y[e]);
+            apart = square((wide)pool->x[i] - pool->vx[i] - b->enemies.prev_x[e]) +
+                    square((wide)pool->y[i] - pool->vy[i] - b->enemies.prev_y[e]);
             if ((best >= 0 && apart > best) || b->enemies.flags[e] & ENEMY_DYING ||
                 (event == EV_BLOCK && !(b->enemy_kinds.flags[b->enemies.kind[e]] & ENEMY_BLOCKS)))
                 continue;
@@ -423,7 +423,7 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
             *(event == EV_BLOCK ? &seen.blocks : &seen.shots) += 1;
             seen.capsule_shots += kinds->shape[pool->kind[i]] == SHAPE_CAPSULE;
             seen.circles_shots += kinds->shape[pool->kind[i]] == SHAPE_CIRCLES;
-            seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_PLAIN;
+            seen.long_foes += b->enemy_kinds.shape[b->enemies.kind[found]] > SHAPE_MAX_PLAIN;
         }
     }
 }
@@ -432,7 +432,7 @@ static inline void reference(const struct board *b)
 {
     expected_n = 0;
     for (uint32_t p = 0; p < PADS; p++)
-        if (b->player.in[p])
+        if (b->player.in_game[p])
             player_reference(b, p);
     pool_reference(b, &b->shots, &b->shot_kinds, EV_SHOT, H_SHOT);
     pool_reference(b, &b->bullets, &b->bullet_kinds, EV_BLOCK, H_BULLET);

@@ -2,9 +2,9 @@
  * port_keys.c - a port that is played by a script: line n of standard input has the HID usages of the keys held at poll
  * n, in decimal, cN:BITS for the switches of controller N (1 to 4) as a hexadecimal mask, f when another window has the
  * keys, @X,Y for the mouse there with its left button held, ~X,Y for it without, and 'TEXT for what was typed then, to
- * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_kind, -N pulls
- * it out; without any such word all of them are there, of no known kind. =PATH is dropped on the window. Time passes
- * only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the cabinet
+ * the end of the line; at its end the port asks to quit. +N:KIND plugs in controller N, of enum plat_controller_kind,
+ * -N pulls it out; without any such word all of them are there, of no known kind. =PATH is dropped on the window. Time
+ * passes only when waited for. Of every picture shown, a line: a hash of it without its last 26 rows, where the cabinet
  * draws the bar of time and writes its words. With KEYS_WHOLE set the hash is of the whole picture; with KEYS_PPM=N
  * picture N is written to picture.ppm. With KEYS_WINDOW=WxH there is a window of that size, for which pictures can be
  * composed; those are hashed whole. With KEYS_VSYNC=HZ showing a picture takes until the next refresh of a screen of
@@ -26,22 +26,23 @@ static bool there[PLAT_CONTROLLERS], plugs; /* plugs: the script says what is th
 
 static void plug(const char *word)
 {
-    static const char *const names[PLAT_KINDS] = { "",
-                                                   "Xbox One Controller",
-                                                   "Xbox 360 Controller",
-                                                   "PS3 Controller",
-                                                   "PS4 Controller",
-                                                   "DualSense Wireless Controller",
-                                                   "Nintendo Switch Pro Controller" };
+    static const char *const names[PLAT_CONTROLLER_KINDS] = { "",
+                                                              "Xbox One Controller",
+                                                              "Xbox 360 Controller",
+                                                              "PS3 Controller",
+                                                              "PS4 Controller",
+                                                              "DualSense Wireless Controller",
+                                                              "Nintendo Switch Pro Controller" };
     static uint32_t id;
     unsigned which = 0, kind = 0;
 
-    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_CONTROLLERS || kind >= PLAT_KINDS)
+    if (sscanf(word + 1, "%u:%u", &which, &kind) < 1 || which < 1 || which > PLAT_CONTROLLERS ||
+        kind >= PLAT_CONTROLLER_KINDS)
         return;
     struct plat_controller *c = &plugged[which - 1];
     plugs = true;
     there[which - 1] = word[0] == '+';
-    *c = (struct plat_controller){ .id = ++id, .kind = (enum plat_kind)kind };
+    *c = (struct plat_controller){ .id = ++id, .kind = (enum plat_controller_kind)kind };
     snprintf(c->name, sizeof c->name, "%s", names[kind]);
 }
 
@@ -61,9 +62,9 @@ bool plat_dropped(char *path, size_t size)
     return was;
 }
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *want)
 {
-    text = want->text;
+    text = want->text_input;
     return true;
 }
 
@@ -76,7 +77,7 @@ void plat_poll(struct plat_input *in)
     char line[256], *typed;
 
     memset(in, 0, sizeof *in);
-    in->focus = true;
+    in->has_focus = true;
     in->quit = fgets(line, sizeof line, stdin) == NULL;
     in->mouse_x = in->mouse_y = -1;
     if (!in->quit && (typed = strchr(line, '\'')) != NULL) {
@@ -86,7 +87,7 @@ void plat_poll(struct plat_input *in)
     }
     for (char *word = strtok(line, " \n"); !in->quit && word; word = strtok(NULL, " \n")) {
         if (word[0] == '@') {
-            in->mouse = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
+            in->mouse_buttons = sscanf(word, "@%d,%d", &in->mouse_x, &in->mouse_y) == 2;
         } else if (word[0] == '~') {
             sscanf(word, "~%d,%d", &in->mouse_x, &in->mouse_y);
         } else if (word[0] == '+' || word[0] == '-') {
@@ -98,7 +99,7 @@ void plat_poll(struct plat_input *in)
             if (sscanf(word, "c%u:%x", &which, &bits) == 2 && which >= 1 && which <= PLAT_CONTROLLERS)
                 in->controllers[which - 1] = bits;
         } else if (word[0] == 'f') {
-            in->focus = false;
+            in->has_focus = false;
         } else {
             unsigned long usage = strtoul(word, NULL, 10);
             in->keys[usage >> 3 & 31] |= (uint8_t)(1u << (usage & 7));
@@ -150,7 +151,7 @@ bool plat_window(struct plat_window *out)
 {
     const char *size = getenv("KEYS_WINDOW"), *vsync = getenv("KEYS_VSYNC");
 
-    *out = (struct plat_window){ .refresh = vsync ? atoi(vsync) * 1000 : 0, .waits = vsync };
+    *out = (struct plat_window){ .refresh = vsync ? atoi(vsync) * 1000 : 0, .vsync = vsync };
     return size && sscanf(size, "%dx%d", &out->w, &out->h) == 2;
 }
 

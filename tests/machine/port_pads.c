@@ -39,7 +39,7 @@ static SDL_Joystick *plug(int *device)
 }
 
 /* What is plugged in as number i. */
-static void known(const char *what, int i, bool there, enum plat_kind kind, const char *name)
+static void known(const char *what, int i, bool there, enum plat_controller_kind kind, const char *name)
 {
     struct plat_controller c;
     bool is = plat_controller(i, &c);
@@ -53,7 +53,7 @@ static void known(const char *what, int i, bool there, enum plat_kind kind, cons
 }
 
 #if SDL_VERSION_ATLEAST(2, 24, 0)
-static void is_of_kind(Uint16 vendor, Uint16 product, enum plat_kind kind)
+static void is_of_kind(Uint16 vendor, Uint16 product, enum plat_controller_kind kind)
 {
     SDL_VirtualJoystickDesc desc = { .version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION,
                                      .type = SDL_JOYSTICK_TYPE_GAMECONTROLLER,
@@ -122,7 +122,7 @@ static void four(void)
 
 int main(int argc, char **argv)
 {
-    struct plat_want want = { .w = 64, .h = 64, .scale = 1 };
+    struct plat_config want = { .w = 64, .h = 64, .scale = 1 };
     int a, b;
     (void)argc;
     (void)argv;

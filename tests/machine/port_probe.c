@@ -49,22 +49,22 @@ static void report(const struct plat_input *in)
     char label[32];
 
     for (unsigned u = 0; u < PLAT_KEYS; u++)
-        if (plat_key(in, u) != plat_key(&was, u)) {
-            printf("key %u %s\n", u, plat_key(in, u) ? "down" : "up");
-            if (plat_key(in, u) && plat_key_label(u, label, sizeof label))
+        if (plat_key_held(in, u) != plat_key_held(&was, u)) {
+            printf("key %u %s\n", u, plat_key_held(in, u) ? "down" : "up");
+            if (plat_key_held(in, u) && plat_key_label(u, label, sizeof label))
                 printf("label %s\n", label);
         }
     if (in->text[0])
         printf("text %s\n", in->text);
-    if (in->mouse != was.mouse)
-        printf("mouse %d at %d %d\n", in->mouse, in->mouse_x, in->mouse_y);
+    if (in->mouse_buttons != was.mouse_buttons)
+        printf("mouse %d at %d %d\n", in->mouse_buttons, in->mouse_x, in->mouse_y);
     if (in->wheel)
         printf("wheel %d\n", in->wheel);
     fflush(stdout);
     was = *in;
 }
 
-static int show(struct plat_want *want)
+static int show(struct plat_config *want)
 {
     static const int16_t silence[1600];
     struct plat_input in = { 0 };
@@ -72,14 +72,14 @@ static int show(struct plat_want *want)
     if (!plat_open(want))
         return 1;
     printf("sound %d\n", plat_sound(silence, 800) < 0 ? 0 : 1);
-    for (uint64_t due = plat_usec(); !in.quit && !plat_key(&in, KEY_ESCAPE); due += 16667) {
+    for (uint64_t due = plat_usec(); !in.quit && !plat_key_held(&in, KEY_ESCAPE); due += 16667) {
         plat_poll(&in);
         report(&in);
-        if (plat_key(&in, KEY_F) && !held) {
+        if (plat_key_held(&in, KEY_F) && !held) {
             want->fullscreen = !want->fullscreen;
             plat_open(want);
         }
-        held = plat_key(&in, KEY_F);
+        held = plat_key_held(&in, KEY_F);
         plat_show(pix, SIDE, want->w, want->h, rgb);
         plat_wait(due);
     }
@@ -101,12 +101,12 @@ int main(int argc, char **argv)
         expect(w, h, atoi(argv[4]), atoi(argv[5]));
         return 0;
     }
-    struct plat_want want = { .w = w,
-                              .h = h,
-                              .scale = atoi(argv[4]),
-                              .fullscreen = argc > 5,
-                              .text = true,
-                              .title = "port probe",
-                              .rate = 48000 };
+    struct plat_config want = { .w = w,
+                                .h = h,
+                                .scale = atoi(argv[4]),
+                                .fullscreen = argc > 5,
+                                .text_input = true,
+                                .title = "port probe",
+                                .sound_rate = 48000 };
     return show(&want);
 }

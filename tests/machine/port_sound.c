@@ -30,7 +30,7 @@ static void event(Uint32 type, Uint32 which, bool microphone)
 int main(int argc, char **argv)
 {
     static const int16_t silence[2 * 800];
-    struct plat_want want = { .w = 64, .h = 64, .scale = 1 };
+    struct plat_config want = { .w = 64, .h = 64, .scale = 1 };
     enum { SPEAKER = 2 }; /* SDL's number of the first device that is opened */
 
     (void)argc;
@@ -41,7 +41,7 @@ int main(int argc, char **argv)
     check("nor SDL's part of it", SDL_WasInit(SDL_INIT_AUDIO) ? 1 : 0, 0);
     event(SDL_AUDIODEVICEADDED, 0, false);
     check("a card that comes is not opened then", plat_sound(NULL, 0), -1);
-    want.rate = 48000;
+    want.sound_rate = 48000;
     plat_open(&want);
     check("a rate: nothing waits", plat_sound(NULL, 0), 0);
     plat_sound(silence, 800);
@@ -55,10 +55,10 @@ int main(int argc, char **argv)
     check("the speaker goes: the next one is opened, and empty", plat_sound(NULL, 0), 0);
     SDL_QuitSubSystem(SDL_INIT_AUDIO);
     SDL_setenv("SDL_AUDIODRIVER", "none of these", 1);
-    want.rate = 0;
+    want.sound_rate = 0;
     plat_open(&want);
     check("no rate again", plat_sound(NULL, 0), -1);
-    want.rate = 48000;
+    want.sound_rate = 48000;
     plat_open(&want);
     check("no driver", plat_sound(NULL, 0), -1);
     event(SDL_AUDIODEVICEADDED, 0, false);

@@ -118,7 +118,7 @@ static inline struct manifest rig_manifest(void)
 /* A game of these scripts; m NULL: rig_manifest. One named "@std/NAME" takes the place of the library's. */
 static inline void rig_scripts(struct rig_game *g, const struct manifest *m, const struct rig_script *s, int n)
 {
-    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[96 * CART_GLYPH];
+    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE_SIZE], font[96 * CART_GLYPH_SIZE];
     static uint8_t dot[CART_GFX_HEADER + 64], arrow[CART_GFX_HEADER + 16 * 256], wink[CART_GFX_HEADER + 4 * 64];
     struct manifest own = m ? *m : rig_manifest();
     char names[RIG_LUMPS][80];
@@ -126,15 +126,15 @@ static inline void rig_scripts(struct rig_game *g, const struct manifest *m, con
     int k = 0;
 
     /* "tiny": A, 3 x 4 px, and U+5F3E, 5 x 5 */
-    static const uint8_t tiny[FACE_HEAD + 2 * FACE_GLYPH + 32 + 40] = {
+    static const uint8_t tiny[FACE_HEADER + 2 * FACE_GLYPH_SIZE + 32 + 40] = {
         6, 0, 0,  0, 2, 0, 0, 0, 'A', 0,    0, 0, 40, 0, 0,  0, 3,  4, 0, 1, 4, 0, 0, 0, 0x3e, 0x5f,
         0, 0, 72, 0, 0, 0, 5, 5, 1,   0xff, 7, 0, 0,  0, 15, 0, 15, 0, 0, 0, 0, 0, 3, 3, 3,    [81] = 3,
     };
 
     const uint32_t manifest_size = manifest_pack(&own, manifest);
-    for (int i = 0; i < CART_PALETTE; i++)
+    for (int i = 0; i < CART_PALETTE_SIZE; i++)
         palette[i] = (uint8_t)(i * 37 + i / 3);
-    for (int i = 0; i < 96 * CART_GLYPH; i++)
+    for (int i = 0; i < 96 * CART_GLYPH_SIZE; i++)
         font[i] = (uint8_t)((i * 5 + i / 64 * 3) % 16);
     rig_sprite(dot, 8, 1, 1, 1, 0);
     rig_sprite(arrow, 16, 1, 1, 16, 0);
@@ -188,20 +188,20 @@ static inline void rig_with_sys(struct rig_game *g, const struct manifest *m, co
 /* Puts two blends into a game, "ghost" and "glow", made by a rule for ramps; BLIT_TABLE: the table is nonsense. */
 static inline void rig_ruled_blends(struct rig_game *g, enum blit_mix ghost, enum blit_mix glow)
 {
-    static uint8_t blend[2][CART_BLEND];
+    static uint8_t blend[2][CART_BLEND_SIZE];
     struct rig_game had = *g;
     struct lump lumps[RIG_LUMPS];
     int n = (int)had.image.rom.count;
 
-    for (int i = 0; i < CART_BLEND; i++) {
+    for (int i = 0; i < CART_BLEND_SIZE; i++) {
         const uint8_t under = (uint8_t)(i >> 8), over = (uint8_t)i;
-        blend[0][i] = ghost == BLIT_TABLE ? (uint8_t)(i * 13 + under * 7 + 1) : blit_ramp(ghost, under, over);
-        blend[1][i] = glow == BLIT_TABLE ? (uint8_t)(i * 5 + under * 11 + 2) : blit_ramp(glow, under, over);
+        blend[0][i] = ghost == BLIT_TABLE ? (uint8_t)(i * 13 + under * 7 + 1) : blit_ramp_entry(ghost, under, over);
+        blend[1][i] = glow == BLIT_TABLE ? (uint8_t)(i * 5 + under * 11 + 2) : blit_ramp_entry(glow, under, over);
     }
     for (int i = 0; i < n; i++)
         rom_lump(&had.image.rom, i, &lumps[i]);
-    lumps[n++] = (struct lump){ "blend/ghost", blend[0], CART_BLEND };
-    lumps[n++] = (struct lump){ "blend/glow", blend[1], CART_BLEND };
+    lumps[n++] = (struct lump){ "blend/ghost", blend[0], CART_BLEND_SIZE };
+    lumps[n++] = (struct lump){ "blend/glow", blend[1], CART_BLEND_SIZE };
     rig_write(g, lumps, n);
     free(had.image.bytes);
 }
@@ -386,18 +386,18 @@ static inline void rig_power_any(struct rig *r, const struct rig_game *g, const 
     r->block = malloc(r->ram_size + 16);
     r->ram = (uint8_t *)r->block + (16 - (uintptr_t)r->block % 16) % 16;
     memset(r->ram, 0x5a, r->ram_size);
-    r->b = board_power(r->ram, r->ram_size, &g->image.rom, start ? start : &plain, err, sizeof err);
+    r->b = board_power_on(r->ram, r->ram_size, &g->image.rom, start ? start : &plain, err, sizeof err);
     if (!r->b)
         fail_msg("%s", err);
-    board_screen(r->b, &w, &h);
+    board_screen_size(r->b, &w, &h);
     r->pix = malloc(fb_size(w, h));
     fb_init(&r->fb, r->pix, w, h);
-    r->scratch = malloc(board_scratch(r->b));
+    r->scratch = malloc(board_scratch_size(r->b));
 }
 
 static inline const struct board_fault *rig_fault(const struct rig *r)
 {
-    return board_last(r->b)->fault;
+    return board_last_output(r->b)->fault;
 }
 
 static inline void rig_sound(const struct rig *r)
@@ -521,7 +521,7 @@ static inline struct view rig_view(int i, const uint8_t *shades)
 {
     return (struct view){ .dim = (enum view_dim)(i % VIEW_DIMS),
                           .colours = (enum view_colours)(i / VIEW_DIMS % VIEW_COLOURS),
-                          .soft_flashes = i / VIEW_DIMS / VIEW_COLOURS,
+                          .softens_flashes = i / VIEW_DIMS / VIEW_COLOURS,
                           .shades = shades };
 }
 
@@ -534,7 +534,7 @@ static inline const char *rig_differs(const struct rig *a, const struct rig *b)
     board_hashes(b->b, hb);
     for (int i = 0; i < board_parts(a->b); i++)
         if (ha[i] != hb[i])
-            return board_part(a->b, i);
+            return board_part_name(a->b, i);
     return NULL;
 }
 

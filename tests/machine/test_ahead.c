@@ -86,7 +86,7 @@ static void power(struct guard *g, struct rig_game *game, const char *script)
 
     rig_script(game, NULL, script);
     assert_true(guard_power(g, &game->image.rom, &start, err, sizeof err));
-    assert_null(board_last(g->board)->fault);
+    assert_null(board_last_output(g->board)->fault);
 }
 
 /* What the next tick says and saves is its own: nothing of it is here yet. */
@@ -105,14 +105,14 @@ static void test_says_nothing(void **state)
     guard_tick(&g, pads);
     guard_tick(&g, pads);
     assert_true(ahead_begin(&a, &g, pads));
-    assert_int_equal(board_last(g.board)->log_size, 4);
+    assert_int_equal(board_last_output(g.board)->log_size, 4);
     ahead_end(&a, &g);
     board_nvram(g.board, &size, &writes);
-    assert_true(writes == changed && board_last(g.board)->log_size == 0);
-    assert_int_equal(board_last(g.board)->request, REQUEST_NONE);
+    assert_true(writes == changed && board_last_output(g.board)->log_size == 0);
+    assert_int_equal(board_last_output(g.board)->request, REQUEST_NONE);
     guard_tick(&g, pads);
-    assert_int_equal(board_last(g.board)->log_size, 4);
-    assert_int_equal(board_last(g.board)->request, REQUEST_ATTRACT);
+    assert_int_equal(board_last_output(g.board)->log_size, 4);
+    assert_int_equal(board_last_output(g.board)->request, REQUEST_ATTRACT);
     ahead_close(&a);
     guard_close(&g);
     rig_game_free(&game);
@@ -132,7 +132,7 @@ static void refuses(const char *script, enum board_fault_kind kind)
     const uint64_t hash = board_hash(g.board);
     assert_false(ahead_begin(&a, &g, pads));
     assert_false(a.on);
-    assert_null(board_last(g.board)->fault);
+    assert_null(board_last_output(g.board)->fault);
     assert_true(board_hash(g.board) == hash && board_frame(g.board) == 3);
     assert_int_equal(guard_tick(&g, pads)->fault->kind, kind);
     ahead_close(&a);

@@ -141,13 +141,13 @@ static void push_string_field(lua_State *L, const char *name)
 static int64_t forged(unsigned mask)
 {
     static const uint32_t slots[] = { 0, 1, 2, 63, 64, 255, 256, 4095, 65534, 65535, 0x800000, 0xffffff };
-    static const uint32_t gens[] = { 0, 1, 2, 3, GENERATIONS };
+    static const uint32_t gens[] = { 0, 1, 2, 3, RETIRED_GENERATION };
     enum handle_kind kind;
 
     do
-        kind = (enum handle_kind)(1 + below(HANDLES - 1));
+        kind = (enum handle_kind)(1 + below(HANDLE_KINDS - 1));
     while (mask && !(mask >> kind & 1));
-    return handle_of(kind, gens[below(5)], slots[below(sizeof slots / sizeof *slots)]);
+    return handle_make(kind, gens[below(5)], slots[below(sizeof slots / sizeof *slots)]);
 }
 
 static void push_thing(lua_State *L, unsigned mask)
@@ -473,7 +473,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         else if (!strcmp(p->name, "to"))
             lua_pushstring(L, one_in(2) ? "main" : "other");
         else
-            push_thing(L, PLACES);
+            push_thing(L, PLACE_KINDS);
         break;
     case A_ROUTE:
         push_string_field(L, "route");
@@ -514,7 +514,7 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_BLEND:
         lua_pushstring(L, one_in(2) ? "glow" : "ghost");
         break;
-    case A_FACE:
+    case A_FONT:
         lua_pushliteral(L, "tiny");
         break;
     case A_BUTTON:
@@ -548,8 +548,8 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_MEET:
         push_from(L, meets, 4);
         break;
-    case A_ASK:
-        push_from(L, asks, ASKS);
+    case A_HOST_SCREEN:
+        push_from(L, asks, HOST_SCREENS);
         break;
     case A_DOWN:
         push_from(L, downs, 2);
@@ -565,7 +565,7 @@ static void push_value(lua_State *L, const struct api_param *p)
         push_from(L, depths, 2);
         break;
     case A_FIRE:
-    case A_SHOOT:
+    case A_EMIT_FIRE:
         push_from(L, fires, 5);
         break;
     case A_LASER_KIND:
@@ -574,7 +574,7 @@ static void push_value(lua_State *L, const struct api_param *p)
     case A_OPTION_KIND:
         push_from(L, options, 2);
         break;
-    case A_EMIT:
+    case A_EMIT_PATTERN:
         push_from(L, emits, 6);
         break;
     }
@@ -591,7 +591,7 @@ static const struct api_param *named_key(const struct api_param *keys, size_t n,
 /* { x, y } */
 static void push_place(lua_State *L)
 {
-    static const struct api_param p = { "x", A_FX, OPT, -WORLD, WORLD, NULL, NULL, NULL };
+    static const struct api_param p = { "x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, NULL, NULL, NULL };
 
     lua_newtable(L);
     for (lua_Integer i = 1; i <= 2; i++) {
@@ -605,7 +605,7 @@ static void push_place(lua_State *L)
 
 static const struct api_entry *entry_named(const char *name)
 {
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (!strcmp(api_entry(&api_table, i)->name, name))
             return api_entry(&api_table, i);
     return NULL;
@@ -775,17 +775,17 @@ static uint64_t shape_of(const struct api_param *p)
 static int push_arguments(lua_State *L, const struct api_entry *e)
 {
     const struct api_entry *fire = NULL;
-    int n = e->plain;
+    int n = e->positional_count;
 
-    for (int i = 0; i < e->plain; i++)
+    for (int i = 0; i < e->positional_count; i++)
         if (wanted(&e->params[i]))
             push_value(L, &e->params[i]);
         else
             lua_pushnil(L);
-    if (e->flags & API_MORE)
+    if (e->flags & API_VARARGS)
         for (uint64_t k = below(4); k--; n++)
             push_any(L, 0);
-    if (e->count == e->plain && !(e->flags & API_FIRE))
+    if (e->count == e->positional_count && !(e->flags & API_FIRE))
         return n;
     if (one_in(20)) {
         push_any(L, 0);
@@ -793,13 +793,13 @@ static int push_arguments(lua_State *L, const struct api_entry *e)
     }
     lua_newtable(L);
     const char *of = one_in(3) ? "shot" : "bullet";
-    for (int i = 0; e->flags & API_FIRE && i < api_count(&api_table); i++)
+    for (int i = 0; e->flags & API_FIRE && i < api_count_entries(&api_table); i++)
         if (!strncmp(api_entry(&api_table, i)->name, of, strlen(of)) &&
             !strcmp(strchr(api_entry(&api_table, i)->name, 0) - 5, ".fire"))
             fire = api_entry(&api_table, i);
     bool place = one_in(2);
     uint64_t shape = below(4);
-    for (int i = e->plain; i < e->count + (fire ? fire->count : 0); i++) {
+    for (int i = e->positional_count; i < e->count + (fire ? fire->count : 0); i++) {
         const struct api_param *p = i < e->count ? &e->params[i] : &fire->params[i - e->count];
         bool xy = !strcmp(p->name, "x") || !strcmp(p->name, "y"), from = !strcmp(p->name, "from");
         if (xy && p->optional ? place : from ? !place : shape_of(p) && !one_in(9) ? shape == shape_of(p) : wanted(p)) {
@@ -836,9 +836,9 @@ static void push_entry(lua_State *L, const char *name)
     }
     snprintf(space, sizeof space, "%.*s", (int)(split - name), name);
     if (*split == ':') {
-        for (int k = 1; k < HANDLES; k++)
+        for (int k = 1; k < HANDLE_KINDS; k++)
             if (!strcmp(api_table.things[k]->name, space))
-                lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
+                lua_pushinteger(L, handle_make((enum handle_kind)k, 1, 0));
     } else if (!strcmp(space, "sys"))
         push_string_field(L, "sys");
     else
@@ -870,13 +870,13 @@ static int use_property(lua_State *L)
     luaL_checkstack(L, 100, NULL);
     push_thing(L, 1u << prop_kind);
     if (one_in(3)) {
-        lua_getfield(L, -1, prop->value.name);
+        lua_getfield(L, -1, prop->param.name);
         lua_pop(L, 1);
     } else {
-        push_value(L, &prop->value);
-        lua_setfield(L, -2, prop->value.name);
+        push_value(L, &prop->param);
+        lua_setfield(L, -2, prop->param.name);
     }
-    lua_getfield(L, -1, prop->value.name);
+    lua_getfield(L, -1, prop->param.name);
     return done(L, LUA_OK, 0);
 }
 
@@ -938,7 +938,7 @@ static void test_entries(void **state)
 {
     (void)state;
     prop = NULL;
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         struct tally t = { 0 };
         entry = api_entry(&api_table, i);
         if (strchr(entry->name, ' ')) /* a part of another's arguments */
@@ -964,15 +964,15 @@ static void test_properties(void **state)
 {
     (void)state;
     entry = NULL;
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         for (int i = 0; i < api_table.things[k]->n; i++) {
             struct tally t = { 0 };
             prop = &api_table.things[k]->props[i];
             prop_kind = (enum handle_kind)k;
             for (int n = trials(60); n--;)
-                try_once(prop->value.name, false, &t);
-            if (!t.good && !handle_kind_group((enum handle_kind)k))
-                fail_msg("%s.%s never worked", api_table.things[k]->name, prop->value.name);
+                try_once(prop->param.name, false, &t);
+            if (!t.good && !handle_kind_is_group((enum handle_kind)k))
+                fail_msg("%s.%s never worked", api_table.things[k]->name, prop->param.name);
         }
 }
 
@@ -1076,7 +1076,7 @@ static void test_killed_at_load(void **state)
     rig_power(&r, &game, NULL);
     rig_run(&r, 1);
     assert_int_equal(r.b->enemies.s.live, 0);
-    assert_true(r.b->core.notes != 0);
+    assert_true(r.b->core.note_digest != 0);
     rig_free(&r);
     rig_game_free(&game);
 }
@@ -1108,7 +1108,7 @@ static void test_made_when_read(void **state)
     char text[1024];
 
     (void)state;
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         members += !strncmp(api_entry(&api_table, i)->name, "query.", 6);
     assert_true(members >= 3);
     snprintf(text, sizeof text,
@@ -1145,7 +1145,7 @@ static void test_start(void **state)
     (void)state;
     m.n_dips = 1;
     snprintf(m.dips[0].name, sizeof m.dips[0].name, "coins");
-    m.dips[0].values = 2;
+    m.dips[0].n_values = 2;
     m.dips[0].hi = 1;
     snprintf(m.dips[0].value_name[0], sizeof m.dips[0].value_name[0], "free");
     snprintf(m.dips[0].value_name[1], sizeof m.dips[0].value_name[1], "one");
@@ -1157,12 +1157,12 @@ static void test_start(void **state)
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         start.dip[0] = bad[i];
         err[0] = 0;
-        assert_null(board_power(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
+        assert_null(board_power_on(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
         assert_non_null(strstr(err, "coins"));
     }
     start.dip[0] = 0;
     start.difficulty = m.n_difficulties;
-    assert_null(board_power(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
+    assert_null(board_power_on(r.ram, r.ram_size, &game.image.rom, &start, err, sizeof err));
     rig_free(&r);
     rig_game_free(&game);
 }
@@ -1179,7 +1179,7 @@ static int setup(void **state)
     (void)state;
     m.n_dips = 1;
     snprintf(m.dips[0].name, sizeof m.dips[0].name, "odd");
-    m.dips[0].number = true;
+    m.dips[0].is_number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
     m.frozen = m.meet = m.bg = m.bodies = m.pierce = m.sound = 1;

@@ -30,14 +30,14 @@ static void power(struct bench *x, int n)
     assert_true(rom_image_load("roms/bench", false, &x->image, err, sizeof err));
     struct cart cart;
     assert_true(cart_open(&cart, &x->image.rom, err, sizeof err));
-    for (int i = 0; i < cart.m.n_dips; i++)
-        start.dip[i] = strcmp(cart.m.dips[i].name, "n") ? cart.m.dips[i].value : n;
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        start.dip[i] = strcmp(cart.manifest.dips[i].name, "n") ? cart.manifest.dips[i].default_value : n;
     assert_true(board_size(&x->image.rom, &size, err, sizeof err));
     x->ram = aligned_alloc(64, (size + 63) / 64 * 64);
     assert_non_null(x->ram);
-    x->b = board_power(x->ram, size, &x->image.rom, &start, err, sizeof err);
+    x->b = board_power_on(x->ram, size, &x->image.rom, &start, err, sizeof err);
     assert_non_null(x->b);
-    assert_null(board_last(x->b)->fault);
+    assert_null(board_last_output(x->b)->fault);
 }
 
 static void drop(struct bench *x)
@@ -128,7 +128,7 @@ static void test_hits(void **state)
             memcpy(before, x.b->bullets.flags, sizeof before);
         board_tick(x.b, pads);
         const struct board *b = x.b;
-        fx mx = b->player.x[0] - b->player.was_x[0], my = b->player.y[0] - b->player.was_y[0];
+        fx mx = b->player.x[0] - b->player.prev_x[0], my = b->player.y[0] - b->player.prev_y[0];
         for (uint32_t i = 0; i < 4096; i++) {
             bool h = touched(b, i, b->player_kinds.radius[0], mx, my);
             bool g = !h && !(before[i] & BULLET_GRAZED) && touched(b, i, b->player_kinds.graze_radius[0], mx, my);
@@ -164,7 +164,7 @@ static void paint_bullets(const struct board *b, uint8_t *out, int w, int h)
 {
     for (int size = 64; size > 0; size--) /* larger ones first; here every size is one kind, so no ties */
         for (uint32_t k = 0; k < b->bullet_kinds.s.live; k++) {
-            const struct sprite *s = &b->pictures[b->bullet_kinds.sprite[k]];
+            const struct sprite *s = &b->sprite_images[b->bullet_kinds.sprite[k]];
             if (s->w != size)
                 continue;
             for (uint32_t i = 0; i < b->bullets.s.top; i++)
@@ -184,14 +184,14 @@ static void test_picture(void **state)
 
     (void)state;
     power(&x, 4096);
-    board_screen(x.b, &w, &h);
-    uint8_t *plain = malloc((size_t)(w * h)), *mem = malloc(fb_size(w, h)), *scratch = malloc(board_scratch(x.b));
+    board_screen_size(x.b, &w, &h);
+    uint8_t *plain = malloc((size_t)(w * h)), *mem = malloc(fb_size(w, h)), *scratch = malloc(board_scratch_size(x.b));
     fb_init(&fb, mem, w, h);
     for (int f = 0; f < 60; f++) {
         board_tick(x.b, pads);
         memset(plain, 0, (size_t)(w * h));
-        const struct sprite *ship = &x.b->pictures[x.b->player_kinds.sprite[0]];
-        if (!(x.b->player.safe[0] >> 2 & 1))
+        const struct sprite *ship = &x.b->sprite_images[x.b->player_kinds.sprite[0]];
+        if (!(x.b->player.safe_left[0] >> 2 & 1))
             paint(plain, w, h, ship, (x.b->player.x[0] >> 16) - ship->ox, (x.b->player.y[0] >> 16) - ship->oy, 0);
         paint_bullets(x.b, plain, w, h);
         assert_true(board_draw(x.b, NULL, &fb, rgb, scratch) >= 4096);
@@ -255,7 +255,7 @@ static void play_match(struct match *m)
 /* Hits of the frame just run, every bullet asked. */
 static uint64_t hits_of(const struct board *b)
 {
-    fx mx = b->player.x[0] - b->player.was_x[0], my = b->player.y[0] - b->player.was_y[0];
+    fx mx = b->player.x[0] - b->player.prev_x[0], my = b->player.y[0] - b->player.prev_y[0];
     uint64_t n = 0;
 
     for (uint32_t i = 0; i < b->bullets.s.live; i++)

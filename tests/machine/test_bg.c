@@ -34,10 +34,10 @@ static int64_t rest_of(int64_t a, int64_t n)
 
 static uint8_t map_pixel(const struct map *m, int64_t x, int64_t y)
 {
-    const int64_t cell = y / m->side * m->cols + x / m->side;
+    const int64_t cell = y / m->tile_side * m->cols + x / m->tile_side;
     const int64_t tile = m->cells[2 * cell] | m->cells[2 * cell + 1] << 8;
 
-    return m->pix[tile * m->side * m->side + y % m->side * m->side + x % m->side];
+    return m->pix[tile * m->tile_side * m->tile_side + y % m->tile_side * m->tile_side + x % m->tile_side];
 }
 
 static const uint8_t *shade; /* of the view: what it shows for each entry; NULL: it dims nothing */
@@ -51,12 +51,12 @@ static uint8_t put_over(const struct board *b, uint32_t i, uint8_t under, uint8_
         return under;
     over = to ? to[over] : over;
     over = shade && b->bg.flags[i] & BG_FRONT ? shade[over] : over;
-    return blend ? b->cart.main.blend[blend - 1][under * 256 + over] : over;
+    return blend ? b->cart.main_look.blend[blend - 1][under * 256 + over] : over;
 }
 
 static const uint8_t *black(const struct board *b)
 {
-    return bg_dark(&b->bg) ? b->bg_shades.to + BG_BLACK_TABLES + 256 * (bg_dark(&b->bg) - 1) : NULL;
+    return bg_darkness(&b->bg) ? b->bg_shades.table + BG_BLACK_TABLES + 256 * (bg_darkness(&b->bg) - 1) : NULL;
 }
 
 static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint8_t under)
@@ -65,13 +65,15 @@ static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint
     struct map m;
 
     cart_map(&b->cart, g->map[i] - 1, &m);
-    const int line = y < 0 ? 0 : y < b->cart.m.field_h ? y : b->cart.m.field_h - 1; /* a shake shows more */
-    int64_t mx = x - floor_div(g->x[i] + bg_line(g, &b->bg_lines, i, line), 65536);
+    const int line = y < 0                          ? 0
+                     : y < b->cart.manifest.field_h ? y
+                                                    : b->cart.manifest.field_h - 1; /* a shake shows more */
+    int64_t mx = x - floor_div(g->x[i] + bg_line_offset(g, &b->bg_lines, i, line), 65536);
     int64_t my = y - floor_div(g->y[i], 65536);
     if (g->flags[i] & BG_WRAP) {
-        mx = rest_of(mx, m.cols * m.side);
-        my = rest_of(my, m.rows * m.side);
-    } else if (mx < 0 || my < 0 || mx >= m.cols * m.side || my >= m.rows * m.side)
+        mx = rest_of(mx, m.cols * m.tile_side);
+        my = rest_of(my, m.rows * m.tile_side);
+    } else if (mx < 0 || my < 0 || mx >= m.cols * m.tile_side || my >= m.rows * m.tile_side)
         return under;
     return put_over(b, i, under, map_pixel(&m, mx, my), black(b));
 }
@@ -80,7 +82,7 @@ static uint8_t layer_pixel(const struct board *b, uint32_t i, int x, int y, uint
 static uint8_t plane_pixel(const struct board *b, int x, int y, uint8_t under)
 {
     const struct bg *g = &b->bg;
-    const int64_t w = b->cart.m.field_w;
+    const int64_t w = b->cart.manifest.field_w;
     const int64_t away =
         g->flags[BG_PLANE] & BG_CEILING ? 2 * (g->horizon[BG_PLANE] - y) - 1 : 2 * (y - g->horizon[BG_PLANE]) + 1;
     uint8_t both[256];
@@ -93,14 +95,14 @@ static uint8_t plane_pixel(const struct board *b, int x, int y, uint8_t under)
     int64_t s = (4 * (int64_t)g->height[BG_PLANE] + away) / (2 * away);
     int64_t ax = floor_div(s * trig_cos30(g->dir[BG_PLANE]), 1 << 14);
     int64_t ay = floor_div(s * trig_sin30(g->dir[BG_PLANE]), 1 << 14);
-    int64_t mw = (int64_t)m.cols * m.side, mh = (int64_t)m.rows * m.side;
+    int64_t mw = (int64_t)m.cols * m.tile_side, mh = (int64_t)m.rows * m.tile_side;
     int64_t u = rest_of(g->x[BG_PLANE], mw << 16) * 65536 + w * ax - (1 - w) * ay / 2 - x * ay;
     int64_t v = rest_of(g->y[BG_PLANE], mh << 16) * 65536 + w * ay + (1 - w) * ax / 2 + x * ax;
     if (g->fog[BG_PLANE] != BG_NO_FOG) {
-        int64_t k = s * w * BG_SHADES / g->far[BG_PLANE];
+        int64_t k = s * w * BG_SHADES / g->fog_end[BG_PLANE];
         k = k > BG_SHADES ? BG_SHADES : k;
         for (int i = 0; i < 256; i++) {
-            uint8_t fogged = k ? b->bg_shades.to[BG_FOG_TABLES + (k - 1) * 256 + i] : (uint8_t)i;
+            uint8_t fogged = k ? b->bg_shades.table[BG_FOG_TABLES + (k - 1) * 256 + i] : (uint8_t)i;
             both[i] = to ? to[fogged] : fogged;
         }
         to = both;
@@ -134,17 +136,17 @@ static uint8_t plain_pixel(const struct board *b, int x, int y)
 /* Draws over rubbish and compares every pixel of the screen; in the field, with those that a shake moved there. */
 static void compare(struct rig *r, int round)
 {
-    const struct manifest *m = &r->b->cart.m;
-    uint8_t shades[CART_SHADES];
+    const struct manifest *m = &r->b->cart.manifest;
+    uint8_t shades[CART_SHADES_SIZE];
     const struct view view = { .dim = (enum view_dim)within(0, VIEW_DIM_MOST), .shades = shades };
     uint32_t rgb[256];
     int dx, dy;
 
-    for (int i = 0; i < CART_SHADES; i++)
+    for (int i = 0; i < CART_SHADES_SIZE; i++)
         shades[i] = (uint8_t)rng_next(&rng);
     shade = view.dim ? shades + (view.dim - 1) * 256 : NULL;
 
-    screen_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
+    screen_get_shake(&r->b->screen, r->b->core.clock, &dx, &dy);
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
     board_draw(r->b, &view, &r->fb, rgb, r->scratch);
     for (int y = 0; y < m->screen_h; y++)
@@ -190,7 +192,7 @@ static void random_layer(struct board *b, uint32_t i)
     g->x[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
     g->y[i] = within(0, 1) ? within(-99 * 65536, 99 * 65536) : any_of(places, 9);
     g->wave[i] = (fx)any_of(waves, 6);
-    g->every[i] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : 65536);
+    g->wave_period[i] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : 65536);
     g->phase[i] = within(0, 1) ? within(-999999, 999999) : any_of(places, 9);
     int n = within(0, 2) ? 0 : (int)within(1, 61);
     for (int k = 0; k < n; k++)
@@ -212,18 +214,18 @@ static void random_plane(struct board *b)
     g->height[BG_PLANE] = (fx)(within(0, 1) ? within(65536, 99 * 65536) : within(0, 1) ? 65536 : 1024 * 65536);
     g->dir[BG_PLANE] = (ang)(within(0, 2) ? (uint32_t)rng_next(&rng) : (uint32_t)within(0, 3) << 30);
     g->fog[BG_PLANE] = within(0, 1) ? BG_NO_FOG : 0x123456;
-    g->far[BG_PLANE] = (fx)within(65536, 900 * 65536);
+    g->fog_end[BG_PLANE] = (fx)within(65536, 900 * 65536);
 }
 
 /* Where a background is open, its edge is mirrored: test_screen.c. */
 static void random_shake(struct board *b)
 {
-    screen_empty(&b->screen);
+    screen_reset(&b->screen);
     if (!video_bg_covers(b))
         return;
-    b->screen.shake = (int32_t)within(0, SHAKE_MOST);
-    b->screen.shake_over = 1;
-    b->screen.shake_at = b->core.clock - 1;
+    b->screen.shake = (int32_t)within(0, MAX_SHAKE);
+    b->screen.shake_frames = 1;
+    b->screen.shake_start = b->core.clock - 1;
     b->screen.shake_aimed = 1;
     b->screen.shake_dir = (ang)rng_next(&rng);
 }
@@ -237,14 +239,14 @@ static void test_plain(void **state)
 
     (void)state;
     power(&g, &r, "bg.plane().fog = { to = 0x123456, far = 9 }");
-    bg_shade(r.b->bg_shades.to + BG_BLACK_TABLES, cart_palette(&r.b->cart, "main"), 0);
+    bg_fill_shades(r.b->bg_shades.table + BG_BLACK_TABLES, cart_palette(&r.b->cart, "main"), 0);
     rng_seed(&rng, 77);
     for (int round = 0; round < 400; round++) {
         for (uint32_t i = 0; i < BG_LAYERS; i++)
             random_layer(r.b, i);
         random_plane(r.b);
-        r.b->bg.over[0] = (uint16_t)(within(0, 2) ? 0 : within(1, 65535));
-        r.b->bg.at[0] = (uint16_t)(r.b->bg.over[0] ? within(0, r.b->bg.over[0] - 1) : 0);
+        r.b->bg.fade_length[0] = (uint16_t)(within(0, 2) ? 0 : within(1, 65535));
+        r.b->bg.fade_elapsed[0] = (uint16_t)(r.b->bg.fade_length[0] ? within(0, r.b->bg.fade_length[0] - 1) : 0);
         covered += video_bg_covers(r.b);
         random_shake(r.b);
         compare(&r, round);
@@ -322,7 +324,7 @@ static void test_shades(void **state)
         rgb[i] = (uint8_t)rng_next(&rng);
     memset(rgb + 3 * 40, 0, 3);
     memset(rgb + 3 * 90, 0, 3);
-    bg_shade(tables, rgb, 0);
+    bg_fill_shades(tables, rgb, 0);
     for (int i = 0; i < 256; i++)
         assert_int_equal(tables[(BG_SHADES - 1) * 256 + i], 40);
     for (int k = 0; k < BG_SHADES; k++)
@@ -379,17 +381,19 @@ static void test_wave(void **state)
     (void)state;
     power(&g, &r, "bg.lines(2, { wave = 8, every = 32 })");
     struct bg *b = &r.b->bg;
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 0);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 8), 8 * 65536);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 40), 8 * 65536);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 24), -8 * 65536);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 0);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 8), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 40), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 24), -8 * 65536);
     b->phase[1] = -8 * 65536;
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 8 * 65536);
     bg_set_lines(b, &r.b->bg_lines, 1, list, 3);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 1) - bg_line(b, &r.b->bg_lines, 1, 33), list[1] - list[0]);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 3) - list[0], bg_line(b, &r.b->bg_lines, 1, 35) - list[2]);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 1) - bg_line_offset(b, &r.b->bg_lines, 1, 33),
+                     list[1] - list[0]);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 3) - list[0],
+                     bg_line_offset(b, &r.b->bg_lines, 1, 35) - list[2]);
     bg_set_lines(b, &r.b->bg_lines, 1, NULL, 0);
-    assert_int_equal(bg_line(b, &r.b->bg_lines, 1, 0), 8 * 65536);
+    assert_int_equal(bg_line_offset(b, &r.b->bg_lines, 1, 0), 8 * 65536);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -415,23 +419,23 @@ static void test_show(void **state)
     (void)state;
     power(&g, &r, shows);
     rig_run(&r, 1);
-    assert_int_equal(r.b->bg.shown[0], 1);
+    assert_int_equal(r.b->bg.shown_id[0], 1);
     assert_int_equal(r.b->bg.map[0], cart_find_map(&r.b->cart, "sea") + 1);
     rig_run(&r, 10);
-    assert_int_equal(bg_dark(&r.b->bg), 1);
+    assert_int_equal(bg_darkness(&r.b->bg), 1);
     rig_run(&r, 9);
-    assert_int_equal(r.b->bg.shown[0], 1);
-    assert_int_equal(bg_dark(&r.b->bg), BG_SHADES);
+    assert_int_equal(r.b->bg.shown_id[0], 1);
+    assert_int_equal(bg_darkness(&r.b->bg), BG_SHADES);
     assert_true(r.b->bg.x[0] > 17 * 65536); /* its task went on up to here */
     rig_run(&r, 1);
-    assert_int_equal(r.b->bg.shown[0], 2);
+    assert_int_equal(r.b->bg.shown_id[0], 2);
     assert_int_equal(r.b->bg.map[0], 0);
     assert_true(r.b->bg.x[0] == 0 && r.b->bg.map[1] != 0);
     rig_run(&r, 9);
-    assert_int_equal(bg_dark(&r.b->bg), 0);
+    assert_int_equal(bg_darkness(&r.b->bg), 0);
     assert_true(r.b->bg.x[0] == 0); /* the task of the other has ended */
     rig_run(&r, 90);
-    assert_int_equal(r.b->bg.shown[0], 0);
+    assert_int_equal(r.b->bg.shown_id[0], 0);
     assert_int_equal(r.b->bg.map[1], 0);
     rig_free(&r);
     rig_game_free(&g);
@@ -470,14 +474,14 @@ static void test_phase(void **state)
     rig_maps(&g);
     rig_power(&r, &g, &start);
     rig_run(&r, 2);
-    assert_int_equal(r.b->bg.shown[0], 1); /* at once: the stage was skipped to its mark */
-    assert_int_equal(bg_dark(&r.b->bg), 0);
+    assert_int_equal(r.b->bg.shown_id[0], 1); /* at once: the stage was skipped to its mark */
+    assert_int_equal(bg_darkness(&r.b->bg), 0);
     assert_int_equal(r.b->pal.rgb[5], 0x102030);
     rig_run(&r, 60 + 20); /* the boss flies in */
-    assert_int_equal(r.b->bg.shown[0], 2);
+    assert_int_equal(r.b->bg.shown_id[0], 2);
     rig_run(&r, 50);
-    assert_int_equal(r.b->bg.shown[0], 1);
-    for (int f = 0; f < 400 && r.b->bg.shown[0]; f++)
+    assert_int_equal(r.b->bg.shown_id[0], 1);
+    for (int f = 0; f < 400 && r.b->bg.shown_id[0]; f++)
         rig_run(&r, 1);
     rig_free(&r);
     rig_game_free(&g);
@@ -531,7 +535,7 @@ static void test_practice(void **state)
     for (int f = 0; f < 20; f++) {
         assert_memory_equal(run.b->pal.rgb, practice.b->pal.rgb, COLOURS * sizeof *run.b->pal.rgb);
         assert_memory_equal(run.b->bg.map, practice.b->bg.map, BG_SLOTS * sizeof *run.b->bg.map);
-        assert_int_equal(practice.b->bg.shown[0], 2);
+        assert_int_equal(practice.b->bg.shown_id[0], 2);
         rig_run(&run, 1);
         rig_run(&practice, 1);
     }
@@ -575,12 +579,12 @@ static void test_boss(void **state)
         for (int f = 0; f < 90; f++) {
             rig_run(&r, 1);
             if (practised[i].first == practised[i].then || f < 20)
-                assert_int_equal(r.b->bg.shown[0], practised[i].first);
-            assert_true(!strcmp(practised[i].section, "s") || bg_dark(&r.b->bg) == 0);
+                assert_int_equal(r.b->bg.shown_id[0], practised[i].first);
+            assert_true(!strcmp(practised[i].section, "s") || bg_darkness(&r.b->bg) == 0);
         }
-        assert_int_equal(r.b->bg.shown[0], practised[i].then);
+        assert_int_equal(r.b->bg.shown_id[0], practised[i].then);
         rig_run(&r, 140); /* the next try, or in the stage the next phase */
-        assert_int_equal(r.b->bg.shown[0], i == 2 ? 3 : practised[i].first);
+        assert_int_equal(r.b->bg.shown_id[0], i == 2 ? 3 : practised[i].first);
         rig_free(&r);
     }
     rig_game_free(&g);

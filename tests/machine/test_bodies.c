@@ -35,7 +35,7 @@ static struct ref {
     fx x0, y0, x1, y1;
     enum ease ease;
     struct enemies_orbit o;
-    struct enemies_ground g;
+    struct enemies_wander_area g;
     uint32_t due;
     int32_t frozen;
 } ref[FOES];
@@ -69,8 +69,8 @@ static void reference_legs(void)
         if (r->due == 0) {
             fx x = r->g.x - r->g.reach_x + (fx)rng_below(&same_chance, 2 * (uint64_t)r->g.reach_x + 1);
             fx y = r->g.y - r->g.reach_y + (fx)rng_below(&same_chance, 2 * (uint64_t)r->g.reach_y + 1);
-            set_leg(r, x, y, r->g.leg, r->g.ease);
-            r->due = r->g.every;
+            set_leg(r, x, y, r->g.leg_duration, r->g.ease);
+            r->due = r->g.leg_interval;
         }
         r->due--;
     }
@@ -87,8 +87,8 @@ static void reference_orbit(struct ref *r, fx *x, fx *y)
         r->o.y = a->y;
     }
     int64_t from = (int64_t)r->o.radius << 16, to = (int64_t)r->o.radius_to << 16;
-    int64_t radius = r->o.over ? motion_part_way(from, to, r->k, r->o.over) : from;
-    motion_round(r->o.x, r->o.y, radius, r->o.angle + (ang)r->o.spin * r->k, x, y);
+    int64_t radius = r->o.duration ? motion_lerp(from, to, r->k, r->o.duration) : from;
+    motion_offset_polar(r->o.x, r->o.y, radius, r->o.angle + (ang)r->o.spin * r->k, x, y);
 }
 
 static void reference_place(int i)
@@ -109,10 +109,10 @@ static void reference_place(int i)
         reference_orbit(r, &x, &y);
         r->dx = b ? x - b->x : 0;
         r->dy = b ? y - b->y : 0;
-        if (r->o.over && r->k == r->o.over)
+        if (r->o.duration && r->k == r->o.duration)
             r->mode = STILL;
     } else if (r->mode != STILL && r->k < r->n) {
-        struct motion_share s = motion_eased(r->ease, ++r->k, r->n);
+        struct motion_share s = motion_ease(r->ease, ++r->k, r->n);
         *(b ? &r->dx : &x) = motion_between(r->x0, r->x1, s);
         *(b ? &r->dy : &y) = motion_between(r->y0, r->y1, s);
     }
@@ -127,9 +127,9 @@ static void compare(const struct enemies *e, int frame)
     for (int i = 0; i < FOES; i++) {
         if (!ref[i].live)
             continue;
-        if (e->x[i] != ref[i].x || e->y[i] != ref[i].y || e->was_x[i] != ref[i].was_x || e->was_y[i] != ref[i].was_y)
+        if (e->x[i] != ref[i].x || e->y[i] != ref[i].y || e->prev_x[i] != ref[i].was_x || e->prev_y[i] != ref[i].was_y)
             fail_msg("frame %d, slot %d: %d %d from %d %d, expected %d %d from %d %d", frame, i, e->x[i], e->y[i],
-                     e->was_x[i], e->was_y[i], ref[i].x, ref[i].y, ref[i].was_x, ref[i].was_y);
+                     e->prev_x[i], e->prev_y[i], ref[i].x, ref[i].y, ref[i].was_x, ref[i].was_y);
     }
 }
 
@@ -145,7 +145,7 @@ static void bring(struct board *b)
     if (i == NO_SLOT)
         return;
     ref[i] = (struct ref){ .live = true, .body = -1, .around = -1, .x = x, .y = y };
-    if (body == i || !ref[body].live || enemies_depth(e, (uint32_t)body) == PARTS_DEEP || below(4) == 0)
+    if (body == i || !ref[body].live || enemies_depth(e, (uint32_t)body) == MAX_PART_DEPTH || below(4) == 0)
         return;
     ref[i].body = body;
     ref[i].dx = within(30);
@@ -176,11 +176,11 @@ static void send_round(struct board *b, int i)
                                .radius_to = (fx)below(60 << 16),
                                .angle = (ang)rng_next(&rng),
                                .spin = (int32_t)rng_next(&rng) >> 4,
-                               .over = below(2) ? 0 : 1 + (uint32_t)below(30) };
+                               .duration = below(2) ? 0 : 1 + (uint32_t)below(30) };
 
     r->mode = STILL;
     if (around < FOES && ref[around].live && !depends(around, i)) {
-        o.around = board_handle(b, H_ENEMY, around);
+        o.orbit_target = board_handle(b, H_ENEMY, around);
         r->around = around;
         circled++;
     } else {
@@ -191,20 +191,21 @@ static void send_round(struct board *b, int i)
     r->mode = CIRCLES;
     r->k = 0;
     r->o = o;
-    enemies_circle(&b->enemies, (uint32_t)i, &o);
+    enemies_start_orbit(&b->enemies, (uint32_t)i, &o);
 }
 
 static void send_about(struct board *b, int i)
 {
     const uint32_t every = 1 + (uint32_t)below(30);
-    struct enemies_ground g = { within(50), within(50), (fx)below(40 << 16), (fx)below(40 << 16), every, 1, EASE_OUT };
+    struct enemies_wander_area g = { within(50), within(50), (fx)below(40 << 16), (fx)below(40 << 16), every,
+                                     1,          EASE_OUT };
 
-    g.leg = 1 + (uint32_t)below(every);
+    g.leg_duration = 1 + (uint32_t)below(every);
     ref[i].mode = WANDERS;
     ref[i].g = g;
     ref[i].due = ref[i].k = ref[i].n = 0;
     wandered++;
-    enemies_wander(&b->enemies, (uint32_t)i, &g);
+    enemies_start_wandering(&b->enemies, (uint32_t)i, &g);
 }
 
 static void act(struct board *b)
@@ -223,12 +224,12 @@ static void act(struct board *b)
     case 0:
         r->mode = GOES;
         set_leg(r, x, y, n, EASE_BOTH);
-        enemies_go(e, (uint32_t)i, x, y, n, EASE_BOTH);
+        enemies_move_to(e, (uint32_t)i, x, y, n, EASE_BOTH);
         break;
     case 1:
         r->mode = GOES;
         set_leg(r, (r->body >= 0 ? ref[r->body].x : r->x) + x, (r->body >= 0 ? ref[r->body].y : r->y) + y, n, EASE_IN);
-        enemies_go_by(e, (uint32_t)i, x, y, n, EASE_IN);
+        enemies_move_by(e, (uint32_t)i, x, y, n, EASE_IN);
         break;
     case 2:
         r->mode = STILL;
@@ -246,7 +247,7 @@ static void act(struct board *b)
         send_about(b, i);
         break;
     case 6:
-        r->frozen = e->frozen[i] = (int32_t)below(9);
+        r->frozen = e->frozen_left[i] = (int32_t)below(9);
         break;
     default:
         if (below(4))
@@ -262,8 +263,8 @@ static bool where(struct enemies_world *w, int64_t thing, fx *x, fx *y)
 
     if (!board_alive(b, thing))
         return false;
-    enemies_settle(&b->enemies, handle_slot(thing), w);
-    return board_where(b, thing, x, y);
+    enemies_ensure_moved(&b->enemies, handle_slot(thing), w);
+    return board_get_position(b, thing, x, y);
 }
 
 static uint64_t draw(void *context, uint64_t n)
@@ -317,7 +318,7 @@ static void hurt_reference(whole left[], const struct enemies *e, int i, whole a
 {
     for (; i >= 0; i--) {
         whole took = amount * (uint32_t)e->rate[i] >> 16;
-        if (e->safe[i] || !left[i])
+        if (e->safe_left[i] || !left[i])
             return;
         took = took < left[i] ? took : left[i];
         left[i] -= took;
@@ -327,7 +328,7 @@ static void hurt_reference(whole left[], const struct enemies *e, int i, whole a
 
 static void test_damage(void **state)
 {
-    enum { CHAIN = PARTS_DEEP + 1 };
+    enum { CHAIN = MAX_PART_DEPTH + 1 };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
@@ -348,24 +349,24 @@ static void test_damage(void **state)
                 enemies_attach(e, i, i - 1, 0, 0, 0);
             e->flags[i] = ENEMY_UNDYING;
             e->hp[i] = below(9) ? (int32_t)(1 + below(1u << below(31))) : INT32_MAX;
-            e->wound[i] = below(2) ? 0 : (uint32_t)rng_next(&rng);
-            e->rate[i] = (int32_t)(below(3)   ? ENEMY_WHOLE
-                                   : below(4) ? below(2 * ENEMY_WHOLE)
-                                              : below(ENEMY_MOST_RATE + 1));
-            e->share[i] = (int32_t)(below(3) ? below(ENEMY_WHOLE + 1) : ENEMY_WHOLE);
-            e->safe[i] = below(9) == 0;
-            left[i] = ((whole)e->hp[i] << 32) - e->wound[i];
+            e->hp_deficit[i] = below(2) ? 0 : (uint32_t)rng_next(&rng);
+            e->rate[i] = (int32_t)(below(3)   ? ENEMY_RATE_ONE
+                                   : below(4) ? below(2 * ENEMY_RATE_ONE)
+                                              : below(ENEMY_MAX_RATE + 1));
+            e->share[i] = (int32_t)(below(3) ? below(ENEMY_RATE_ONE + 1) : ENEMY_RATE_ONE);
+            e->safe_left[i] = below(9) == 0;
+            left[i] = ((whole)e->hp[i] << 32) - e->hp_deficit[i];
         }
         for (int hit = 0; hit < 9; hit++) {
             const int i = (int)below(CHAIN);
             const int32_t n = below(9) ? (int32_t)(1 + below(1u << below(20))) : INT32_MAX;
             const whole body = left[0];
-            events_enemy_hurt(r.b, r.b->vm.L, (uint32_t)i, n, 0);
+            events_hurt_enemy(r.b, r.b->vm.L, (uint32_t)i, n, 0);
             hurt_reference(left, e, i, (whole)n << 32);
             passed += i > 3 && left[0] != body;
             for (int k = 0; k < CHAIN; k++)
-                if (((whole)e->hp[k] << 32) - e->wound[k] != left[k])
-                    fail_msg("round %d, part %d: %d hp less %u", round, k, e->hp[k], e->wound[k]);
+                if (((whole)e->hp[k] << 32) - e->hp_deficit[k] != left[k])
+                    fail_msg("round %d, part %d: %d hp less %u", round, k, e->hp[k], e->hp_deficit[k]);
         }
     }
     if (passed < 1000)

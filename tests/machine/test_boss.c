@@ -292,11 +292,11 @@ static void test_talk(void **state)
               "say('at', board.frame()) wait(99) end) stage.play('s', string.sys.scope())",
               NULL);
     rig_run(&r, 59);
-    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
     rig_run(&r, 10);
-    assert_int_not_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_not_equal(player_ignored_buttons(&r.b->player, 0), 0);
     rig_run(&r, 15);
-    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
     assert_string_equal(rig_told(&r), "at 75");
     close_it();
 }

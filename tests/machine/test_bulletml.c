@@ -461,8 +461,8 @@ static void close_game(struct rig_game *g, struct rig *r)
 /* A frame, with the player at that place of the field. */
 static void frame(struct rig *r, int x, int y)
 {
-    r->b->player.in[0] = 1;
-    r->b->player.safe[0] = 9;
+    r->b->player.in_game[0] = 1;
+    r->b->player.safe_left[0] = 9;
     r->b->player.x[0] = x * FX_ONE;
     r->b->player.y[0] = y * FX_ONE;
     rig_run(r, 1);

@@ -43,7 +43,7 @@ static struct {
     int drop;                   /* a file is dropped every so many polls; 0: never */
     uint32_t calm;              /* one key of so many is the cabinet's */
     bool window, paints, waits; /* the window is known; it takes full colours; it waits for the screen */
-    struct plat_want want;
+    struct plat_config want;
     char folder[256];
     int shown, painted;
     int w, h;           /* the window's */
@@ -64,12 +64,12 @@ static void resize(void)
         plat_fit(&port.want, (int)below(ROOM_MOST), (int)below(ROOM_MOST), &port.w, &port.h);
 }
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *want)
 {
     assert_true(want->w > 0 && want->h > 0 && want->scale >= 0);
     port.want = *want;
     port.want.scale %= 3; /* 16 would be gigabytes of pixels */
-    port.text = want->text;
+    port.text = want->text_input;
     if (want->fullscreen)
         resize();
     else
@@ -192,7 +192,7 @@ static void plug(void)
     }
     c->id = ++port.ids;
     if (below(2) == 0) {
-        c->kind = (enum plat_kind)below(PLAT_KINDS);
+        c->kind = (enum plat_controller_kind)below(PLAT_CONTROLLER_KINDS);
         snprintf(c->name, sizeof c->name, "%s",
                  below(3) ? "Pad of a very long name, with \xC3\xA9 and \x01 in it" : "");
     }
@@ -218,7 +218,7 @@ static void choose_hands(void)
         plug();
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (port.plugged[i].id && below(4) == 0)
-            port.pad[i] = (uint32_t)1 << below(PLAT_SWITCHES);
+            port.pad[i] = (uint32_t)1 << below(PLAT_BUTTONS);
     port.focus = below(port.focus ? 50 : 3) != 0; /* a game waits for who is away: seldom, and not for long */
     port.hidden = below(80) == 0;
     if (below(25) == 0)
@@ -263,13 +263,13 @@ void plat_poll(struct plat_input *in)
             in->keys[port.held[i] >> 3] |= (uint8_t)(1u << (port.held[i] & 7));
     memcpy(in->controllers, port.pad, sizeof port.pad);
     in->quit = port.polls > port.left;
-    in->focus = port.focus;
+    in->has_focus = port.focus;
     in->hidden = port.hidden;
     in->mouse_x = in->mouse_y = -1;
     if (port.last_w && below(3) == 0) {
         in->mouse_x = (int)below((uint32_t)port.last_w);
         in->mouse_y = (int)below((uint32_t)port.last_h);
-        in->mouse = (uint8_t)(below(12) == 0 ? 1 + below(7) : 0);
+        in->mouse_buttons = (uint8_t)(below(12) == 0 ? 1 + below(7) : 0);
         in->wheel = below(20) == 0 ? (int)below(3) - 1 : 0;
     }
     if (port.text && below(4) == 0)
@@ -381,7 +381,7 @@ static void expect_holds(const struct demo *d, const struct cart *cart)
     assert_true(d->complete);
     if (d->flags & DEMO_TOUCHED)
         return;
-    if (!demo_fits(d, cart, err, sizeof err))
+    if (!demo_check_cart(d, cart, err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(replay_run(&replay, cart, d, NULL, &v, err, sizeof err), RESULT_DONE);
     if (v.kind != VERDICT_HOLDS)
@@ -430,10 +430,10 @@ static void expect_replays_hold(void)
     struct cart its_cart;
     char path[ROMS_PATH], real[512], err[1024];
 
-    assert_true(replays_open(&list, cart.m.id));
+    assert_true(replays_open(&list, cart.manifest.id));
     for (int i = 0; i < list.n; i++) {
         struct demo d;
-        roms_path(path, cart.m.id, list.list[i].card.rom);
+        roms_path(path, cart.manifest.id, list.list[i].card.rom);
         assert_true(plat_path(path, real, sizeof real));
         if (!rom_image_load(real, false, &its, err, sizeof err) || !cart_open(&its_cart, &its.rom, err, sizeof err))
             fail_msg("%s", err);
@@ -516,8 +516,8 @@ static void one_run(const char *game, uint64_t seed, unsigned mode, int polls)
     port.drop = mode & WALK ? 300 : 0;
     load();
     o.start = (struct board_start){ .difficulty = -1, .seed = seed };
-    for (int i = 0; i < cart.m.n_dips; i++)
-        o.start.dip[i] = cart.m.dips[i].value;
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        o.start.dip[i] = cart.manifest.dips[i].default_value;
     if (mode & WALK)
         walk(&o);
     else if (mode & FREE)

@@ -38,10 +38,10 @@ static struct window {
     bool crash;       /* the next picture is a crash */
 } windows[2], *at = windows;
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *want)
 {
     at->open = true;
-    at->text = want->text;
+    at->text = want->text_input;
     snprintf(at->title, sizeof at->title, "%s", want->title);
     return true;
 }
@@ -58,7 +58,7 @@ void plat_poll(struct plat_input *in)
 
     memset(in, 0, sizeof *in);
     at->polls++;
-    in->focus = true;
+    in->has_focus = true;
     in->mouse_x = in->mouse_y = -1;
     in->quit = at->quit;
     if (at->busy && at->hold-- <= 0) {
@@ -123,8 +123,8 @@ static struct cab *open_cabinet(int i, const char *record)
     *at = (struct window){ .now = SECOND, .busy = true };
     rng_seed(&at->rng, (uint64_t)i + 1);
     o.start = (struct board_start){ .difficulty = -1, .seed = 7 };
-    for (int k = 0; k < games[i].cart.m.n_dips; k++)
-        o.start.dip[k] = games[i].cart.m.dips[k].value;
+    for (int k = 0; k < games[i].cart.manifest.n_dips; k++)
+        o.start.dip[k] = games[i].cart.manifest.dips[k].default_value;
     struct cab *cab = cab_open(&o);
     assert_non_null(cab);
     return cab;
@@ -305,7 +305,7 @@ static void test_a_crash_is_its_own(void **state)
     assert_int_equal(waitpid(child, &status, 0), child);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
     assert_int_equal(plat_list("user:reports", look, name), 1);
-    snprintf(text, sizeof text, "%s-", games[0].cart.m.id);
+    snprintf(text, sizeof text, "%s-", games[0].cart.manifest.id);
     assert_int_equal(strncmp(name, text, strlen(text)), 0);
 }
 
@@ -328,7 +328,7 @@ static struct program *open_program(char **words)
 static bool program_goes(struct program *p)
 {
     at->now += SECOND / 60 + 1;
-    return program_frame(p);
+    return program_run_frame(p);
 }
 
 static void test_the_program(void **state)

@@ -73,7 +73,7 @@ static void test_slots(void **state)
                 gen[i]++;
                 holding--;
             }
-        assert_int_equal(t.s.holding, holding);
+        assert_int_equal(t.s.held_count, holding);
         if (rng_below(&rng, 4) == 0)
             slots_trim(&t.s);
         assert_int_equal(t.s.live, live);
@@ -119,7 +119,7 @@ static void test_retired_slots(void **state)
     rng_seed(&rng, 2);
     for (uint32_t i = 0; i < CAP; i++) { /* none to three tenants are left */
         left[i] = (uint32_t)rng_below(&rng, 4);
-        t.s.gen[i] = GENERATIONS - 1 - left[i];
+        t.s.gen[i] = RETIRED_GENERATION - 1 - left[i];
         last[i] = t.s.gen[i];
         slots_drop(&t.s, i);
     }
@@ -132,7 +132,7 @@ static void test_retired_slots(void **state)
         if (i == NO_SLOT) {
             assert_int_equal(t.s.refused, ++refused);
         } else {
-            assert_true(t.s.gen[i] > last[i] && t.s.gen[i] < GENERATIONS);
+            assert_true(t.s.gen[i] > last[i] && t.s.gen[i] < RETIRED_GENERATION);
             last[i] = t.s.gen[i];
             left[i]--;
             live++;
@@ -203,13 +203,13 @@ static void test_bullets(void **state)
 {
     struct rig_game g;
     struct rig r;
-    struct bullet_shape s = { .x = px(100), .y = px(50), .speed = px(3), .dir = 0 };
+    struct bullet_spec s = { .x = px(100), .y = px(50), .speed = px(3), .dir = 0 };
 
     (void)state;
     rig_script(&g, NULL, "");
     rig_power(&r, &g, NULL);
     struct board *b = r.b;
-    const int w = b->cart.m.field_w, h = b->cart.m.field_h, margin = b->cart.m.margin;
+    const int w = b->cart.manifest.field_w, h = b->cart.manifest.field_h, margin = b->cart.manifest.margin;
     assert_int_equal(bullets_fire(&b->bullets, &s, 0), 0);
     s.dir = 0x40000000; /* down */
     s.speed = px(-1.5);
@@ -252,7 +252,7 @@ static void test_bullets(void **state)
     while (b->bullets.s.live < b->bullets.s.cap)
         assert_true(bullets_fire(&b->bullets, &s, 0) != NO_SLOT);
     assert_int_equal(bullets_fire(&b->bullets, &s, 0), NO_SLOT);
-    assert_int_equal(board_refused(b, "bullets"), 1);
+    assert_int_equal(board_refused_count(b, "bullets"), 1);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -492,19 +492,19 @@ static void test_enemies(void **state)
     for (int k = 0; k < 7; k++) {
         const struct box world = { FX_MIN, FX_MIN, FX_MAX, FX_MAX };
         uint32_t i = (uint32_t)enemies_spawn(&b->enemies, &b->enemy_kinds, 0, -px(3), px(5), 0);
-        enemies_go(&b->enemies, i, -px(3) + moves[k].dx, px(5) + moves[k].dy, 1, EASE_LINEAR);
+        enemies_move_to(&b->enemies, i, -px(3) + moves[k].dx, px(5) + moves[k].dy, 1, EASE_LINEAR);
         enemies_move(&b->enemies, &world, NULL);
-        assert_int_equal(b->enemies.was_x[i], moves[k].jump ? b->enemies.x[i] : -px(3));
-        assert_int_equal(b->enemies.was_y[i], moves[k].jump ? b->enemies.y[i] : px(5));
+        assert_int_equal(b->enemies.prev_x[i], moves[k].jump ? b->enemies.x[i] : -px(3));
+        assert_int_equal(b->enemies.prev_y[i], moves[k].jump ? b->enemies.y[i] : px(5));
         enemies_move(&b->enemies, &world, NULL);
-        assert_true(b->enemies.was_x[i] == b->enemies.x[i] && b->enemies.was_y[i] == b->enemies.y[i]);
+        assert_true(b->enemies.prev_x[i] == b->enemies.x[i] && b->enemies.prev_y[i] == b->enemies.y[i]);
         enemies_drop(&b->enemies, i);
     }
     for (int ease = 0; ease < 4; ease++) {
         assert_int_equal(enemies_spawn(&b->enemies, &b->enemy_kinds, 0, px(10), px(200), b->core.clock), ease);
         assert_int_equal(b->enemies.hp[ease], 7);
         assert_int_equal(b->enemies.bank[ease], 3);
-        enemies_go(&b->enemies, (uint32_t)ease, px(110), px(0), 4, (enum ease)ease);
+        enemies_move_to(&b->enemies, (uint32_t)ease, px(110), px(0), 4, (enum ease)ease);
     }
     for (int f = 0; f < 6; f++) {
         rig_run(&r, 1);
@@ -512,7 +512,7 @@ static void test_enemies(void **state)
             double way = eased[ease][f < 4 ? f : 3];
             assert_int_equal(b->enemies.x[ease], px(10 + way));
             assert_int_equal(b->enemies.y[ease], px(200 - 2 * way));
-            assert_int_equal(b->enemies.over[ease], f < 3 ? 4 : 0);
+            assert_int_equal(b->enemies.move_duration[ease], f < 3 ? 4 : 0);
         }
     }
     /* over = 1 arrives at once; odd ways and times arrive exactly */
@@ -521,19 +521,19 @@ static void test_enemies(void **state)
     for (int n = 0; n < 300; n++) {
         fx x = (fx)rng_below(&rng, 200 << 16), y = (fx)rng_below(&rng, 200 << 16);
         uint32_t over = 1 + (uint32_t)rng_below(&rng, 20);
-        enemies_go(&b->enemies, 0, x, y, over, (enum ease)(n % 4));
+        enemies_move_to(&b->enemies, 0, x, y, over, (enum ease)(n % 4));
         for (uint32_t f = 0; f < over; f++) {
-            assert_int_equal(b->enemies.over[0], over);
+            assert_int_equal(b->enemies.move_duration[0], over);
             rig_run(&r, 1);
         }
         assert_int_equal(b->enemies.x[0], x);
         assert_int_equal(b->enemies.y[0], y);
-        assert_int_equal(b->enemies.over[0], 0);
+        assert_int_equal(b->enemies.move_duration[0], 0);
     }
     /* the longest way in the longest time */
-    enemies_go(&b->enemies, 1, px(-16383), px(16383), 1000000000, EASE_BOTH);
+    enemies_move_to(&b->enemies, 1, px(-16383), px(16383), 1000000000, EASE_BOTH);
     b->enemies.x0[1] = px(16383);
-    b->enemies.made[1] = 999999999;
+    b->enemies.move_elapsed[1] = 999999999;
     rig_run(&r, 1);
     assert_int_equal(b->enemies.s.used[0] >> 1 & 1, 0); /* outside: it left */
     rig_free(&r);
@@ -609,13 +609,13 @@ static void test_enemy_ways(void **state)
             p[c] = rng_below(&rng, 4) ? rng_below(&rng, 2) ? any : near : ends[rng_below(&rng, 9)];
         }
         e->x[i] = p[0], e->y[i] = p[1];
-        enemies_go(e, i, p[2], p[3], n, ease);
-        e->made[i] = k - 1;
+        enemies_move_to(e, i, p[2], p[3], n, ease);
+        e->move_elapsed[i] = k - 1;
         enemies_move(e, &world, NULL);
         if (!nearest_place(p[0], p[2], k, n, ease, e->x[i]) || !nearest_place(p[1], p[3], k, n, ease, e->y[i]))
             fail_msg("ease %d, frame %u of %u: from %d, %d to %d, %d it is at %d, %d", (int)ease, k, n, p[0], p[1],
                      p[2], p[3], e->x[i], e->y[i]);
-        assert_int_equal(e->over[i], k == n ? 0 : n);
+        assert_int_equal(e->move_duration[i], k == n ? 0 : n);
     }
     rig_free(&r);
     rig_game_free(&g);
@@ -664,16 +664,16 @@ static void test_last_generations(void **state)
         slot[i] = slots_take(pools[i]);
         slots_drop(pools[i], (uint32_t)slot[i]);
         slots_trim(pools[i]); /* who takes it next parks the others */
-        pools[i]->gen[slot[i]] = GENERATIONS - 1;
+        pools[i]->gen[slot[i]] = RETIRED_GENERATION - 1;
     }
-    r.b->player.gen[0] = GENERATIONS - 1;
+    r.b->player.gen[0] = RETIRED_GENERATION - 1;
     rig_run(&r, 1);
     board_tick(r.b, none);
     assert_non_null(rig_fault(&r));
     assert_string_equal(rig_fault(&r)->message, "main.lua:23: player 1 has joined 1073741822 games; restart the board");
     for (int i = 0; i < 5; i++) {
-        assert_int_equal(pools[i]->gen[slot[i]], GENERATIONS);
-        assert_false(slots_has(pools[i], (uint32_t)slot[i], GENERATIONS));
+        assert_int_equal(pools[i]->gen[slot[i]], RETIRED_GENERATION);
+        assert_false(slots_has(pools[i], (uint32_t)slot[i], RETIRED_GENERATION));
     }
     rig_free(&r);
     rig_game_free(&g);
@@ -717,7 +717,7 @@ static void test_player(void **state)
     rig_run(&r, 1);
     struct board *b = r.b;
     struct player *p = &b->player;
-    const int w = b->cart.m.field_w, h = b->cart.m.field_h;
+    const int w = b->cart.manifest.field_w, h = b->cart.manifest.field_h;
     assert_int_equal(p->x[0], px(w / 2.0));
     assert_int_equal(p->y[0], px(h * 7 / 8.0));
     assert_int_equal(p->lives[0], 2);
@@ -725,7 +725,7 @@ static void test_player(void **state)
     fx x = p->x[0], y = p->y[0];
     rig_tick(&r, right);
     assert_int_equal(p->x[0], x += px(4));
-    assert_int_equal(p->was_x[0], x - px(4));
+    assert_int_equal(p->prev_x[0], x - px(4));
     rig_tick(&r, up_left);
     assert_int_equal(p->x[0], x -= 185364); /* 4 / sqrt 2 */
     assert_int_equal(p->y[0], y -= 185364);
@@ -737,14 +737,14 @@ static void test_player(void **state)
     assert_int_equal(p->x[0], px(8));
     assert_int_equal(p->y[0], px(8));
     rig_tick(&r, none);
-    assert_int_equal(p->was_x[0], px(8));
-    player_place(p, 0, px(50), px(60));
-    assert_int_equal(p->was_y[0], px(60));
+    assert_int_equal(p->prev_x[0], px(8));
+    player_set_position(p, 0, px(50), px(60));
+    assert_int_equal(p->prev_y[0], px(60));
     player_join(p, &b->player_kinds, 1, 1, px(20), px(30));
-    assert_int_equal(board_register(r.b, 1, 0), 2); /* by name */
-    assert_int_equal(board_register(r.b, 1, 1), 7);
+    assert_int_equal(board_get_register(r.b, 1, 0), 2); /* by name */
+    assert_int_equal(board_get_register(r.b, 1, 1), 7);
     assert_int_equal(p->lives[1], 2);
-    assert_int_equal(p->safe[1], 120);
+    assert_int_equal(p->safe_left[1], 120);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -804,7 +804,7 @@ static void test_sparks(void **state)
     assert_int_equal(s->s.live, 0);
     /* what leaves the keep box is gone */
     burst.n = 1;
-    burst.x = px(-r.b->cart.m.margin);
+    burst.x = px(-r.b->cart.manifest.margin);
     sparks_burst(s, &burst);
     s->vx[0] = -1;
     s->vy[0] = 0;
@@ -840,24 +840,24 @@ static void test_fix(void **state)
     struct fix *f = &r.b->fix;
     assert_int_equal(f->cols, 10);
     assert_int_equal(f->rows, 9);
-    fix_put(f, 2, 1, "abc", 3, 5, 0);
+    fix_write(f, 2, 1, "abc", 3, 5, 0);
     row_is(f, 1, "..abc");
     assert_int_equal(f->bank[12], 5);
-    fix_put(f, -2, 2, "abcd", 4, 1, 0);
+    fix_write(f, -2, 2, "abcd", 4, 1, 0);
     row_is(f, 2, "cd");
-    fix_put(f, 8, 3, "abcd", 4, 1, 0);
+    fix_write(f, 8, 3, "abcd", 4, 1, 0);
     row_is(f, 3, "........ab");
-    fix_put(f, 0, -1, "x", 1, 1, 0);
-    fix_put(f, 0, 9, "x", 1, 1, 0);
-    fix_put(f, INT32_MAX, 0, "xyz", 3, 1, 0);
-    fix_put(f, INT32_MIN, 0, "xyz", 3, 1, 0);
+    fix_write(f, 0, -1, "x", 1, 1, 0);
+    fix_write(f, 0, 9, "x", 1, 1, 0);
+    fix_write(f, INT32_MAX, 0, "xyz", 3, 1, 0);
+    fix_write(f, INT32_MIN, 0, "xyz", 3, 1, 0);
     row_is(f, 0, "");
     row_is(f, 8, "");
     /* characters, not bytes; what no cell can hold; a byte that is no UTF-8 */
-    fix_put(f, 1, 4,
-            "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89"
-            "b",
-            11, 2, 0);
+    fix_write(f, 1, 4,
+              "\xc3\xa9\xe5\xbc\xbe\xf0\x9f\x98\x80\x89"
+              "b",
+              11, 2, 0);
     assert_memory_equal(f->code + 40,
                         "\0\xe9\1\1\x89"
                         "b\0",
@@ -866,8 +866,8 @@ static void test_fix(void **state)
     fix_clear(f, 0, 4, 10, 1);
     row_is(f, 4, "");
     /* twice as large: a quarter a cell, cut off as all else */
-    fix_put(f, 8, 4, "ab", 2, 3 | FIX_RIM | FIX_BIG, 0);
-    fix_put(f, 1, 8, "a", 1, 3 | FIX_BIG, 0);
+    fix_write(f, 8, 4, "ab", 2, 3 | FIX_RIM | FIX_BIG, 0);
+    fix_write(f, 1, 8, "a", 1, 3 | FIX_BIG, 0);
     row_is(f, 4, "........aa");
     row_is(f, 5, "........aa");
     row_is(f, 8, ".aa");
@@ -911,7 +911,7 @@ static void test_fades(void **state)
         uint16_t n = (uint16_t)(1 + rng_below(&rng, round % 2 ? 60 : 65535)), k = (uint16_t)(1 + rng_below(&rng, n));
         pal_set(p, 3, from);
         pal_fade(p, 3, to, n);
-        p->at[3] = (uint16_t)(k - 1);
+        p->fade_age[3] = (uint16_t)(k - 1);
         pal_step(p);
         for (int shift = 0; shift < 24; shift += 8) {
             int a = from >> shift & 255, b = to >> shift & 255, c = p->rgb[3] >> shift & 255;
@@ -998,7 +998,7 @@ static const uint8_t *nvram_image(const struct rig *r, size_t *size)
     uint32_t changed;
     const uint8_t *image = board_nvram(r->b, size, &changed);
 
-    assert_true(nvram_valid(image, *size));
+    assert_true(nvram_is_valid(image, *size));
     return image;
 }
 
@@ -1063,16 +1063,16 @@ static int enter(struct nvram *nv, const char *table, const char *name, int64_t 
     struct nv_row row = { .score = score };
 
     snprintf(row.name, sizeof row.name, "%s", name);
-    return nvram_enter(nv, table, &row);
+    return nvram_enter_row(nv, table, &row);
 }
 
-static bool best_row(const struct nvram *nv, const char *table, int r, char name[NV_NAME + 1], int64_t *score)
+static bool best_row(const struct nvram *nv, const char *table, int r, char name[NV_MAX_NAME + 1], int64_t *score)
 {
-    struct nv_row rows[NV_ROWS];
+    struct nv_row rows[NV_MAX_ROWS];
 
-    if (r >= NV_ROWS || r >= nvram_rows(nv, table, NULL, rows))
+    if (r >= NV_MAX_ROWS || r >= nvram_get_rows(nv, table, NULL, rows))
         return false;
-    memcpy(name, rows[r].name, NV_NAME + 1);
+    memcpy(name, rows[r].name, NV_MAX_NAME + 1);
     *score = rows[r].score;
     return true;
 }
@@ -1084,14 +1084,14 @@ static void test_nvram_tables(void **state)
     struct nv_value v = { .type = NV_INT, .bits = 1 };
     struct rig_game g;
     struct rig r;
-    char name[NV_NAME + 1];
+    char name[NV_MAX_NAME + 1];
     int64_t score;
 
     (void)state;
     nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
     assert_true(nvram_set(nv, "t", &v)); /* a key of the same name is another thing */
-    for (int i = 0; i < NV_ROWS; i++) {
+    for (int i = 0; i < NV_MAX_ROWS; i++) {
         snprintf(name, sizeof name, "n%d", i);
         assert_int_equal(enter(nv, "t", name, scores[i]), rows[i]);
         assert_int_equal(nvram_size(&r), 4 + 12 + 4 + 24 * (i + 1));
@@ -1118,7 +1118,7 @@ static void test_nvram_tables(void **state)
  * with it, in the bytes that a row had before. */
 static void test_nvram_ships(void **state)
 {
-    struct nv_row row = { .ship = "crow", .stage = 3, .continues = 2 }, rows[NV_ROWS];
+    struct nv_row row = { .ship = "crow", .stage = 3, .continues = 2 }, rows[NV_MAX_ROWS];
     struct rig_game g;
     struct rig r;
 
@@ -1126,27 +1126,27 @@ static void test_nvram_ships(void **state)
     nvram_power(&r, &g, 1, NULL);
     struct nvram *nv = &r.b->nvram;
     assert_int_equal(enter(nv, "t", "alone", 55), 0);
-    for (int i = 0; i < NV_ROWS; i++) {
+    for (int i = 0; i < NV_MAX_ROWS; i++) {
         row.score = 10 * i;
-        assert_int_equal(nvram_enter(nv, "t", &row), 0);
+        assert_int_equal(nvram_enter_row(nv, "t", &row), 0);
     }
-    assert_int_equal(nvram_size(&r), 4 + 4 + 24 + (3 + 6) + 24 * NV_ROWS);
+    assert_int_equal(nvram_size(&r), 4 + 4 + 24 + (3 + 6) + 24 * NV_MAX_ROWS);
     strcpy(row.ship, "heron");
-    row.score = 60, row.stage = NV_CLEARED, row.continues = NV_CONTINUES;
-    assert_int_equal(nvram_enter(nv, "t", &row), 0);
-    assert_int_equal(nvram_rows(nv, "t", "crow", rows), NV_ROWS);
+    row.score = 60, row.stage = NV_CLEARED, row.continues = NV_MAX_CONTINUES;
+    assert_int_equal(nvram_enter_row(nv, "t", &row), 0);
+    assert_int_equal(nvram_get_rows(nv, "t", "crow", rows), NV_MAX_ROWS);
     assert_true(rows[0].score == 90 && rows[9].score == 0 && rows[0].stage == 3 && rows[0].continues == 2);
-    assert_int_equal(nvram_rows(nv, "t", "heron", rows), 1);
-    assert_true(rows[0].stage == NV_CLEARED && rows[0].continues == NV_CONTINUES);
-    assert_int_equal(nvram_rows(nv, "t", "her", rows), 0);
-    assert_int_equal(nvram_rows(nv, "t", "", rows), 1);
-    assert_int_equal(nvram_rows(nv, "t\ncrow", NULL, rows), NV_ROWS); /* its name in the image */
-    assert_int_equal(nvram_rows(nv, "t", NULL, rows), NV_ROWS);
+    assert_int_equal(nvram_get_rows(nv, "t", "heron", rows), 1);
+    assert_true(rows[0].stage == NV_CLEARED && rows[0].continues == NV_MAX_CONTINUES);
+    assert_int_equal(nvram_get_rows(nv, "t", "her", rows), 0);
+    assert_int_equal(nvram_get_rows(nv, "t", "", rows), 1);
+    assert_int_equal(nvram_get_rows(nv, "t\ncrow", NULL, rows), NV_MAX_ROWS); /* its name in the image */
+    assert_int_equal(nvram_get_rows(nv, "t", NULL, rows), NV_MAX_ROWS);
     assert_true(rows[3].score == 60 && !strcmp(rows[3].ship, "crow")); /* of equals, who came first */
     assert_true(rows[4].score == 60 && !strcmp(rows[4].ship, "heron"));
     assert_true(rows[5].score == 55 && !rows[5].ship[0] && !rows[5].stage && !strcmp(rows[5].name, "alone"));
     assert_int_equal(rows[9].score, 20);
-    assert_true(nvram_valid(nvram_image(&r, &(size_t){ 0 }), nvram_size(&r)));
+    assert_true(nvram_is_valid(nvram_image(&r, &(size_t){ 0 }), nvram_size(&r)));
     nvram_free(&r, &g);
 }
 
@@ -1156,7 +1156,7 @@ static void test_nvram_full(void **state)
     static const int32_t sizes[] = { 1, 32, 256 };
     struct rig_game g;
     struct rig r;
-    char key[NV_KEY + 1], name[NV_NAME + 1];
+    char key[NV_MAX_KEY + 1], name[NV_MAX_NAME + 1];
     int64_t score;
 
     (void)state;
@@ -1167,7 +1167,7 @@ static void test_nvram_full(void **state)
         struct nvram *nv = &r.b->nvram;
         for (int t = 0; t < tables; t++) {
             snprintf(key, sizeof key, "table %d", t);
-            for (int i = 0; i < NV_ROWS; i++)
+            for (int i = 0; i < NV_MAX_ROWS; i++)
                 assert_int_equal(enter(nv, key, "me", 1000 * t + i), 0);
         }
         do
@@ -1181,7 +1181,7 @@ static void test_nvram_full(void **state)
         assert_int_equal(enter(nv, "one table more", "me", 1), -2);
         assert_int_equal(nvram_changed(&r), changed);
         assert_int_equal(enter(nv, "table 1", "you", 5000000), 0); /* in place of the last */
-        v = (struct nv_value){ .type = NV_TEXT, .length = NV_STRING };
+        v = (struct nv_value){ .type = NV_TEXT, .length = NV_MAX_STRING };
         changed = nvram_changed(&r);
         assert_false(nvram_set(nv, "boss/spell 3", &v)); /* a longer one */
         assert_int_equal(nvram_changed(&r), changed);
@@ -1202,7 +1202,7 @@ static void test_nvram_image(void **state)
     struct nv_value v = { .type = NV_TEXT, .text = "text", .length = 4 };
     struct rig_game g;
     struct rig r;
-    char key[NV_KEY + 1];
+    char key[NV_MAX_KEY + 1];
     size_t size;
 
     (void)state;
@@ -1254,8 +1254,8 @@ static void test_nvram_old(void **state)
 
     (void)state;
     assert_true(f && fread(image, 1, sizeof image, f) == sizeof image && fgetc(f) == EOF && !fclose(f));
-    assert_true(nvram_valid(image, sizeof image));
-    nvram_power(&r, &g, NV_KIB, &start);
+    assert_true(nvram_is_valid(image, sizeof image));
+    nvram_power(&r, &g, NV_DEFAULT_KIB, &start);
     for (int i = 0; i < 256; i++) { /* as the script that kept them did */
         char key[64];
         int n = snprintf(key, sizeof key, "key %d ", i);
@@ -1274,8 +1274,8 @@ static void test_nvram_old(void **state)
             assert_true(v.type == NV_BOOL && v.bits == (i % 8 == 3));
     }
     for (int t = 0; t < 16; t++)
-        for (int row = 0; row < NV_ROWS; row++) {
-            char table[32], name[NV_NAME + 1], want[32];
+        for (int row = 0; row < NV_MAX_ROWS; row++) {
+            char table[32], name[NV_MAX_NAME + 1], want[32];
             int64_t score;
             snprintf(table, sizeof table, "table %d", t);
             snprintf(want, sizeof want, "row %d", row);
@@ -1294,7 +1294,7 @@ static void test_nvram_old(void **state)
     static const int at[] = { 0, 4 + 31, 4 + 32, 4 + 33, 4 + 256 * 96 + 31, 4 + 256 * 96 + 32 + 15 };
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) { /* a key without an end, a type that is none ... */
         image[at[i]] ^= 0x7f;
-        nvram_power(&r, &g, NV_KIB, &start);
+        nvram_power(&r, &g, NV_DEFAULT_KIB, &start);
         assert_int_equal(nvram_size(&r), 4);
         nvram_free(&r, &g);
         image[at[i]] ^= 0x7f;
@@ -1312,7 +1312,7 @@ static void test_events(void **state)
     (void)state;
     assert_non_null(memory);
     memset(memory, FENCE, size + 64);
-    events_layout(&e, FULL, memory);
+    events_init(&e, FULL, memory);
     assert_int_equal(e.n, 0);
     for (int i = 0; i < FULL; i++)
         assert_true(events_push(&e, (enum event_kind)(i % 10), INT64_MIN + i, INT64_MAX - i));

@@ -54,7 +54,7 @@ static const struct home homes[] = {
     HOME("registers", "entities/registers.h", registers),
     HOME("options", "entities/options.h", options),
     HOME("option_kinds", "entities/options.h", option_kinds),
-    HOME("option_ways", "entities/options.h", option_ways),
+    HOME("option_ways", "entities/options.h", option_paths),
     HOME("music", "sound/seq.h", seq),
     HOME("cues", "sound/seq.h", cues),
     HOME("voices", "sound/voices.h", voices),
@@ -142,7 +142,8 @@ static void check_member(const struct chip *chip, const char *member)
     const struct column *c = column_named(chip, name);
     if (!c)
         fail_msg("chip %s: member %s is not in the column table", chip->name, name);
-    assert_true(c->reg == !pointer || (c->reg && c->kind == COL_DERIVED)); /* of_kind: a pointer to another chip's */
+    assert_true(c->is_register == !pointer ||
+                (c->is_register && c->kind == COL_DERIVED)); /* kind_counts: a pointer to another chip's */
     if (!pointer)
         assert_int_equal(c->n > 1, array);
 }
@@ -157,7 +158,7 @@ static void check_bytes(const struct chip *chip, const struct home *home)
     memset(of, 1, sizeof(struct slots));
     for (int i = 0; i < chip->count; i++) {
         const struct column *c = &chip->columns[i];
-        size_t n = c->reg ? (size_t)c->width * c->n : sizeof(void *);
+        size_t n = c->is_register ? (size_t)c->width * c->n : sizeof(void *);
         assert_true(c->at >= sizeof(struct slots) && c->at + n <= home->size);
         assert_true(c->width == 1 || c->width == 2 || c->width == 4 || c->width == 8);
         for (size_t k = 0; k < n; k++) {
@@ -209,9 +210,9 @@ static void test_parts(void **state)
     for (int i = 0; i < PARTS; i++) {
         assert_string_equal(types[first + i], homes[i].name);
         if (i)
-            assert_true(machine_parts[i].at > machine_parts[i - 1].at);
+            assert_true(machine_parts[i].offset > machine_parts[i - 1].offset);
     }
-    assert_int_equal(machine_parts[0].at, offsetof(struct board, script));
+    assert_int_equal(machine_parts[0].offset, offsetof(struct board, script));
 }
 
 static void test_reasons(void **state)
@@ -220,9 +221,9 @@ static void test_reasons(void **state)
     for (int i = 0; i < PARTS; i++)
         for (int k = 0; k < machine_parts[i].chip->count; k++) {
             const struct column *c = &machine_parts[i].chip->columns[k];
-            assert_int_equal(c->kind == COL_DERIVED, c->why != NULL);
-            if (c->why)
-                assert_true(strlen(c->why) > 10);
+            assert_int_equal(c->kind == COL_DERIVED, c->reason != NULL);
+            if (c->reason)
+                assert_true(strlen(c->reason) > 10);
         }
 }
 
@@ -242,14 +243,14 @@ static struct sums sums_of(const struct board *b)
 
 static struct slots *slots_at(struct board *b, int i)
 {
-    return (struct slots *)((uint8_t *)b + machine_parts[i].at);
+    return (struct slots *)((uint8_t *)b + machine_parts[i].offset);
 }
 
 static uint8_t *bytes_at(struct board *b, int i, const struct column *c)
 {
-    uint8_t *at = (uint8_t *)b + machine_parts[i].at + c->at;
+    uint8_t *at = (uint8_t *)b + machine_parts[i].offset + c->at;
 
-    if (!c->reg)
+    if (!c->is_register)
         memcpy(&at, at, sizeof(uint8_t *));
     return at;
 }
@@ -297,7 +298,8 @@ static int32_t dead_slot(struct board *b, int i)
 static bool check_column(struct board *b, const struct sums *was, struct rng *rng, int i, const struct column *c)
 {
     char what[80];
-    int32_t slot = c->reg ? 0 : live_slot(b, i, rng_next(rng)), dead = c->reg ? NO_SLOT : dead_slot(b, i);
+    int32_t slot = c->is_register ? 0 : live_slot(b, i, rng_next(rng)),
+            dead = c->is_register ? NO_SLOT : dead_slot(b, i);
     size_t size = (size_t)c->width * c->n;
 
     snprintf(what, sizeof what, "%s.%s", machine_parts[i].chip->name, c->name);
@@ -431,7 +433,7 @@ static void test_flips(void **state)
         if (!check_slots(r.b, &was, &rng, i))
             fail_msg("part %s has no live slot", chip->name);
         for (int k = 0; k < chip->count; k++)
-            if (slots_column_there(&chip->columns[k], slots_at(r.b, i)->groups) &&
+            if (slots_has_column(&chip->columns[k], slots_at(r.b, i)->groups) &&
                 !check_column(r.b, &was, &rng, i, &chip->columns[k]))
                 fail_msg("part %s has no live slot", chip->name);
         if (slots_at(r.b, i)->used)
@@ -473,13 +475,13 @@ static void test_groups(void **state)
             const struct column *c = &chip->columns[k];
             if (c->group == 0)
                 continue;
-            assert_false(slots_column_there(c, s->groups));
-            if (c->reg) { /* it stands in the struct, but is not hashed */
+            assert_false(slots_has_column(c, s->groups));
+            if (c->is_register) { /* it stands in the struct, but is not hashed */
                 flip(a.b, &was, bytes_at(a.b, i, c), 0, -1, c->name);
                 continue;
             }
             assert_null(bytes_at(a.b, i, c));
-            if (slots_column_there(c, t->groups))
+            if (slots_has_column(c, t->groups))
                 assert_non_null(bytes_at(b.b, i, c)), there++;
         }
         if (chip == &bullets_chip)
@@ -515,14 +517,14 @@ static void test_derived(void **state)
     rig_power(&b, &g, &start);
     for (int f = 0; f < 120; f++) {
         rig_run(&a, 1);
-        b.b->bullets.moved = 77;
-        b.b->shots.moved = 99;
-        b.b->laser_heads.moved = 11;
-        b.b->laser_heads.ran = 12;
+        b.b->bullets.n_moved = 77;
+        b.b->shots.n_moved = 99;
+        b.b->laser_heads.n_moved = 11;
+        b.b->laser_heads.work_done = 12;
         for (int p = 0; p < PADS; p++)
-            b.b->player.was_x[p] = b.b->player.was_y[p] = (fx)(f * 65536);
+            b.b->player.prev_x[p] = b.b->player.prev_y[p] = (fx)(f * 65536);
         for (uint32_t i = 0; i < b.b->items.s.cap; i++)
-            b.b->items.was_x[i] = b.b->items.was_y[i] = (fx)(f * 65536);
+            b.b->items.prev_x[i] = b.b->items.prev_y[i] = (fx)(f * 65536);
         assert_int_equal(b.b->tasks.current, NO_SLOT);
         rig_run(&b, 1);
         if (rig_differs(&a, &b))
@@ -541,9 +543,9 @@ static void count_again(const struct bullets *s, const struct bullet_kinds *k)
     memset(n, 0, sizeof n);
     EACH_LIVE (i, &s->s)
         n[s->kind[i]]++;
-    assert_ptr_equal(s->of_kind, k->live);
+    assert_ptr_equal(s->kind_counts, k->live_count);
     for (uint32_t i = 0; i < k->s.live; i++)
-        assert_int_equal(k->live[i], n[i]);
+        assert_int_equal(k->live_count[i], n[i]);
 }
 
 static void count_both(const struct board *b)

@@ -15,7 +15,7 @@ static const char *turned(struct rig *r, uint16_t buttons, int frames)
     for (int f = 0; f < frames; f++) {
         const uint16_t pads[PADS] = { f ? 0 : buttons };
         rig_tick(r, pads);
-        const struct board_out *out = board_last(r->b);
+        const struct board_out *out = board_last_output(r->b);
         for (int i = 0; i < out->markers; i++)
             if (out->marker[i].kind == MARKER_STAGE)
                 snprintf(name, sizeof name, "%s", out->marker[i].name);
@@ -84,7 +84,7 @@ static void test_practice(void **state)
     rig_power(&r, &game, &start);
     for (int f = 0; f < 200 && !listed; f++) {
         rig_run(&r, 1);
-        const struct board_out *out = board_last(r.b);
+        const struct board_out *out = board_last_output(r.b);
         for (int i = 0; i < out->markers; i++) {
             if (out->marker[i].kind == MARKER_STAGE && !pages++)
                 assert_string_equal(out->marker[i].name, "spiral");

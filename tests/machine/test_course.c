@@ -33,8 +33,8 @@ static int64_t any_speed(void)
 static struct motion_step any_step(void)
 {
     static const uint32_t ops[] = { DOES_TURN, DOES_SPEED, DOES_ACCEL, DOES_HOME, DOES_AIM, DOES_DIR, DOES_BANK };
-    struct motion_step s = { .does = DOES_WAIT,
-                             .over = (uint32_t)(below(5) ? below(20) : below(2)),
+    struct motion_step s = { .actions = DOES_WAIT,
+                             .duration = (uint32_t)(below(5) ? below(20) : below(2)),
                              .bank = (uint8_t)below(16),
                              .dir = (ang)rng_next(&rng),
                              .turn = (int32_t)rng_next(&rng) >> below(20),
@@ -43,7 +43,7 @@ static struct motion_step any_step(void)
                              .accel = any_speed() >> below(12) };
 
     for (int n = (int)below(4); n > 0; n--)
-        s.does |= ops[below(7)];
+        s.actions |= ops[below(7)];
     return s;
 }
 
@@ -54,14 +54,14 @@ static void define(bool fine[PROGRAMS + 1])
         struct motion_step steps[STEPS + 3];
         uint32_t n = 0, loop = (uint32_t)below(2);
         if (loop)
-            steps[n++] = (struct motion_step){ .does = DOES_LOOP, .count = MOTION_FOREVER, .jump = STEPS + 2 };
+            steps[n++] = (struct motion_step){ .actions = DOES_LOOP, .count = MOTION_FOREVER, .jump = STEPS + 2 };
         for (int k = 0; k < STEPS; k++)
             steps[n++] = any_step();
         if (loop) {
-            steps[n - 1].over += 1; /* a round takes time */
-            steps[n++] = (struct motion_step){ .does = DOES_NEXT, .jump = 1 };
+            steps[n - 1].duration += 1; /* a round takes time */
+            steps[n++] = (struct motion_step){ .actions = DOES_LOOP_END, .jump = 1 };
         } else if (below(3) == 0)
-            steps[n++] = (struct motion_step){ .does = DOES_DIE };
+            steps[n++] = (struct motion_step){ .actions = DOES_DIE };
         fine[p + 1] = below(4) == 0;
         motion_define(&at_once.b->motions, &at_once.b->steps, steps, n, fine[p + 1]);
         assert_int_equal(motion_define(&singly.b->motions, &singly.b->steps, steps, n, fine[p + 1]), p);
@@ -71,7 +71,7 @@ static void define(bool fine[PROGRAMS + 1])
 /* Rings of a program, so that neighbours run one step, and single bullets. */
 static void fire(const bool fine[PROGRAMS + 1], uint32_t clock)
 {
-    struct bullet_shape s = { .x = (fx)(below(400) << 16), .y = (fx)(below(400) << 16) };
+    struct bullet_spec s = { .x = (fx)(below(400) << 16), .y = (fx)(below(400) << 16) };
     const int n = below(3) ? 1 + (int)below(40) : 1;
 
     s.motion = (uint16_t)below(PROGRAMS + 1);
@@ -122,7 +122,7 @@ static void targets(void)
     gather_crowd(&at_once.b->bullets);
     for (int p = 0; p < PADS; p++) {
         const fx x = (fx)(below(400) << 16), y = (fx)(below(400) << 16);
-        at_once.b->player.in[p] = singly.b->player.in[p] = (uint8_t)(below(4) != 0);
+        at_once.b->player.in_game[p] = singly.b->player.in_game[p] = (uint8_t)(below(4) != 0);
         at_once.b->player.x[p] = singly.b->player.x[p] = x;
         at_once.b->player.y[p] = singly.b->player.y[p] = y;
     }
@@ -130,35 +130,35 @@ static void targets(void)
 
 static void move(uint32_t clock)
 {
-    const fx most = WORLD << 16;
+    const fx most = WORLD_EDGE << 16;
     const struct box world = { -most, -most, most, most };
-    struct motion_world a = board_world(at_once.b, false), b = board_world(singly.b, false);
+    struct motion_world a = board_motion_world(at_once.b, false), b = board_motion_world(singly.b, false);
     struct bullets *s = &singly.b->bullets;
 
     a.clock = b.clock = clock;
     if (clock % 3 == 0)
         a.targets = b.targets = (struct targets){ &crowd, crowd_x, crowd_y, NULL };
     bullets_move(&at_once.b->bullets, &a, &world, NULL, false);
-    bullets_begin(s);
+    bullets_begin_move(s);
     EACH_LIVE (i, &s->s)
-        if (bullets_go_on(s, &b, i) && (s->x[i] < -most || s->x[i] > most || s->y[i] < -most || s->y[i] > most))
+        if (bullets_move_one(s, &b, i) && (s->x[i] < -most || s->x[i] > most || s->y[i] < -most || s->y[i] > most))
             bullets_drop(s, i);
 }
 
 static void compare(const struct bullets *a, const struct bullets *b, uint32_t clock)
 {
     assert_int_equal(a->s.live, b->s.live);
-    assert_int_equal(a->ran, b->ran);
+    assert_int_equal(a->work_done, b->work_done);
     EACH_LIVE (i, &a->s) {
         const bool same = a->x[i] == b->x[i] && a->y[i] == b->y[i] && a->vx[i] == b->vx[i] && a->vy[i] == b->vy[i] &&
                           a->dir[i] == b->dir[i] && a->speed[i] == b->speed[i] && a->bank[i] == b->bank[i] &&
                           a->motion[i] == b->motion[i] && a->pc[i] == b->pc[i] && a->step_end[i] == b->step_end[i] &&
                           a->step_start[i] == b->step_start[i] && a->step_flags[i] == b->step_flags[i] &&
                           a->speed_q32[i] == b->speed_q32[i] && a->travel_q32[i] == b->travel_q32[i] &&
-                          a->x_more[i] == b->x_more[i] && a->flags[i] == b->flags[i] && a->y_more[i] == b->y_more[i];
+                          a->x_low[i] == b->x_low[i] && a->flags[i] == b->flags[i] && a->y_low[i] == b->y_low[i];
         if (!same)
             fail_msg("clock %u: bullet %u differs", clock, i);
-        assert_true(a->fastest >= fx_abs(a->vx[i]) && a->fastest >= fx_abs(a->vy[i]));
+        assert_true(a->speed_bound >= fx_abs(a->vx[i]) && a->speed_bound >= fx_abs(a->vy[i]));
     }
     for (uint32_t block = 0; block < a->s.top / SLOTS_BLOCK; block++)
         assert_true(a->busy[block] == b->busy[block] && a->idle[block] == b->idle[block]);

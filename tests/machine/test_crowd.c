@@ -26,7 +26,7 @@ enum { OWN = 12 }; /* sprites of a game made here, beside the rig's */
 static void paint(const struct board *b, uint8_t *out, const struct image *image, int x, int y, uint8_t bank,
                   const uint8_t *table)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
 
     for (int v = 0; v < image->h; v++)
         for (int u = 0; u < image->w; u++) {
@@ -43,12 +43,12 @@ static void paint(const struct board *b, uint8_t *out, const struct image *image
 static struct image image_of(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t i)
 {
     const uint16_t flags = k->flags[s->kind[i]];
-    const struct sprite *pic = &b->pictures[k->sprite[s->kind[i]]];
+    const struct sprite *pic = &b->sprite_images[k->sprite[s->kind[i]]];
     int64_t age = (int64_t)b->core.clock - s->born[i], delay = (int64_t)s->step_end[i] - s->born[i];
 
     if (s->flags[i] & BULLET_DELAYED) {
         int64_t at = age < 1 ? 0 : age > delay ? delay - 1 : age - 1;
-        age = flags & KIND_CLOUD ? at * pic->frames * pic->every / delay : 0;
+        age = flags & KIND_CLOUD ? at * pic->frames * pic->frame_ticks / delay : 0;
     }
     ang way = flags & KIND_TURNS ? s->dir[i] : 0, spin = k->spin[s->kind[i]];
     return video_image(pic, (uint32_t)age, flags & KIND_TURNS || spin, (ang)((int64_t)way + age * spin));
@@ -57,14 +57,14 @@ static struct image image_of(const struct board *b, const struct bullets *s, con
 static void paint_kind(const struct board *b, const struct bullets *s, const struct bullet_kinds *k, uint32_t kind,
                        uint8_t *out)
 {
-    const struct sprite *pic = &b->pictures[k->sprite[kind]];
+    const struct sprite *pic = &b->sprite_images[k->sprite[kind]];
     unsigned blend = (k->flags[kind] & (unsigned)KIND_BLEND) / KIND_BLEND_ONE;
 
     for (uint32_t i = 0; i < s->s.top; i++)
         if (is_used(&s->s, i) && s->kind[i] == kind) {
             struct image image = image_of(b, s, k, i);
             paint(b, out, &image, (s->x[i] >> 16) - pic->ox, (s->y[i] >> 16) - pic->oy, s->bank[i],
-                  blend ? b->cart.main.blend[blend - 1] : NULL);
+                  blend ? b->cart.main_look.blend[blend - 1] : NULL);
         }
 }
 
@@ -77,8 +77,8 @@ static void paint_all(const struct board *b, const struct bullets *s, const stru
         uint32_t next = MAX_KINDS;
         int64_t least = INT64_MAX;
         for (uint32_t kind = 0; kind < k->s.live; kind++) {
-            const struct sprite *pic = &b->pictures[k->sprite[kind]];
-            int64_t rank = (int64_t)k->order[kind] * 1000000 - pic->w * pic->h;
+            const struct sprite *pic = &b->sprite_images[k->sprite[kind]];
+            int64_t rank = (int64_t)k->draw_order[kind] * 1000000 - pic->w * pic->h;
             if (!done[kind] && rank < least) {
                 least = rank;
                 next = kind;
@@ -149,14 +149,14 @@ static void random_game(struct rig_game *g)
 /* Kinds of any sprites, a quarter of the time with blends; dead slots hold rubbish. */
 static void random_bullets(struct board *b, struct bullets *s, struct bullet_kinds *k)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
     uint32_t n = below(2) ? s->s.cap : (uint32_t)below((int)s->s.cap + 1), first, kinds;
     bool blended = below(4) == 0, holes = below(3) == 0, far = below(3) == 0;
 
     k->s.live = (uint32_t)(1 + below(below(4) ? 20 : MAX_KINDS));
     for (uint32_t i = 0; i < k->s.live; i++) {
         k->sprite[i] = (uint16_t)below(b->cart.sprites);
-        k->order[i] = (int8_t)(below(4) ? 0 : below(201) - 100);
+        k->draw_order[i] = (int8_t)(below(4) ? 0 : below(201) - 100);
         k->spin[i] = below(3) ? 0 : (ang)rng_next(&rng);
         k->flags[i] = (uint16_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0) |
                                  (below(4) ? 0 : KIND_CLOUD));
@@ -169,16 +169,16 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
     first = (uint32_t)below((int)k->s.live);
     kinds = below(3) ? k->s.live : 1;
     while (s->s.live < n) {
-        struct bullet_shape shape = { .kind = (uint16_t)((first + (uint32_t)below((int)kinds)) % k->s.live),
-                                      .bank = (uint8_t)below(16),
-                                      .dir = (ang)rng_next(&rng) };
-        const struct sprite *pic = &b->pictures[k->sprite[shape.kind]];
+        struct bullet_spec shape = { .kind = (uint16_t)((first + (uint32_t)below((int)kinds)) % k->s.live),
+                                     .bank = (uint8_t)below(16),
+                                     .dir = (ang)rng_next(&rng) };
+        const struct sprite *pic = &b->sprite_images[k->sprite[shape.kind]];
         shape.x = (below(m->field_w + 2 * pic->w + 20) - pic->w - 10 + pic->ox) * 65536 + below(65536);
         shape.y = (below(m->field_h + 2 * pic->h + 20) - pic->h - 10 + pic->oy) * 65536 + below(65536);
         if (far && below(9) == 0)
-            shape.x = (below(2 * WORLD + 1) - WORLD) * 65536;
+            shape.x = (below(2 * WORLD_EDGE + 1) - WORLD_EDGE) * 65536;
         if (far && below(9) == 0)
-            shape.y = (below(2 * WORLD + 1) - WORLD) * 65536;
+            shape.y = (below(2 * WORLD_EDGE + 1) - WORLD_EDGE) * 65536;
         if (k->flags[shape.kind] & KIND_CLOUD || below(5) == 0)
             shape.delay = (uint32_t)(1 + below(150));
         const bool old = !shape.delay && below(9) == 0;
@@ -199,7 +199,7 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
 {
     static const int overdraw[] = { VIDEO_NO_LAYERS, 0, 1, 5, VIDEO_OVERDRAW };
     const struct board *b = r->b;
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
     size_t w = (size_t)m->screen_w, size = w * (size_t)m->screen_h;
     uint8_t *want = malloc(size), *backdrop = malloc(size);
 
@@ -213,21 +213,21 @@ static void picture(struct rig *r, const struct bullets *s, const struct bullet_
                                  .x = m->field_x,
                                  .y = m->field_y,
                                  .scratch = r->scratch,
-                                 .overdraw = overdraw[i],
-                                 .look = b->cart.main };
+                                 .min_overdraw = overdraw[i],
+                                 .look = b->cart.main_look };
         for (int y = 0; y < m->screen_h; y++)
             memcpy(r->fb.pix + y * r->fb.pitch, backdrop + (size_t)y * w, w);
-        fb_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
-        memset(r->scratch, 0xa5, board_scratch(b));
-        video_bullets(&c, s, k);
+        fb_set_clip(&r->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+        memset(r->scratch, 0xa5, board_scratch_size(b));
+        video_draw_bullets(&c, s, k);
         for (int y = 0; y < m->screen_h; y++)
             if (memcmp(r->fb.pix + y * r->fb.pitch, want + (size_t)y * w, w))
                 fail_msg("%u bullets, overdraw %d: row %d differs", s->s.live, overdraw[i], y);
-        assert_int_equal(c.drawn, s->s.live);
-        assert_true(c.hidden <= c.drawn && (overdraw[i] != VIDEO_NO_LAYERS || !c.hidden));
-        seen.drawn += (long)c.drawn;
-        seen.hidden += (long)c.hidden;
-        seen.layered += c.hidden > 0;
+        assert_int_equal(c.drawn_count, s->s.live);
+        assert_true(c.hidden_count <= c.drawn_count && (overdraw[i] != VIDEO_NO_LAYERS || !c.hidden_count));
+        seen.drawn += (long)c.drawn_count;
+        seen.hidden += (long)c.hidden_count;
+        seen.layered += c.hidden_count > 0;
     }
     for (uint32_t i = 0; i < k->s.live; i++)
         seen.blended += (k->flags[i] & KIND_BLEND) != 0;
@@ -278,20 +278,20 @@ static void test_edges(void **state)
         rig_power(&r, &game, &start);
         struct bullets *s = &r.b->bullets;
         struct bullet_kinds *k = &r.b->bullet_kinds;
-        const struct manifest *m = &r.b->cart.m;
+        const struct manifest *m = &r.b->cart.manifest;
         k->s.live = (uint32_t)(1 + below(3));
         for (uint32_t i = 0; i < k->s.live; i++) {
             k->sprite[i] = (uint16_t)below(r.b->cart.sprites);
-            k->order[i] = 0;
+            k->draw_order[i] = 0;
             k->spin[i] = 0;
             k->flags[i] = (uint16_t)(below(3) ? 0 : KIND_TURNS);
         }
         for (uint32_t i = 0; i < SLOTS_BLOCK; i++) {
-            const struct bullet_shape shape = { .x = (m->field_w / 2) << 16,
-                                                .y = (m->field_h / 2) << 16,
-                                                .kind = (uint16_t)below((int)k->s.live),
-                                                .bank = (uint8_t)below(16),
-                                                .dir = (ang)rng_next(&rng) };
+            const struct bullet_spec shape = { .x = (m->field_w / 2) << 16,
+                                               .y = (m->field_h / 2) << 16,
+                                               .kind = (uint16_t)below((int)k->s.live),
+                                               .bank = (uint8_t)below(16),
+                                               .dir = (ang)rng_next(&rng) };
             bullets_fire(s, &shape, r.b->core.clock);
         }
         for (int place = 0; place < SPOTS && s->s.live == SLOTS_BLOCK; place++) {
@@ -351,7 +351,7 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
     }
     assert_int_equal(left, live);
     bullets_move(s, &w, keep, query, false);
-    assert_int_equal(s->moved, live);
+    assert_int_equal(s->n_moved, live);
     for (uint32_t i = 0; i < top; i++) {
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;
         assert_int_equal(i < s->s.top && is_used(&s->s, i), in);
@@ -361,15 +361,15 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
                              was[i] && (near[0] | near[1]) >> (i % SLOTS_BLOCK) & 1);
             continue;
         }
-        assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->fastest && vy[i] <= s->fastest);
+        assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->speed_bound && vy[i] <= s->speed_bound);
         for (uint32_t p = 0; p < PADS; p++) {
             bool near = s->near[i / SLOTS_BLOCK * PADS + p] >> (i % SLOTS_BLOCK) & 1;
             bool must = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + vx[i] &&
                         gap(y[i], query[p].y) <= query[p].reach + vy[i];
-            bool may = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + s->fastest &&
-                       gap(y[i], query[p].y) <= query[p].reach + s->fastest;
+            bool may = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + s->speed_bound &&
+                       gap(y[i], query[p].y) <= query[p].reach + s->speed_bound;
             assert_true(near >= must);
-            if (query[p].reach + s->fastest <= FX_MAX)
+            if (query[p].reach + s->speed_bound <= FX_MAX)
                 assert_int_equal(near, may);
         }
     }
@@ -379,7 +379,7 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
 static void test_moves(void **state)
 {
     const struct board_start start = { .difficulty = -1 };
-    const fx world = WORLD << 16, fastest = MAX_SPEED << 16;
+    const fx world = WORLD_EDGE << 16, fastest = MAX_SPEED << 16;
     struct rig_game game;
     struct rig r;
 
@@ -404,7 +404,7 @@ static void test_moves(void **state)
             bullets_drop(s, i);
         slots_trim(&s->s);
         for (int n = below(600); n > 0; n--) {
-            struct bullet_shape shape = { .x = length(world), .y = length(world) };
+            struct bullet_spec shape = { .x = length(world), .y = length(world) };
             int32_t i = bullets_fire(s, &shape, 0);
             fx speed = scene % 3 ? below(4 << 16) : length(fastest);
             bullets_set_velocity(s, (uint32_t)i, (int64_t)(below(2) ? speed : -speed) * 65536,

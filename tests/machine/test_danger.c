@@ -58,8 +58,8 @@ static void begin(uint64_t seed)
     snprintf(text, sizeof text, "%s%s", kinds, scene);
     rig_with_sys(&g, &m, text);
     assert_true(trial_open(&t, &g.image.rom, &start, err, sizeof err));
-    if (board_last(t.b)->fault)
-        fail_msg("%s", board_last(t.b)->fault->message);
+    if (board_last_output(t.b)->fault)
+        fail_msg("%s", board_last_output(t.b)->fault->message);
     rng_seed(&rng, seed);
 }
 
@@ -77,8 +77,8 @@ static uint32_t touching(const struct forecast *f, uint32_t frame)
 
     for (uint32_t i = 0; i < at->n; i++) {
         const struct danger *d = &f->list[at->first + i];
-        const uint32_t thing = (uint32_t)d->of << 24 | d->slot;
-        if (d->of == DANGER_ENEMY || thing == last || !danger_touches(d, &at->ship.way))
+        const uint32_t thing = (uint32_t)d->source << 24 | d->slot;
+        if (d->source == DANGER_ENEMY || thing == last || !danger_would_hit(d, &at->ship.path))
             continue;
         last = thing;
         n++;
@@ -96,12 +96,12 @@ static void test_same_hits(void **state)
         struct forecast f = { 0 };
         begin(seed);
         t.into = &f;
-        danger_spare(t.b, true);
+        danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES; i++) {
             const unsigned buttons = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FOCUS;
             const uint16_t pads[PADS] = { (uint16_t)(rng_below(&rng, PAD_ALL) & buttons) };
             assert_int_equal(trial_tick(&t, pads), TRIAL_ON);
-            if (!f.frame[i].ship.in)
+            if (!f.frame[i].ship.in_game)
                 continue;
             assert_int_equal(touching(&f, i), t.b->counts.hit);
             hits += (uint32_t)t.b->counts.hit;
@@ -126,7 +126,7 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
             choice = (int)rng_below(&rng, REACH_WAYS);
         way.was_x = way.x;
         way.was_y = way.y;
-        way.radius = at->ship.way.radius;
+        way.radius = at->ship.path.radius;
         reach_step(&at->ship, choice, &way.x, &way.y);
         if (plan_hits(f, i, &way, 0))
             break;
@@ -148,16 +148,16 @@ static void test_sets_hold_all(void **state)
         const uint16_t none[PADS] = { 0 };
         while (!trial_steers(&t))
             trial_tick(&t, none);
-        danger_ship(t.b, 0, &ship);
+        danger_get_ship(t.b, 0, &ship);
         t.into = &f;
-        danger_spare(t.b, true);
+        danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES / 2; i++)
             trial_tick(&t, none);
         for (int c = 0; c < 3; c++) {
             struct reach r;
-            assert_true(reach_open(&r, &f, cells[c], 0, ship.way.x, ship.way.y));
+            assert_true(reach_open(&r, &f, cells[c], 0, ship.path.x, ship.path.y));
             for (int i = 0; i < SHIPS; i++)
-                flown += fly(&f, &r, 0, ship.way.x, ship.way.y);
+                flown += fly(&f, &r, 0, ship.path.x, ship.path.y);
             reach_close(&r);
         }
         forecast_close(&f);
@@ -182,13 +182,13 @@ static void test_plan_is_flown(void **state)
         trial_tick(&t, none);
     assert_true(trial_save(&t, &start));
     t.into = &f;
-    danger_spare(t.b, true);
+    danger_set_invincible(t.b, true);
     for (uint32_t i = 0; i < FRAMES; i++)
         trial_tick(&t, none);
     t.into = NULL;
-    assert_true(reach_open(&r, &f, FX_ONE, 0, start.ship.way.x, start.ship.way.y));
+    assert_true(reach_open(&r, &f, FX_ONE, 0, start.ship.path.x, start.ship.path.y));
     reach_back(&r);
-    assert_true(plan_make(&p, &r, start.ship.way.x, start.ship.way.y, 1 << 20, 0, false));
+    assert_true(plan_make(&p, &r, start.ship.path.x, start.ship.path.y, 1 << 20, 0, false));
     assert_in_range(p.frames, 20, FRAMES);
     trial_restore(&t, &start);
     for (; lived < p.frames; lived++) {

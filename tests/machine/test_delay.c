@@ -34,7 +34,7 @@ static uint64_t bullets_hash(const struct rig *r)
 
     board_hashes(r->b, part);
     for (int i = 0; i < board_parts(r->b); i++)
-        if (!strcmp(board_part(r->b, i), "bullets"))
+        if (!strcmp(board_part_name(r->b, i), "bullets"))
             return part[i];
     return 0;
 }
@@ -187,7 +187,7 @@ static void test_cloud(void **state)
           delay, delay + 5);
     for (int f = 0; f < delay + 5; f++) {
         bool cloud = f < delay;
-        const struct sprite *s = &r.b->pictures[cart_find_sprite(&r.b->cart, cloud ? "wink" : "dot")];
+        const struct sprite *s = &r.b->sprite_images[cart_find_sprite(&r.b->cart, cloud ? "wink" : "dot")];
         int opaque = 0;
         rig_run(&r, 1);
         rig_picture(&r);

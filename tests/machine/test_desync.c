@@ -32,12 +32,12 @@ static int setup(void **state)
     rig_folder(&game, "glasstide");
     if (!rig_demo(&game, "attract", &attract))
         return -1;
-    r.prints = DEMO_PRINTS_EVERY;
+    r.prints = DEMO_CHECKSUMS_EVERY_FRAME;
     if (replay_run(&r, &game.cart, &attract, &again, &v, err, sizeof err) != RESULT_DONE || v.kind != VERDICT_HOLDS)
         return -1;
     struct demo *first = &again.demo; /* of it the first frames will do */
     first->frames = first->checksum_frames = FRAMES;
-    first->seconds = FRAMES / DEMO_SECOND + 1;
+    first->n_rows = FRAMES / DEMO_SECOND + 1;
     while (first->n_markers > 0 && first->markers[first->n_markers - 1].frame > FRAMES)
         first->n_markers--;
     if (!demo_save(first, path, err, sizeof err))
@@ -277,7 +277,7 @@ static void test_parts(void **state)
     static struct replay r;
     struct verdict got;
     char was[sizeof original.part[0]];
-    uint64_t *first = original.track + 3, hash = *first;
+    uint64_t *first = original.rows + 3, hash = *first;
 
     (void)state;
     memcpy(was, original.part[3], sizeof was);

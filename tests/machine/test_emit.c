@@ -326,7 +326,7 @@ static void test_full(void **state)
     for (int f = 0; f < 6; f++) {
         const struct board_out *out = board_tick(rig.b, none);
         rig_sound(&rig);
-        lines += out->fulls;
+        lines += out->full_pools;
         rig_spoil(&rig); /* a restored board finds its queue */
     }
     assert_int_equal(lines, 1);

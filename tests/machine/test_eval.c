@@ -21,7 +21,7 @@ struct bed {
     struct rig r;
     uint8_t *image, *again; /* of the board as it was, and as it is */
     size_t size, room;
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
 };
 
 static int bed_open(void **state)
@@ -190,19 +190,19 @@ static void what_does_not_end_is_ended(void **state)
 static void what_is_kept_stays(void **state)
 {
     struct bed *t = *state;
-    int64_t bullets = board_live(t->r.b, "bullets"), tasks = board_live(t->r.b, "tasks");
+    int64_t bullets = board_live_count(t->r.b, "bullets"), tasks = board_live_count(t->r.b, "tasks");
     uint64_t hash = board_hash(t->r.b);
 
     assert_true(
         board_eval(t->r.b, "bullet.fire { kind = 'dot', x = 50, y = 60, speed = 1, dir = 90 }", t->out, sizeof t->out));
     assert_true(strncmp(t->out, "bullet ", 7) == 0);
-    assert_true(board_live(t->r.b, "bullets") == bullets + 1 && board_hash(t->r.b) != hash);
+    assert_true(board_live_count(t->r.b, "bullets") == bullets + 1 && board_hash(t->r.b) != hash);
     assert_int_equal(t->r.b->events.n, 0);
     assert_true(board_eval(t->r.b, "task.go(function() wait(2) string.killed = 77 end)", t->out, sizeof t->out));
-    assert_true(board_live(t->r.b, "tasks") == tasks + 1);
+    assert_true(board_live_count(t->r.b, "tasks") == tasks + 1);
     rig_run(&t->r, 3);
     says(t, "string.killed", "77\n");
-    assert_true(board_live(t->r.b, "tasks") == tasks);
+    assert_true(board_live_count(t->r.b, "tasks") == tasks);
     rig_spoil(&t->r);
     rig_run(&t->r, 100);
 }
@@ -216,7 +216,7 @@ static void events_are_applied(void **state)
     assert_true(board_eval(t->r.b, "enemy.each('flies', function(e) e:kill() end)", t->out, sizeof t->out));
     assert_string_equal(t->out, "killed\t1\n");
     assert_int_equal(t->r.b->events.n, 0);
-    assert_int_equal(board_live(t->r.b, "enemies"), 0);
+    assert_int_equal(board_live_count(t->r.b, "enemies"), 0);
     says(t, "string.killed", "1\n");
     rig_run(&t->r, 50);
 }
@@ -227,14 +227,14 @@ static void what_a_tick_hands_out_stays(void **state)
     struct bed *t = *state;
 
     assert_true(board_eval(t->r.b, "print('x')", t->out, sizeof t->out));
-    assert_int_equal(board_last(t->r.b)->log_size, 0);
+    assert_int_equal(board_last_output(t->r.b)->log_size, 0);
     rig_run(&t->r, 1);
-    assert_int_equal(board_last(t->r.b)->log_size, 0);
+    assert_int_equal(board_last_output(t->r.b)->log_size, 0);
     assert_true(board_eval(t->r.b, "board.attract('no')", t->out, sizeof t->out));
-    assert_int_equal(board_last(t->r.b)->request, REQUEST_NONE);
+    assert_int_equal(board_last_output(t->r.b)->request, REQUEST_NONE);
     assert_true(board_eval(t->r.b, "board.reset()", t->out, sizeof t->out));
     rig_run(&t->r, 1);
-    assert_int_equal(board_live(t->r.b, "enemies"), 0);
+    assert_int_equal(board_live_count(t->r.b, "enemies"), 0);
     rig_run(&t->r, 50);
 }
 

@@ -132,7 +132,7 @@ static void end(void)
 
 static void inside(fx x, fx y, const char *what, uint32_t i)
 {
-    const struct box *k = &rig.b->keep;
+    const struct box *k = &rig.b->keep_box;
 
     if (x < k->x0 || x > k->x1 || y < k->y0 || y > k->y1)
         fail_msg("%s %u lives at (%d, %d), outside the world", what, i, x, y);
@@ -217,18 +217,18 @@ static void test_no_return(void **state)
     begin(1);
     b = rig.b;
     for (int i = 0; i < 64; i++) {
-        struct bullet_shape s = { .x = i & 1 ? b->keep.x0 : b->keep.x1,
-                                  .y = i & 2 ? b->keep.y0 : b->keep.y1,
-                                  .speed = i & 4 ? most : -most,
-                                  .dir = (ang)i << 26 };
-        struct motion_world w = board_world(b, false);
+        struct bullet_spec s = { .x = i & 1 ? b->keep_box.x0 : b->keep_box.x1,
+                                 .y = i & 2 ? b->keep_box.y0 : b->keep_box.y1,
+                                 .speed = i & 4 ? most : -most,
+                                 .dir = (ang)i << 26 };
+        struct motion_world w = board_motion_world(b, false);
         EACH_LIVE (k, &b->bullets.s)
             bullets_drop(&b->bullets, k);
         int32_t slot = bullets_fire(&b->bullets, &s, 0);
-        bullets_move(&b->bullets, &w, &b->keep, NULL, false);
+        bullets_move(&b->bullets, &w, &b->keep_box, NULL, false);
         assert_int_equal(b->bullets.s.live, 0);
         for (int n = 0; n < 9; n++)
-            bullets_move(&b->bullets, &w, &b->keep, NULL, false);
+            bullets_move(&b->bullets, &w, &b->keep_box, NULL, false);
         assert_true(b->bullets.s.top == 0 || b->bullets.x[slot] == 0);
     }
     end();

@@ -33,7 +33,7 @@ static double off(uint32_t i, __float128 way)
     __float128 turn = 2 * M_PIq * b->dir[i] / Q32;
     int64_t x, y;
 
-    bullets_place(b, i, &x, &y);
+    bullets_position(b, i, &x, &y);
     return (double)(hypotq(x / Q32 - 100 - way * cosq(turn), y / Q32 - 100 - way * sinq(turn)) * FX_ONE);
 }
 
@@ -88,7 +88,7 @@ static __float128 magnitude(__float128 v)
 static void set_off(const struct motion_step *step, int64_t pace, ang dir)
 {
     struct board *b = rig.b;
-    struct bullet_shape s = { .dir = dir, .fine = true };
+    struct bullet_spec s = { .dir = dir, .fine = true };
 
     if (b->bullets.s.live)
         bullets_drop(&b->bullets, 0);
@@ -103,8 +103,8 @@ static void set_off(const struct motion_step *step, int64_t pace, ang dir)
 static void fly(uint32_t n, __float128 way, ang dir)
 {
     struct board *b = rig.b;
-    const struct box world = { -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 };
-    struct motion_world w = board_world(b, false);
+    const struct box world = { -(WORLD_EDGE << 16), -(WORLD_EDGE << 16), WORLD_EDGE << 16, WORLD_EDGE << 16 };
+    struct motion_world w = board_motion_world(b, false);
     __float128 turn = 2 * M_PIq * dir / Q32;
     bool axis = dir << 2 == 0;
     int64_t x, y;
@@ -112,7 +112,7 @@ static void fly(uint32_t n, __float128 way, ang dir)
     for (uint32_t k = 0; k < n; k++, w.clock++)
         bullets_move(&b->bullets, &w, &world, NULL, false);
     assert_int_equal(b->bullets.s.live, 1);
-    bullets_place(&b->bullets, 0, &x, &y);
+    bullets_position(&b->bullets, 0, &x, &y);
     if (magnitude(x - way * cosq(turn)) > (axis ? 0.5001 : 1) || magnitude(y - way * sinq(turn)) > (axis ? 0.5001 : 1))
         fail_msg("%u frames: at (%lld, %lld), expected (%.3f, %.3f)", n, (long long)x, (long long)y,
                  (double)(way * cosq(turn)), (double)(way * sinq(turn)));
@@ -128,8 +128,8 @@ static void test_closed_form(void **state)
         int64_t most = ((int64_t)12000 << 32) / (n + more);
         int64_t from = number(most), to = number(most), add = (to - from) / n;
         ang dir = (ang)(run % 3 ? rng_next(&rng) : (uint64_t)(run & 3) << 30);
-        struct motion_step over = { .does = DOES_SPEED, .over = n, .speed = to },
-                           accel = { .does = DOES_ACCEL, .over = n, .accel = add };
+        struct motion_step over = { .actions = DOES_SPEED, .duration = n, .speed = to },
+                           accel = { .actions = DOES_ACCEL, .duration = n, .accel = add };
         __float128 steps = (__float128)n * (n + 1) / 2;
 
         most = (int64_t)MAX_SPEED << 32;
@@ -152,8 +152,8 @@ static void test_closed_form(void **state)
 static void test_ends(void **state)
 {
     const int64_t most = (int64_t)MAX_SPEED << 32;
-    const struct motion_step still = { .does = DOES_WAIT, .over = UINT32_MAX },
-                             faster = { .does = DOES_ACCEL, .over = 2, .accel = most };
+    const struct motion_step still = { .actions = DOES_WAIT, .duration = UINT32_MAX },
+                             faster = { .actions = DOES_ACCEL, .duration = 2, .accel = most };
     struct bullets *s;
     int64_t x, y;
 
@@ -162,11 +162,13 @@ static void test_ends(void **state)
     s = &rig.b->bullets;
     set_off(&still, most, 0x12345678);
     for (int i = 0; i < 1 << 18; i++) {
-        struct motion_world w = board_world(rig.b, false);
-        bullets_move(s, &w, &(struct box){ -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 }, NULL, false);
+        struct motion_world w = board_motion_world(rig.b, false);
+        bullets_move(s, &w,
+                     &(struct box){ -(WORLD_EDGE << 16), -(WORLD_EDGE << 16), WORLD_EDGE << 16, WORLD_EDGE << 16 },
+                     NULL, false);
         s->dir[0] += 0x80000000;
     }
-    bullets_place(s, 0, &x, &y);
+    bullets_position(s, 0, &x, &y);
     assert_in_range(x + 4096, 0, 8192);
     assert_in_range(y + 4096, 0, 8192);
 
@@ -174,20 +176,19 @@ static void test_ends(void **state)
     set_off(&faster, 0, 0);
     fly(1, most, 0);
     assert_true(s->speed_q32[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
-    bullets_set_place(s, 0, 0, 0);
+    bullets_set_position(s, 0, 0, 0);
     fly(1, most, 0);
     assert_true(s->speed_q32[0] == most && s->speed[0] == (fx)MAX_SPEED << 16);
     for (int64_t n = 4; n < 8; n++) {
-        bullets_set_speed(s, 0, (n << PACE_BITS) + 0x8000);
+        bullets_set_speed(s, 0, (n << Q32_EXTRA_BITS) + 0x8000);
         assert_int_equal(s->speed[0], n + (n & 1));
-        bullets_set_speed(s, 0, -(n << PACE_BITS) - 0x8000);
+        bullets_set_speed(s, 0, -(n << Q32_EXTRA_BITS) - 0x8000);
         assert_int_equal(s->speed[0], -(n + (n & 1)));
     }
 
     /* what was fine leaves nothing behind */
-    bullets_program(s, 0, 0, false);
-    assert_true(!s->speed_q32[0] && !s->travel_q32[0] && !s->x_more[0] && !s->y_more[0] &&
-                !(s->flags[0] & BULLET_FINE));
+    bullets_start_program(s, 0, 0, false);
+    assert_true(!s->speed_q32[0] && !s->travel_q32[0] && !s->x_low[0] && !s->y_low[0] && !(s->flags[0] & BULLET_FINE));
     end();
 }
 
@@ -198,7 +199,7 @@ static void test_parts(void **state)
     (void)state;
     begin("");
     rng_seed(&rng, 8);
-    set_off(&(struct motion_step){ .does = DOES_WAIT, .over = UINT32_MAX }, 1, 0);
+    set_off(&(struct motion_step){ .actions = DOES_WAIT, .duration = UINT32_MAX }, 1, 0);
     for (int run = 0; run < 3000; run++) {
         struct bullets *s = &rig.b->bullets;
         int64_t vx = number((int64_t)1 << (4 + run % 40)), vy = number((int64_t)1 << (4 + run * 7 % 40)), x, y;

@@ -35,7 +35,7 @@ static void at(double x, double y)
 
     assert_int_equal(r.b->sprites.s.live, 1);
     int32_t i = (int32_t)slots_next(&r.b->sprites.s, 0);
-    assert_true(board_where(r.b, board_handle(r.b, H_SPRITE, i), &sx, &sy));
+    assert_true(board_get_position(r.b, board_handle(r.b, H_SPRITE, i), &sx, &sy));
     assert_true(fx_to_double(sx) == x && fx_to_double(sy) == y);
 }
 
@@ -57,7 +57,7 @@ static void test_follow(void **state)
     assert_int_equal(r.b->bullets.s.live, 1);
     rig_run(&r, 1);
     assert_int_equal(r.b->sprites.s.live, 0); /* gone in the frame in which the enemy died */
-    assert_int_equal(r.b->sprites.following, 0);
+    assert_int_equal(r.b->sprites.n_following, 0);
     rig_run(&r, 1);
     close_it();
     open_with("string.sys.join(1, 'p') local p = player.get(1)\n"

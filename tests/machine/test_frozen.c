@@ -25,7 +25,7 @@ static int moves[3][THINGS];
 /* Is it on its way to a wall? Such a step has no end of its own. */
 static bool bounces(const struct board *b, const struct bullets *s, uint32_t i)
 {
-    return s->motion[i] && b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_BOUNCE;
+    return s->motion[i] && b->steps.actions[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_BOUNCE;
 }
 
 static struct state of_bullet(const struct board *b, const struct bullets *s, uint32_t i)
@@ -36,7 +36,7 @@ static struct state of_bullet(const struct board *b, const struct bullets *s, ui
     if (i >= s->s.top || !(s->s.used[i / 64] >> i % 64 & 1))
         return v;
     v.alive = true;
-    bullets_place(s, i, &v.x, &v.y);
+    bullets_position(s, i, &v.x, &v.y);
     bullets_velocity(s, i, &v.vx, &v.vy);
     v.speed = bullets_speed(s, i);
     v.pace =
@@ -68,8 +68,8 @@ static struct state of_enemy(const struct board *b, uint32_t i)
     v.y = e->y[i];
     v.bank = e->bank[i];
     v.age = b->core.clock - e->born[i];
-    v.over = e->over[i];
-    v.made = v.over ? e->made[i] : 0;
+    v.over = e->move_duration[i];
+    v.made = v.over ? e->move_elapsed[i] : 0;
     return v;
 }
 
@@ -80,9 +80,11 @@ static struct state of(const struct board *b, int pool, uint32_t i)
 
 static bool stood(const struct board *b, int pool, uint32_t i)
 {
-    const uint8_t *stands = pool == 2 ? b->enemies.stands : pool ? b->shots.stands : b->bullets.stands;
+    const uint8_t *stands = pool == 2 ? b->enemies.freeze_flags
+                            : pool    ? b->shots.freeze_flags
+                                      : b->bullets.freeze_flags;
 
-    return stands && stands[i] & STOOD;
+    return stands && stands[i] & FREEZE_LAST_MOVE;
 }
 
 static const char world[] =

@@ -228,7 +228,7 @@ static void run_shapes(const char *script, int frames)
     snprintf(text, sizeof text, "%s%s", shapes_script, script);
     power(&g, &rig, "local taken = 0\n", text);
     rig_run(&rig, frames);
-    const struct board_out *out = board_last(rig.b);
+    const struct board_out *out = board_last_output(rig.b);
     print_message("# %.*s things taken by shapes, as whole numbers say\n", (int)out->log_size - 1, out->log);
     assert_true(atoi(out->log) > frames);
     rig_free(&rig);

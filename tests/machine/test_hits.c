@@ -64,14 +64,14 @@ static void draw_players(struct board *b, fx scale, fx place)
 {
     for (int p = 0; p < PADS; p++) {
         struct player *pl = &b->player;
-        pl->in[p] = !one_in(6);
+        pl->in_game[p] = !one_in(6);
         pl->kind[p] = (uint16_t)rng_below(&rng, 2);
         pl->x[p] = within(place);
         pl->y[p] = within(place);
-        pl->was_x[p] = clamped((int64_t)pl->x[p] + either_way(length(scale)), edge);
-        pl->was_y[p] = clamped((int64_t)pl->y[p] + either_way(length(scale)), edge);
-        if (!pl->in[p])
-            pl->x[p] = pl->y[p] = pl->was_x[p] = pl->was_y[p] = PARK;
+        pl->prev_x[p] = clamped((int64_t)pl->x[p] + either_way(length(scale)), edge);
+        pl->prev_y[p] = clamped((int64_t)pl->y[p] + either_way(length(scale)), edge);
+        if (!pl->in_game[p])
+            pl->x[p] = pl->y[p] = pl->prev_x[p] = pl->prev_y[p] = PARK;
     }
 }
 
@@ -84,8 +84,8 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
     int64_t r = (int64_t)b->bullet_kinds.a[k] +
                 (one_in(2) ? b->player_kinds.radius[kind] : b->player_kinds.graze_radius[kind]) + within(3);
     fx ux, uy;
-    int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.was_x[p]),
-            wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.was_y[p]);
+    int64_t wx = (int64_t)s->vx[i] - (b->player.x[p] - b->player.prev_x[p]),
+            wy = (int64_t)s->vy[i] - (b->player.y[p] - b->player.prev_y[p]);
 
     if (bar && one_in(2)) /* square to its bar */
         trig_polar(FX_ONE, s->dir[i] + 0x40000000, &ux, &uy);
@@ -105,7 +105,7 @@ static void graze_past(struct board *b, uint32_t i, uint32_t p)
 
 static void draw_bullets(struct board *b, fx scale, fx place)
 {
-    struct bullet_shape shape = { 0 };
+    struct bullet_spec shape = { 0 };
     uint32_t n = (uint32_t)rng_below(&rng, BULLETS + 1);
 
     for (uint32_t k = 0; k < n; k++) {
@@ -125,7 +125,7 @@ static void draw_bullets(struct board *b, fx scale, fx place)
 
 static void draw_others(struct board *b, fx scale, fx place)
 {
-    struct bullet_shape shape = { 0 };
+    struct bullet_spec shape = { 0 };
 
     for (uint64_t n = rng_below(&rng, FOES + 1); n--;) {
         uint16_t k = (uint16_t)rng_below(&rng, KINDS);
@@ -139,8 +139,8 @@ static void draw_others(struct board *b, fx scale, fx place)
         int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, k, x, y, 0);
         if (one_in(2)) { /* it moved, and ends a little aside or was a little aside */
             fx mx = either_way(length(clamped(scale, fastest))), my = either_way(length(clamped(scale, fastest)));
-            b->enemies.was_x[i] = clamped((int64_t)x + mx, edge);
-            b->enemies.was_y[i] = clamped((int64_t)y + my, edge);
+            b->enemies.prev_x[i] = clamped((int64_t)x + mx, edge);
+            b->enemies.prev_y[i] = clamped((int64_t)y + my, edge);
         }
     }
     for (uint64_t n = rng_below(&rng, SHOTS + 1); n--;) {

@@ -243,7 +243,7 @@ static void look(struct rig *r, struct run *run, int f, bool draws)
     unchanged("board_hash");
     run->picture[f] = draws ? rig_picture(r) : 0;
     unchanged("board_draw");
-    add_text(run, board_last(r->b)->log, board_last(r->b)->log_size);
+    add_text(run, board_last_output(r->b)->log, board_last_output(r->b)->log_size);
     if (rig_fault(r))
         add_text(run, rig_fault(r)->message, strlen(rig_fault(r)->message));
 }
@@ -251,7 +251,7 @@ static void look(struct rig *r, struct run *run, int f, bool draws)
 /* Plays as many frames of the demo (NULL: nothing is pressed) in this host. */
 static void play(const struct host_kind *h, const struct rig_game *g, const struct demo *d, int frames, struct run *run)
 {
-    static char said[EVAL_TEXT];
+    static char said[EVAL_TEXT_SIZE];
     uint16_t pads[PADS] = { 0 };
     struct rig r;
 
@@ -424,7 +424,7 @@ static void test_settings(void **state)
 
 /* ---- packing ---- */
 
-static _Alignas(16) uint8_t work[MANIFEST_WORK];
+static _Alignas(16) uint8_t work[MANIFEST_SCRATCH_SIZE];
 
 /* The manifest in its bytes, or why it is none; and whether a script compiles. */
 static void pack(const struct host_kind *h, const char *text, struct run *run)

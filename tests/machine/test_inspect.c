@@ -89,24 +89,24 @@ static void shapes_are_those_of_the_tests(void **state)
     assert_int_equal(l.n, 8);
     /* a task that is started in its turn comes after those of before: fires() has slot 3 */
     const struct inspect_body *brick = &l.body[3], *mist = &l.body[4], *still = &l.body[5], *rice = &l.body[6];
-    assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->spent);
+    assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->inactive);
     assert_true(brick->a == PX(6) && brick->b == PX(3) && brick->x == PX(76) && brick->y == PX(98));
     assert_true(mist->shape == INSPECT_NONE && mist->a == 0);
-    assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->spent);
+    assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->inactive);
     assert_true(rice->x == PX(116.25) && rice->y == PX(58.5) && rice->slot == 3);
     assert_true(l.body[2].kind == INSPECT_SHOT && l.body[2].a == PX(3) && l.body[2].x == PX(46));
     assert_true(l.body[0].kind == INSPECT_ENEMY && l.body[0].shape == INSPECT_BOX && l.body[0].a == PX(20));
-    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].spent);
-    assert_false(l.body[0].spent);
+    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].inactive);
+    assert_false(l.body[0].inactive);
     assert_true(l.body[7].kind == INSPECT_PLAYER && l.body[7].a == PX(2) && l.body[7].graze == PX(16));
     struct inspect_area f = inspect_field(t->r.b);
-    assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.m.field_w && f.h == t->g.cart.m.field_h);
+    assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.manifest.field_w && f.h == t->g.cart.manifest.field_h);
 }
 
 /* A capsule lies along the bullet's dir; what is beside it is not under the mouse. */
 static void capsules_lie_as_they_fly(void **state)
 {
-    struct inspect_thing thing;
+    struct inspect_entity thing;
     struct rig_game g;
     struct rig r;
     struct list l = { 0 };
@@ -159,7 +159,8 @@ static void gauges_show_how_full_it_is(void **state)
     assert_true(kinds->live == 3 && kinds->top == 3 && kinds->cap == 1024 && !kinds->fixed);
     assert_true(gauge(g, n, "pal")->fixed && gauge(g, n, "script")->fixed && !gauge(g, n, "tasks")->fixed);
     for (int i = 0; i < n; i++)
-        assert_true(g[i].live == board_live(t->r.b, g[i].name) && g[i].refused == board_refused(t->r.b, g[i].name));
+        assert_true(g[i].live == board_live_count(t->r.b, g[i].name) &&
+                    g[i].refused == board_refused_count(t->r.b, g[i].name));
     inspect_memory(t->r.b, &used, &size);
     assert_true(size == 1024 * 1024 && used > 20000 && used < size);
 }
@@ -186,16 +187,16 @@ static void numbers_drawn_are_counted(void **state)
 {
     struct bed *t = *state;
 
-    assert_true(inspect_drawn(t->r.b) == 0);
+    assert_true(inspect_random_draws(t->r.b) == 0);
     rig_run(&t->r, 1);
-    assert_true(inspect_drawn(t->r.b) == 1);
+    assert_true(inspect_random_draws(t->r.b) == 1);
     rig_run(&t->r, 2);
-    assert_true(inspect_drawn(t->r.b) == 1);
+    assert_true(inspect_random_draws(t->r.b) == 1);
     rig_save(&t->r);
     rig_run(&t->r, 4);
-    assert_true(inspect_drawn(t->r.b) == 3);
+    assert_true(inspect_random_draws(t->r.b) == 3);
     rig_restore(&t->r);
-    assert_true(inspect_drawn(t->r.b) == 1);
+    assert_true(inspect_random_draws(t->r.b) == 1);
 }
 
 static void tasks_say_where_they_wait(void **state)
@@ -204,20 +205,20 @@ static void tasks_say_where_they_wait(void **state)
     struct inspect_task k[8];
 
     assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 2);
-    assert_true(!k[0].begun && k[0].at[0] == 0 && k[0].serial == 1 && k[0].wait == 1);
+    assert_true(!k[0].begun && k[0].place[0] == 0 && k[0].serial == 1 && k[0].wait == 1);
     rig_run(&t->r, 1);
     assert_int_equal(inspect_tasks(t->r.b, 0, k, 8), 4);
-    assert_string_equal(k[0].at, "main.lua:25");
-    assert_true(k[0].begun && k[0].wait == 3 && !k[0].forever && k[0].owner == OWNER_BOARD);
-    assert_string_equal(k[1].at, "main.lua:27");
-    assert_true(k[1].forever);
-    assert_string_equal(k[2].at, "main.lua:13");
+    assert_string_equal(k[0].place, "main.lua:25");
+    assert_true(k[0].begun && k[0].wait == 3 && !k[0].waits_forever && k[0].owner == OWNER_BOARD);
+    assert_string_equal(k[1].place, "main.lua:27");
+    assert_true(k[1].waits_forever);
+    assert_string_equal(k[2].place, "main.lua:13");
     assert_true(k[2].owner == OWNER_ENEMY && k[2].owner_number == 0 && k[2].wait == 1000 && k[2].age == 1);
-    assert_true(k[3].scope && k[3].at[0] == 0 && k[3].serial == 4 && k[3].owner == OWNER_BOARD);
+    assert_true(k[3].is_scope && k[3].place[0] == 0 && k[3].serial == 4 && k[3].owner == OWNER_BOARD);
     rig_run(&t->r, 1);
     assert_int_equal(inspect_tasks(t->r.b, 2, k, 1), 4);
     assert_true(k[0].serial == 3 && k[0].wait == 999 && k[0].age == 2 && !k[0].stopped && !k[0].frozen);
-    assert_true(inspect_task(t->r.b, 4, k) && k[0].scope);
+    assert_true(inspect_task(t->r.b, 4, k) && k[0].is_scope);
     assert_false(inspect_task(t->r.b, 5, k));
     assert_false(inspect_task(t->r.b, 0, k));
 }
@@ -246,7 +247,7 @@ static void frozen_and_stopped_tasks(void **state)
 static void what_is_under_a_point(void **state)
 {
     struct bed *t = *state;
-    struct inspect_thing at;
+    struct inspect_entity at;
 
     rig_run(&t->r, 11); /* the rice turns: 6 frames went, of 30 */
     assert_true(inspect_at(t->r.b, 116, 63, 6, &at));
@@ -255,15 +256,15 @@ static void what_is_under_a_point(void **state)
     assert_string_equal(at.tag, "first");
     assert_int_equal(at.age, 11);
     assert_true(at.x == at.body.x - PX(16) && at.y == at.body.y - PX(8) && at.speed == PX(0.5));
-    assert_true(at.moves && at.step == 2 && at.steps == 3 && at.left == 30 - 6);
+    assert_true(at.has_motion && at.step == 2 && at.steps == 3 && at.frames_left == 30 - 6);
     assert_true(at.dir > 107.9 && at.dir < 108.1);
     assert_string_equal(at.motion, "swerve");
-    assert_int_equal(at.by, 3);
+    assert_int_equal(at.owner_task, 3);
 
     assert_true(inspect_at(t->r.b, 141, 49, 6, &at)); /* a bullet in front of a wall: the smaller of the two */
-    assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 2 && !at.tag && !at.moves && at.by == 1);
+    assert_true(at.body.kind == INSPECT_BULLET && at.body.slot == 2 && !at.tag && !at.has_motion && at.owner_task == 1);
     assert_true(inspect_at(t->r.b, 120, 50, 6, &at));
-    assert_true(at.body.kind == INSPECT_ENEMY && at.hp == 70 && at.safe == 0 && at.by == 1);
+    assert_true(at.body.kind == INSPECT_ENEMY && at.hp == 70 && at.safe == 0 && at.owner_task == 1);
     assert_string_equal(at.name, "wall");
     assert_true(inspect_at(t->r.b, 46, 68, 0, &at));
     assert_true(at.body.kind == INSPECT_SHOT && at.player == 1);
@@ -283,19 +284,19 @@ static void ask_everything(const struct board *b)
 {
     struct inspect_gauge g[MAX_PARTS];
     struct inspect_task tasks[64];
-    struct inspect_thing thing;
+    struct inspect_entity thing;
     struct list *l = calloc(64, sizeof *l);
     size_t used, size;
 
     inspect_gauges(b, g);
     inspect_memory(b, &used, &size);
-    inspect_drawn(b);
+    inspect_random_draws(b);
     uint32_t n = inspect_tasks(b, 0, tasks, 64);
     for (uint32_t i = 0; i < n && i < 64; i++)
         inspect_task(b, tasks[i].serial, &tasks[0]);
     for (int i = 0; i < 40; i++)
         if (inspect_at(b, i * 53 % 240, i * 31 % 320, 8, &thing))
-            inspect_task(b, thing.by, &tasks[0]);
+            inspect_task(b, thing.owner_task, &tasks[0]);
     free(l);
 }
 
@@ -366,7 +367,7 @@ static void a_board_that_is_asked_runs_on_alike(void **state)
 /* Names outlive growing lists, collections and snapshots. */
 static void names_stay(void **state)
 {
-    struct inspect_thing at;
+    struct inspect_entity at;
     struct rig_game game;
     struct rig r;
     char want[16];
@@ -398,8 +399,8 @@ static void names_stay(void **state)
 static void what_sounds(void **state)
 {
     struct manifest m = rig_manifest();
-    void *tables = malloc(board_sound_tables());
-    int16_t sound[2 * BOARD_SOUND];
+    void *tables = malloc(board_sound_tables_size());
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
     struct inspect_voice v;
     struct inspect_music music;
     struct rig_game game;
@@ -407,7 +408,7 @@ static void what_sounds(void **state)
     char want[64];
 
     (void)state;
-    board_sound_open(tables);
+    board_sound_init_tables(tables);
     m.sound = 1;
     rig_script(
         &game, &m,
@@ -419,20 +420,20 @@ static void what_sounds(void **state)
     inspect_music(r.b, &music);
     assert_string_equal(music.name, "");
     inspect_voice(r.b, 0, &v);
-    assert_true(v.music && !v.busy);
+    assert_true(v.is_music && !v.busy);
     int busy = 0;
     for (int i = 0; i < VOICES; i++) {
         inspect_voice(r.b, i, &v);
         if (!v.busy)
             continue;
         busy++;
-        assert_false(v.music);
-        assert_string_equal(v.of, "hit");
+        assert_false(v.is_music);
+        assert_string_equal(v.source, "hit");
         assert_string_equal(v.wave, "noise");
         assert_int_equal(v.pan, -64);
         int peak = 0;
-        board_sound(r.b, tables, sound);
-        for (int k = 0; k < 2 * BOARD_SOUND; k++)
+        board_mix_sound(r.b, tables, sound);
+        for (int k = 0; k < 2 * BOARD_SOUND_FRAMES; k++)
             peak = abs(sound[k]) > peak ? abs(sound[k]) : peak;
         assert_true(peak > 0);
         assert_int_equal(inspect_voice_peak(r.b, i, tables), peak);
@@ -453,8 +454,8 @@ static void what_sounds(void **state)
         assert_string_equal(rig_told(&r), want);
     }
     inspect_voice(r.b, 0, &v);
-    assert_true(v.music && v.busy);
-    assert_string_equal(v.of, "tide");
+    assert_true(v.is_music && v.busy);
+    assert_string_equal(v.source, "tide");
     assert_string_equal(v.wave, "fm");
     assert_int_equal(inspect_voice_peak(r.b, 20, tables), 0);
     inspect_voice(r.b, 1, &v);
@@ -503,7 +504,7 @@ static void who_plays(void **state)
                                  "end)";
     static const struct {
         const char *said;
-        struct inspect_ship_has has;
+        struct inspect_controls has;
     } steps[] = { { "", { false, false } },        { "in\n", { true, true } },       { "held\n", { true, false } },
                   { "free\n", { true, true } },    { "stands\n", { false, false } }, { "free\n", { true, true } },
                   { "stopped\n", { true, true } }, { "frozen\n", { false, false } }, { "back\n", { true, true } } };
@@ -516,11 +517,11 @@ static void who_plays(void **state)
     rig_with_sys(&game, NULL, script);
     rig_power(&r, &game, NULL);
     for (int frame = 0; frame < 40; frame++) {
-        const struct inspect_ship_has one = inspect_plays(r.b, 0), two = inspect_plays(r.b, 1);
+        const struct inspect_controls one = inspect_player_controls(r.b, 0), two = inspect_player_controls(r.b, 1);
         assert_true(one.steers == steps[step].has.steers && one.fires == steps[step].has.fires);
         assert_false(two.steers || two.fires);
         rig_run(&r, 1);
-        const struct board_out *out = board_last(r.b);
+        const struct board_out *out = board_last_output(r.b);
         if (step + 1 < STEPS && out->log_size && strncmp(out->log, steps[step + 1].said, out->log_size) == 0)
             step++;
     }

@@ -76,11 +76,12 @@ static void test_fall(void **state)
     long capped = 0;
     rng_seed(&rng, 11);
     for (int round = 0; round < 4000; round++) {
-        fx gravity = k->gravity[0] = (fx)between(0, round % 2 ? 4000 : 40), top = k->top[0] = (fx)between(0, 1 << 18);
+        fx gravity = k->gravity[0] = (fx)between(0, round % 2 ? 4000 : 40),
+           top = k->max_fall_speed[0] = (fx)between(0, 1 << 18);
         fx vx = (fx)between(-(1 << 18), 1 << 18), vy = (fx)between(-(1 << 18), 1 << 19);
         if (round % 5 == 0) /* a frame in which it stands at its highest */
             vy = -(fx)between(0, 60) * gravity;
-        uint32_t i = (uint32_t)items_put(s, 0, 0, 0, 0);
+        uint32_t i = (uint32_t)items_spawn(s, 0, 0, 0, 0);
         int64_t n = between(1, 600), rises = 0, x, y, end;
         s->vx[i] = vx;
         s->vy[i] = vy;
@@ -119,13 +120,13 @@ static void test_pull(void **state)
     for (int round = 0; round < 1500; round++) {
         int64_t span = round % 3 ? 1 << 24 : 1000, speed = between(1, round % 3 ? 1 << 20 : 300);
         struct item_pull pull[PADS] = { { 0 }, { 0 } };
-        uint32_t i = (uint32_t)items_put(s, 0, (fx)between(-span, span), (fx)between(-span, span), 0);
+        uint32_t i = (uint32_t)items_spawn(s, 0, (fx)between(-span, span), (fx)between(-span, span), 0);
         pull[1] = (struct item_pull){ (fx)between(-span, span), (fx)between(-span, span), 0, false, true, (fx)speed };
         items_pull(s, i, 1);
         for (int f = 0; f < 400 && (s->x[i] != pull[1].x || s->y[i] != pull[1].y); f++) {
             int64_t dx = (int64_t)pull[1].x - s->x[i], dy = (int64_t)pull[1].y - s->y[i];
             items_move(s, &rig.b->item_kinds, pull);
-            int64_t mx = s->x[i] - s->was_x[i], my = s->y[i] - s->was_y[i];
+            int64_t mx = s->x[i] - s->prev_x[i], my = s->y[i] - s->prev_y[i];
             assert_true(dx < 0 ? mx <= 0 && mx >= dx : mx >= 0 && mx <= dx); /* never past it */
             assert_true(dy < 0 ? my <= 0 && my >= dy : my >= 0 && my <= dy);
             if (square(dx) + square(dy) <= square(speed))
@@ -153,14 +154,14 @@ static void test_let_go(void **state)
     power("");
     struct items *s = &rig.b->items;
     for (uint32_t i = 0; i < 8; i++) {
-        items_put(s, 0, 0, 0, 0);
+        items_spawn(s, 0, 0, 0, 0);
         s->vx[i] = s->vy[i] = 5;
         if (i % 4 > 1)
             items_pull(s, i, i % 2);
     }
-    items_let_go(s, 1);
+    items_release(s, 1);
     for (uint32_t i = 0; i < 8; i++) {
-        assert_int_equal(s->pull[i], i % 4 == 2 ? 1 : 0);
+        assert_int_equal(s->pulled_by[i], i % 4 == 2 ? 1 : 0);
         assert_int_equal(s->vx[i], i % 4 == 3 ? 0 : 5);
         assert_int_equal(s->vy[i], s->vx[i]);
     }
@@ -194,11 +195,11 @@ static struct taken reference(const struct board *b)
     EACH_LIVE (i, &s->s) {
         wide best = 0;
         for (uint32_t k = 0; k < PADS; k++) {
-            wide x = (wide)s->was_x[i] - p->was_x[k], y = (wide)s->was_y[i] - p->was_y[k];
-            wide wx = (wide)s->x[i] - s->was_x[i] - p->x[k] + p->was_x[k];
-            wide wy = (wide)s->y[i] - s->was_y[i] - p->y[k] + p->was_y[k];
+            wide x = (wide)s->prev_x[i] - p->prev_x[k], y = (wide)s->prev_y[i] - p->prev_y[k];
+            wide wx = (wide)s->x[i] - s->prev_x[i] - p->x[k] + p->prev_x[k];
+            wide wy = (wide)s->y[i] - s->prev_y[i] - p->y[k] + p->prev_y[k];
             wide r = (wide)b->item_kinds.radius[s->kind[i]] + b->player_kinds.radius[p->kind[k]];
-            if (!p->in[k] || !comes_within(x, y, wx, wy, r) || (t.by[i] && square(x) + square(y) >= best))
+            if (!p->in_game[k] || !comes_within(x, y, wx, wy, r) || (t.by[i] && square(x) + square(y) >= best))
                 continue;
             best = square(x) + square(y);
             t.by[i] = (int)k + 1;
@@ -225,23 +226,24 @@ static void test_taken(void **state)
         b->item_kinds.radius[0] = (fx)between(0, span / 2);
         b->item_kinds.radius[1] = (fx)between(0, span / 8);
         for (uint32_t k = 0; k < PADS; k++) {
-            b->player.in[k] = (uint8_t)(k == 0 || round % 4 > 0);
+            b->player.in_game[k] = (uint8_t)(k == 0 || round % 4 > 0);
             b->player.x[k] = (fx)(between(-span, span) / grain * grain);
             b->player.y[k] = (fx)(between(-span, span) / grain * grain);
-            b->player.was_x[k] = (fx)(between(-span, span) / grain * grain);
-            b->player.was_y[k] = (fx)(between(-span, span) / grain * grain);
+            b->player.prev_x[k] = (fx)(between(-span, span) / grain * grain);
+            b->player.prev_y[k] = (fx)(between(-span, span) / grain * grain);
         }
         for (int n = 0; n < 20; n++) {
-            uint32_t i = (uint32_t)items_put(s, (uint16_t)between(0, 1), (fx)(between(-span, span) / grain * grain),
-                                             (fx)(between(-span, span) / grain * grain), 0);
-            s->was_x[i] = (fx)(between(-span, span) / grain * grain);
-            s->was_y[i] = (fx)(between(-span, span) / grain * grain);
+            uint32_t i = (uint32_t)items_spawn(s, (uint16_t)between(0, 1), (fx)(between(-span, span) / grain * grain),
+                                               (fx)(between(-span, span) / grain * grain), 0);
+            s->prev_x[i] = (fx)(between(-span, span) / grain * grain);
+            s->prev_y[i] = (fx)(between(-span, span) / grain * grain);
         }
         struct taken want = reference(b);
         uint32_t had = s->s.live, k = 0;
         hit_run(b);
         for (uint32_t i = 0; i < 20; i++) {
-            bool out = s->x[i] < b->keep.x0 || s->x[i] > b->keep.x1 || s->y[i] < b->keep.y0 || s->y[i] > b->keep.y1;
+            bool out = s->x[i] < b->keep_box.x0 || s->x[i] > b->keep_box.x1 || s->y[i] < b->keep_box.y0 ||
+                       s->y[i] > b->keep_box.y1;
             assert_int_equal(slots_has(&s->s, i, s->s.gen[i]), want.by[i] || !out);
             if (want.by[i]) {
                 assert_true(k < b->events.n && b->events.kind[k] == EV_TAKE);
@@ -296,7 +298,7 @@ static void test_directions(void **state)
 static void test_points(void **state)
 {
     int64_t low[1] = { 3 }, high[1] = { 9 };
-    const struct item_kinds k = { .low = low, .high = high };
+    const struct item_kinds k = { .low_points = low, .high_points = high };
 
     (void)state;
     assert_int_equal(items_points(&k, 0, 70, 70, 50), 9); /* a line below the bottom */
@@ -305,8 +307,8 @@ static void test_points(void **state)
     for (int i = 0; i < 20000; i++) {
         fx line = (fx)between(-(20 << 16), 400 << 16), bottom = (fx)between(16 << 16, 1024 << 16);
         fx y = (fx)between(-(100 << 16), 1200 << 16);
-        low[0] = between(0, ITEM_MOST);
-        high[0] = between(low[0], ITEM_MOST);
+        low[0] = between(0, ITEM_MAX_POINTS);
+        high[0] = between(low[0], ITEM_MAX_POINTS);
         int64_t points = items_points(&k, 0, y, line, bottom);
         assert_true(points >= low[0] && points <= high[0]);
         assert_true(y > line || points == high[0]);
@@ -614,8 +616,8 @@ static void test_absent(void **state)
         rig_script(&g, &m, text);
         rig_power(&rig, &g, NULL);
         board_hashes(rig.b, hashes);
-        for (int i = PARTS_ALWAYS; i < PARTS; i++)
-            if (!strncmp(board_part(rig.b, i), "item", 4))
+        for (int i = PARTS_ALWAYS_HASHED; i < PARTS; i++)
+            if (!strncmp(board_part_name(rig.b, i), "item", 4))
                 assert_true(with ? hashes[i] != 0 : hashes[i] == 0);
         all[with] = board_hash(rig.b);
         size[with] = rig.ram_size;

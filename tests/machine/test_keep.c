@@ -55,7 +55,7 @@ static void play(struct demo_writer *w, struct rig *r, struct rng *rng, int fram
     for (int i = 0; i < frames; i++) {
         pads[0] = (uint16_t)(rng_next(rng) & (PAD_FIRE | PAD_BOMB | PAD_LEFT));
         rig_tick(r, pads);
-        assert_true(demo_frame(w, r->b, pads));
+        assert_true(demo_record_frame(w, r->b, pads));
     }
 }
 
@@ -71,7 +71,7 @@ static void same_files(void)
 /* Whenever it is begun, the spare reads as the recording does; from the beginning on they are the same bytes. */
 static void test_spare(void **state)
 {
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
     struct demo d;
@@ -80,16 +80,16 @@ static void test_spare(void **state)
     rng_seed(&rng, 1);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, file, &game.cart, r.b, &start, 0));
-    demo_spare(&w, spare);
+    demo_record_spare(&w, spare);
     same_files();
     play(&w, &r, &rng, 130);
     same_files();
-    assert_true(demo_flag(&w, DEMO_ASSISTED));
+    assert_true(demo_add_flags(&w, DEMO_ASSISTED));
     same_files();
-    demo_spare(&w, NULL);
+    demo_record_spare(&w, NULL);
     play(&w, &r, &rng, 77);
     assert_true(plat_size(spare) < plat_size(file)); /* it was left as it was */
-    demo_spare(&w, spare);
+    demo_record_spare(&w, spare);
     play(&w, &r, &rng, 120);
     assert_true(demo_load(&d, spare, err, sizeof err));
     assert_true(d.frames == 300 && !d.complete && d.flags == DEMO_ASSISTED && d.n_markers > 4);
@@ -98,14 +98,14 @@ static void test_spare(void **state)
     assert_true(demo_load(&d, spare, err, sizeof err));
     assert_true(d.frames == 180 && d.flags == (DEMO_ASSISTED | DEMO_BRANCHED));
     demo_free(&d);
-    demo_drop(&w);
+    demo_writer_free(&w);
     rig_free(&r);
 }
 
 /* The end is written into both. A spare that cannot be written does not end the recording. */
 static void test_spare_ends(void **state)
 {
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng rng;
     struct rig r;
     struct demo d;
@@ -114,18 +114,18 @@ static void test_spare_ends(void **state)
     rng_seed(&rng, 2);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, NULL, &game.cart, r.b, &start, DEMO_RESUMED));
-    demo_spare(&w, "/proc/nothing/b.demo");
+    demo_record_spare(&w, "/proc/nothing/b.demo");
     assert_string_equal(w.spare_err, "/proc/nothing/b.demo: cannot be written (No such file or directory)");
-    assert_true(w.spare.lost);
+    assert_true(w.spare.write_failed);
     play(&w, &r, &rng, 100);
-    demo_spare(&w, spare);
+    demo_record_spare(&w, spare);
     assert_string_equal(w.spare_err, "");
     play(&w, &r, &rng, 99);
     assert_true(demo_end(&w, r.b));
     assert_true(demo_load(&d, spare, err, sizeof err));
     assert_true(d.complete && d.frames == 199 && d.flags == DEMO_RESUMED);
     demo_free(&d);
-    demo_drop(&w);
+    demo_writer_free(&w);
     rig_free(&r);
 }
 
@@ -146,7 +146,7 @@ static void holds(const uint8_t *bytes, size_t size, uint32_t frames)
 /* At any frame the bytes are a whole demo that holds, and the recording goes on as if nothing had been. */
 static void test_now(void **state)
 {
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     uint16_t select[PADS] = { PAD_SELECT };
     struct rng rng;
     struct rig r;
@@ -154,27 +154,27 @@ static void test_now(void **state)
     uint8_t *bytes;
 
     (void)state;
-    assert_null(demo_bytes_now(&w, NULL, &size)); /* nothing is recorded */
+    assert_null(demo_encode_now(&w, NULL, &size)); /* nothing is recorded */
     rng_seed(&rng, 3);
     rig_power(&r, &game, &start);
     assert_true(demo_begin(&w, file, &game.cart, r.b, &start, 0));
     for (uint32_t frames = 0, by = 0; frames < 400; by = 1 + (uint32_t)rng_below(&rng, 40), frames += by) {
         play(&w, &r, &rng, (int)by);
-        bytes = demo_bytes_now(&w, r.b, &size);
+        bytes = demo_encode_now(&w, r.b, &size);
         assert_non_null(bytes);
         holds(bytes, size, frames);
         free(bytes);
     }
     board_tick(r.b, select);
-    assert_true(demo_frame(&w, r.b, select));
-    bytes = demo_bytes_now(&w, r.b, &size);
+    assert_true(demo_record_frame(&w, r.b, select));
+    bytes = demo_encode_now(&w, r.b, &size);
     assert_non_null(bytes);
     holds(bytes, size, w.demo.frames);
     assert_true(demo_end(&w, r.b));
     assert_int_equal(plat_load(file, a, MOST), (long)size);
     assert_memory_equal(a, bytes, size); /* what the recording itself comes to */
     free(bytes);
-    demo_drop(&w);
+    demo_writer_free(&w);
     rig_free(&r);
 }
 
@@ -213,7 +213,7 @@ static void test_go_on(void **state)
     assert_null(s.demo);
     for (int i = 0; i < 100; i++)
         assert_true(session_tick(&s, bomb));
-    demo_spare(&s.now->writer, spare);
+    demo_record_spare(&s.now->writer, spare);
     assert_true(session_close(&s));
     demo_free(&d);
 

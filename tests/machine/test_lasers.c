@@ -63,7 +63,7 @@ static void end(void)
 /* How often the log of this frame has the line. */
 static int said(const char *line)
 {
-    const struct board_out *out = board_last(r.b);
+    const struct board_out *out = board_last_output(r.b);
     int n = 0;
 
     for (const char *at = out->log; (at = strstr(at, line)) != NULL && at < out->log + out->log_size; at++)
@@ -100,7 +100,7 @@ static void test_states(void **state)
     for (uint32_t age = 0; age < 14; age++) {
         one_frame();
         assert_int_equal(l()->s.live, 1);
-        assert_int_equal(lasers_age_seen(r.b, 0), age);
+        assert_int_equal(lasers_shown_age(r.b, 0), age);
         assert_int_equal(lasers_state_of(r.b, 0, age), states[age]);
         assert_int_equal(lasers_width(l(), 0, age) / 66, (int)(widths[age] * 65536) / 66);
         bool dangerous = age >= 5 && age < 12;
@@ -293,11 +293,11 @@ static void test_curve(void **state)
             assert_int_equal(xs[frame], r.b->bullets.x[0]);
             assert_int_equal(ys[frame], r.b->bullets.y[0] - 65536);
         }
-        assert_int_equal(lasers_corners(r.b, 0), frame < 39 ? frame + 1 : 40);
-        for (uint32_t k = 0; k < lasers_corners(r.b, 0); k++) {
-            lasers_corner(r.b, 0, k, &x, &y);
+        assert_int_equal(lasers_corner_count(r.b, 0), frame < 39 ? frame + 1 : 40);
+        for (uint32_t k = 0; k < lasers_corner_count(r.b, 0); k++) {
+            lasers_get_corner(r.b, 0, k, &x, &y);
             assert_true(x == xs[frame - (int)k] && y == ys[frame - (int)k]);
-            lasers_corner_was(r.b, 0, k, &x, &y);
+            lasers_get_old_corner(r.b, 0, k, &x, &y);
             const int was = frame - (int)k - (frame > 1 && frame > (int)k);
             assert_true((x == xs[was] && y == ys[was]) || frame == 1);
         }
@@ -319,7 +319,7 @@ static void test_curve_moves(void **state)
         assert_int_equal(said("hit"), 0);
     }
     for (uint32_t k = 0; k < 10; k++) {
-        lasers_corner(r.b, 0, k, &x, &y);
+        lasers_get_corner(r.b, 0, k, &x, &y);
         assert_int_equal(x, (60 + 2 * 30 + 7 - 2 * (int)k) << 16);
         assert_int_equal(y, 270 << 16);
     }
@@ -345,7 +345,7 @@ static bool is_near(int64_t px, int64_t py, int64_t ax, int64_t ay, int64_t bx, 
 }
 
 struct was {
-    fx x[LASER_POINTS], y[LASER_POINTS];
+    fx x[LASER_MAX_POINTS], y[LASER_MAX_POINTS];
     uint32_t n;
     fx px, py;
     bool dangerous;
@@ -353,9 +353,9 @@ struct was {
 
 static void note_was(struct was *w)
 {
-    w->n = lasers_corners(r.b, 0);
+    w->n = lasers_corner_count(r.b, 0);
     for (uint32_t k = 0; k < w->n; k++)
-        lasers_corner(r.b, 0, k, &w->x[k], &w->y[k]);
+        lasers_get_corner(r.b, 0, k, &w->x[k], &w->y[k]);
     w->px = r.b->player.x[0];
     w->py = r.b->player.y[0];
 }
@@ -411,10 +411,10 @@ static void test_hits(void **state)
             if (!l()->s.live)
                 continue;
             note_was(&now);
-            if (lasers_age_seen(r.b, 0) == 0 || l()->flags[0] & LASER_STILL)
+            if (lasers_shown_age(r.b, 0) == 0 || l()->flags[0] & LASER_UNSWEPT)
                 was = now; /* the player's way is left out: those frames are only asked where it is */
             const bool hit = said("hit") > 0, right = touches_sometime(&was, &now, 6 << 16);
-            if (l()->flags[0] & LASER_STILL)
+            if (l()->flags[0] & LASER_UNSWEPT)
                 continue;
             frames++;
             hits += hit;
@@ -467,7 +467,7 @@ static void test_shoots(void **state)
         char line[64];
         snprintf(line, sizeof line, "hp\t%d\t%d\t100\ttrue", 100 - hurt, 100 - hurt);
         if (frame >= 2 && frame < 13 && !said(line))
-            fail_msg("frame %d: expected %s, got %s", frame, line, board_last(r.b)->log);
+            fail_msg("frame %d: expected %s, got %s", frame, line, board_last_output(r.b)->log);
     }
     end();
 }
@@ -579,7 +579,7 @@ static void test_items_of_curves(void **state)
           "wait(2) laser.beam { kind = 'ray', x = 10, y = 50, dir = 0, length = 120, hold = forever }\n"
           "wait(1) laser.clear { items = 'gem', every = 1 }");
     rig_run(&r, 31);
-    assert_int_equal(lasers_corners(r.b, 0), 31);
+    assert_int_equal(lasers_corner_count(r.b, 0), 31);
     const fx x = r.b->laser_heads.x[0], y = r.b->laser_heads.y[0];
     assert_true(x == 56 << 16 || x == 60 << 16);
     one_frame();
@@ -594,7 +594,7 @@ static void test_items_of_curves(void **state)
     }
     rig_run(&r, 3);
     assert_int_equal(s->s.live, 64);
-    assert_int_equal(board_refused(r.b, "items"), 120 + 6 - 64);
+    assert_int_equal(board_refused_count(r.b, "items"), 120 + 6 - 64);
     assert_null(rig_fault(&r));
     end();
 }
@@ -656,7 +656,7 @@ static void test_queries(void **state)
                                          "6\t\n",  "7\t\n",    "8\tb\n",     "9\t0\n" };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (said(lines[i]) != 1)
-            fail_msg("expected %s among %s", lines[i], board_last(r.b)->log);
+            fail_msg("expected %s among %s", lines[i], board_last_output(r.b)->log);
     end();
 }
 
@@ -679,9 +679,9 @@ static void test_nearest(void **state)
             lasers_nearest(r.b, i, x, y, &at_x, &at_y);
             const double d = hypot((double)at_x - x, (double)at_y - y);
             double best = 1e18;
-            for (uint32_t k = 0; k + 1 < lasers_corners(r.b, i); k++) {
-                lasers_corner(r.b, i, k, &ax, &ay);
-                lasers_corner(r.b, i, k + 1, &bx, &by);
+            for (uint32_t k = 0; k + 1 < lasers_corner_count(r.b, i); k++) {
+                lasers_get_corner(r.b, i, k, &ax, &ay);
+                lasers_get_corner(r.b, i, k + 1, &bx, &by);
                 const double wx = (double)bx - ax, wy = (double)by - ay, all = wx * wx + wy * wy;
                 double t = all > 0 ? (((double)x - ax) * wx + ((double)y - ay) * wy) / all : 0;
                 t = t < 0 ? 0 : t > 1 ? 1 : t;
@@ -731,8 +731,8 @@ static void test_properties(void **state)
         done += said("done");
     }
     assert_int_equal(done, 1);
-    assert_int_equal(board_refused(r.b, "lasers"), 1);
-    assert_int_equal(board_refused(r.b, "laser_points"), 1);
+    assert_int_equal(board_refused_count(r.b, "lasers"), 1);
+    assert_int_equal(board_refused_count(r.b, "laser_points"), 1);
     end();
 }
 
@@ -767,7 +767,7 @@ static void test_tasks(void **state)
         const bool stood = frame >= 5 && frame <= 8;
         snprintf(line, sizeof line, "turn\t%d\n", frame <= 4 ? frame : frame - 4);
         if (said("turn") != (!stood && frame < 12) || (!stood && frame < 12 && !said(line)))
-            fail_msg("frame %d: %s", frame, board_last(r.b)->log);
+            fail_msg("frame %d: %s", frame, board_last_output(r.b)->log);
         if (frame != 6)
             continue;
         const uint32_t n = inspect_tasks(r.b, 0, tasks, 4);
@@ -876,11 +876,11 @@ static void test_faults(void **state)
     for (int i = 0; i < api_table.things[H_LASER]->n; i++) {
         const struct api_prop *p = &api_table.things[H_LASER]->props[i];
         char text[200], want[100];
-        if (p->write == PROP_WRITE)
+        if (p->access == PROP_WRITE)
             continue;
         snprintf(text, sizeof text,
-                 "local l = laser.bolt { kind = 'ray', x = 1, y = 1, speed = 1, length = 9 } l.%s = 1", p->value.name);
-        snprintf(want, sizeof want, "laser: %s is read-only", p->value.name);
+                 "local l = laser.bolt { kind = 'ray', x = 1, y = 1, speed = 1, length = 9 } l.%s = 1", p->param.name);
+        snprintf(want, sizeof want, "laser: %s is read-only", p->param.name);
         fault(text, want);
     }
     fault("pattern.stack { kind = 'ray', fire = 'beam', x = 1, y = 1, n = 3, speed_to = 3, length = 9, hold = 1 }",
@@ -901,11 +901,11 @@ static void test_without(void **state)
     rig_power(&r, &g, NULL);
     rig_run(&r, 3);
     board_hashes(r.b, hashes);
-    for (int i = PARTS_ALWAYS; i < PARTS; i++) {
+    for (int i = PARTS_ALWAYS_HASHED; i < PARTS; i++) {
         assert_int_equal(slots_size(machine_parts[i].chip, 0, 0), 0);
         assert_int_equal(hashes[i], 0);
     }
-    assert_int_equal(board_hash(r.b), board_hash_of(hashes));
+    assert_int_equal(board_hash(r.b), board_combine_hashes(hashes));
     for (int i = 0; i < 4 && !rig_fault(&r); i++)
         board_tick(r.b, (const uint16_t[PADS]){ 0 });
     assert_non_null(

@@ -58,12 +58,12 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
 {
     __float128 t = (__float128)k / n, cx = a->x, cy = a->y, r = 0, angle = a->dir / TURN;
 
-    if (p->does & DOES_GO_TO) {
-        *x = a->x + (p->x - (__float128)a->x) * share(p->how & HOW_EASE, t);
-        *y = a->y + (p->y - (__float128)a->y) * share(p->how & HOW_EASE, t);
+    if (p->actions & DOES_GO_TO) {
+        *x = a->x + (p->x - (__float128)a->x) * share(p->mode & MODE_EASE, t);
+        *y = a->y + (p->y - (__float128)a->y) * share(p->mode & MODE_EASE, t);
         return;
     }
-    if (p->does & DOES_WAVE) {
+    if (p->actions & DOES_WAVE) {
         __float128 way = (__float128)a->speed * k, from = p->dir / TURN;
         __float128 to = from + roundq((k % p->count) * TURN / p->count) / TURN;
         __float128 side = p->size * (sine(to) - sine(from));
@@ -71,17 +71,17 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
         *y = a->y + way * sine(angle) + side * cosine(angle);
         return;
     }
-    if (p->how & HOW_AT) {
+    if (p->mode & MODE_AT) {
         cx = p->x;
         cy = p->y;
         r = fx_hypot(a->x - p->x, a->y - p->y);
         if (a->x != p->x || a->y != p->y)
             angle = trig_atan2(a->y - p->y, a->x - p->x) / TURN;
     }
-    if (p->does & DOES_POLAR)
+    if (p->actions & DOES_POLAR)
         r += (__float128)p->speed / 65536 * k;
     else
-        r = p->size + (p->how & HOW_TO ? ((__float128)p->size_to - p->size) * t : 0);
+        r = p->size + (p->mode & MODE_TO ? ((__float128)p->size_to - p->size) * t : 0);
     angle += (__float128)p->turn / TURN * k;
     *x = cx + r * cosine(angle);
     *y = cy + r * sine(angle);
@@ -89,7 +89,7 @@ static void formula(const struct motion_step *p, const struct start *a, uint32_t
 
 static void move(struct motion_world *w)
 {
-    const struct box world = { -(WORLD << 16), -(WORLD << 16), WORLD << 16, WORLD << 16 };
+    const struct box world = { -(WORLD_EDGE << 16), -(WORLD_EDGE << 16), WORLD_EDGE << 16, WORLD_EDGE << 16 };
 
     bullets_move(&rig.b->bullets, w, &world, NULL, false);
     w->clock++;
@@ -109,8 +109,8 @@ static double off(const struct motion_step *p, const struct start *a, uint32_t k
 static void lead(const struct motion_step *p, const struct start *a, uint32_t n, double *worst)
 {
     struct bullets *b = &rig.b->bullets;
-    struct bullet_shape s = { .x = a->x, .y = a->y, .dir = a->dir, .speed = a->speed };
-    struct motion_world w = board_world(rig.b, false);
+    struct bullet_spec s = { .x = a->x, .y = a->y, .dir = a->dir, .speed = a->speed };
+    struct motion_world w = board_motion_world(rig.b, false);
 
     if (b->s.live)
         bullets_drop(b, 0);
@@ -124,14 +124,14 @@ static void lead(const struct motion_step *p, const struct start *a, uint32_t n,
         double now = off(p, a, k, n);
         *worst = now > *worst ? now : *worst;
         if (now > 0.5 + 1e-4)
-            fail_msg("step %x: frame %u of %u: %.4f units off", (unsigned)p->does, k, n, now);
+            fail_msg("step %x: frame %u of %u: %.4f units off", (unsigned)p->actions, k, n, now);
         if (abs(b->x[0] - x) <= MAX_SPEED << 16 && abs(b->y[0] - y) <= MAX_SPEED << 16)
-            assert_true(b->vx[0] == b->x[0] - x && b->vy[0] == b->y[0] - y && b->fastest >= fx_abs(b->vx[0]));
+            assert_true(b->vx[0] == b->x[0] - x && b->vy[0] == b->y[0] - y && b->speed_bound >= fx_abs(b->vx[0]));
     }
-    if (p->does & DOES_GO_TO)
+    if (p->actions & DOES_GO_TO)
         assert_true(b->x[0] == p->x && b->y[0] == p->y);
     fx x = b->x[0], y = b->y[0], vx = b->vx[0], vy = b->vy[0];
-    if (p->does & DOES_WAVE)
+    if (p->actions & DOES_WAVE)
         trig_polar(a->speed, a->dir, &vx, &vy);
     else if (vx || vy)
         assert_true(b->dir[0] == trig_atan2(vy, vx) && b->speed[0] == fx_min(fx_hypot(vx, vy), MAX_SPEED << 16));
@@ -151,35 +151,35 @@ static void test_formulas(void **state)
         const int64_t px = FX_ONE, far = run % 7 ? 400 : 3000;
         uint32_t n = 1 + (uint32_t)rng_below(&rng, run % 50 ? 90 : 3000);
         struct start a = { number(far * px), number(far * px), number(3 * px), (ang)rng_next(&rng) };
-        struct motion_step p = { .over = n };
+        struct motion_step p = { .duration = n };
         switch (run % 6) {
         case 0:
         case 1:
-            p.does = DOES_GO_TO;
+            p.actions = DOES_GO_TO;
             p.x = number(far * px), p.y = number(far * px);
-            p.how = (uint8_t)rng_below(&rng, 4);
+            p.mode = (uint8_t)rng_below(&rng, 4);
             break;
         case 2:
-            p.does = DOES_POLAR;
+            p.actions = DOES_POLAR;
             p.speed = (int64_t)number(2 * px) * 65536 + number(65535);
             p.turn = number((1 << 27));
             break;
         case 3:
-            p.does = DOES_POLAR;
-            p.how = HOW_AT;
+            p.actions = DOES_POLAR;
+            p.mode = MODE_AT;
             p.x = number(far * px), p.y = number(far * px);
             p.speed = (int64_t)number(px) * 65536;
             p.turn = number((1 << 27));
             break;
         case 4:
-            p.does = DOES_WAVE;
+            p.actions = DOES_WAVE;
             p.size = number(200 * px);
             p.count = (uint16_t)(1 + rng_below(&rng, 300));
             p.dir = (ang)rng_next(&rng);
             break;
         default:
-            p.does = DOES_ORBIT;
-            p.how = HOW_AT | (run % 4 ? HOW_TO : 0);
+            p.actions = DOES_ORBIT;
+            p.mode = MODE_AT | (run % 4 ? MODE_TO : 0);
             p.x = number(far * px), p.y = number(far * px);
             p.size = abs(number(far * px)), p.size_to = abs(number(far * px));
             p.turn = number(INT32_MAX);
@@ -210,16 +210,18 @@ static void test_bounces(void **state)
     rig_power(&rig, &g, NULL);
     rng_seed(&rng, 8);
     b = &rig.b->bullets;
-    const struct motion_step steps[] = { { .does = DOES_LOOP | DOES_BOUNCE, .count = MOTION_FOREVER, .jump = 3 },
-                                         { .does = DOES_BOUNCE, .how = HOW_WALLS, .over = UINT32_MAX, .jump = 3 },
-                                         { .does = DOES_NEXT, .jump = 1 } };
+    const struct motion_step steps[] = {
+        { .actions = DOES_LOOP | DOES_BOUNCE, .count = MOTION_FOREVER, .jump = 3 },
+        { .actions = DOES_BOUNCE, .mode = MODE_WALLS, .duration = UINT32_MAX, .jump = 3 },
+        { .actions = DOES_LOOP_END, .jump = 1 }
+    };
     for (int run = 0; run < 400; run++) {
-        struct motion_world w = board_world(rig.b, false);
+        struct motion_world w = board_motion_world(rig.b, false);
         fx x = (fx)rng_below(&rng, (uint64_t)w.field.x1 + 1), y = (fx)rng_below(&rng, (uint64_t)w.field.y1 + 1);
-        struct bullet_shape s = { .x = x,
-                                  .y = y,
-                                  .speed = number(run % 9 ? 8 * FX_ONE : MAX_SPEED << 16),
-                                  .dir = run % 5 ? (ang)rng_next(&rng) : (ang)rng_below(&rng, 8) << 29 };
+        struct bullet_spec s = { .x = x,
+                                 .y = y,
+                                 .speed = number(run % 9 ? 8 * FX_ONE : MAX_SPEED << 16),
+                                 .dir = run % 5 ? (ang)rng_next(&rng) : (ang)rng_below(&rng, 8) << 29 };
         if (run % 4 == 0) /* from a wall */
             s.x = x = run % 8 ? 0 : w.field.x1;
         if (b->s.live)
@@ -232,7 +234,7 @@ static void test_bounces(void **state)
             move(&w);
             if (b->x[0] != folded(x, vx, k, w.field.x1) || b->y[0] != folded(y, vy, k, w.field.y1))
                 fail_msg("run %d: frame %u: not at the reflected place", run, k);
-            assert_true(b->fastest >= fx_abs(b->vx[0]) && b->fastest >= fx_abs(b->vy[0]));
+            assert_true(b->speed_bound >= fx_abs(b->vx[0]) && b->speed_bound >= fx_abs(b->vy[0]));
         }
     }
     end();

@@ -254,7 +254,8 @@ static void place_ships(struct board *b)
         b->player.y[p] = y;
         model.ship[p] = (struct thing){ .shape = SHAPE_CIRCLE, .x = x, .y = y, .was_x = x, .was_y = y };
         model.safe[p] = one_in(3) ? 4 : 0;
-        b->player.safe[p] = (uint32_t)(model.safe[p] ? model.safe[p] + 1 : 0); /* one is counted as the frame begins */
+        b->player.safe_left[p] =
+            (uint32_t)(model.safe[p] ? model.safe[p] + 1 : 0); /* one is counted as the frame begins */
         b->player.score[p] = model.score[p] = 0;
     }
 }
@@ -273,7 +274,7 @@ static void fire(struct board *b, bool shot)
     struct bullets *s = shot ? &b->shots : &b->bullets;
     const struct bullet_kinds *k = shot ? &b->shot_kinds : &b->bullet_kinds;
     struct mine *m = shot ? &model.shot[model.shots++] : &model.bullet[model.bullets++];
-    struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .speed = speed() };
+    struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .speed = speed() };
     const struct thing *at = &model.ship[rng_below(&rng, PADS)];
 
     shape.dir = one_in(2) ? (ang)rng_below(&rng, 4) << 30 : (ang)rng_next(&rng);
@@ -308,7 +309,7 @@ static void bring(struct board *b)
     aim(at->x, at->y, 24 * 65536, vx, vy, &x, &y);
     int32_t i = enemies_spawn(&b->enemies, k, kind, x, y, b->core.clock);
     if (vx || vy)
-        enemies_go(&b->enemies, (uint32_t)i, x + vx, y + vy, 1, EASE_LINEAR);
+        enemies_move_to(&b->enemies, (uint32_t)i, x + vx, y + vy, 1, EASE_LINEAR);
     *m = (struct mine){ .t = { k->shape[kind], k->a[kind], k->b[kind], (wide)x + vx, (wide)y + vy, x, y },
                         .handle = board_handle(b, H_ENEMY, i),
                         .swept = k->flags[kind] & ENEMY_SWEPT,
@@ -334,7 +335,7 @@ static void check_left(struct board *b, const struct mine *m, const fx *x, const
     uint32_t i = handle_slot(m->handle);
     bool lives = !m->gone && !m->leaves;
 
-    if (board_alive(b, m->handle) != lives || board_there(b, m->handle) != lives)
+    if (board_alive(b, m->handle) != lives || board_is_readable(b, m->handle) != lives)
         fail_msg("scene %d: a %s is %s, and should not be", scene, what, lives ? "gone" : "there");
     if (lives && (x[i] != m->t.x || y[i] != m->t.y))
         fail_msg("scene %d: a %s is elsewhere", scene, what);
@@ -355,7 +356,7 @@ static void check(struct rig *r, int scene)
         check_left(b, &model.foe[i], b->enemies.x, b->enemies.y, scene, "enemy");
     for (int p = 0; p < PADS; p++)
         assert_int_equal(b->player.score[p], model.score[p]);
-    assert_int_equal(b->bullets.s.holding + b->shots.s.holding, 0);
+    assert_int_equal(b->bullets.s.held_count + b->shots.s.held_count, 0);
 }
 
 static struct rig_game g;
@@ -425,10 +426,10 @@ static void test_model(void **state)
 static bool hits_once(fx x, fx y, fx v)
 {
     const uint16_t none[PADS] = { 0 };
-    struct bullet_shape shape = { .x = x, .y = y, .speed = v, .dir = 0x40000000u };
+    struct bullet_spec shape = { .x = x, .y = y, .speed = v, .dir = 0x40000000u };
 
     clear(rig.b);
-    rig.b->player.safe[0] = rig.b->player.safe[1] = 0;
+    rig.b->player.safe_left[0] = rig.b->player.safe_left[1] = 0;
     rig.b->player.x[0] = rig.b->player.x[1] = 120 * 65536;
     rig.b->player.y[0] = 312 * 65536;
     rig.b->player.y[1] = 8 * 65536;

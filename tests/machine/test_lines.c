@@ -89,8 +89,8 @@ static void test_letters(void **state)
     power("text.line { x = 0, y = 0, text = 'abcd', letter = 3 }", 0);
     const uint32_t want[] = { 0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4 };
     for (int f = 0; f < 14; f++, rig_run(&rig, 1))
-        assert_int_equal(lines_seen(&rig.b->lines, 0, rig.b->core.clock), want[f]);
-    for (int k = 4; k < LINE_TEXT; k++) /* what stood there before is no part of the state */
+        assert_int_equal(lines_visible_letters(&rig.b->lines, 0, rig.b->core.clock), want[f]);
+    for (int k = 4; k < LINE_MAX_TEXT; k++) /* what stood there before is no part of the state */
         assert_int_equal(rig.b->lines.code[k], 0);
     end();
     holds("task.go(function()\n"
@@ -324,7 +324,7 @@ static void test_no_widths(void **state)
     int i = rom_find(&g.image.rom, "fonts/tiny");
     struct lump l;
     rom_lump(&g.image.rom, i, &l);
-    ((uint8_t *)(uintptr_t)l.data)[FACE_HEAD + 12] = 60;
+    ((uint8_t *)(uintptr_t)l.data)[FACE_HEADER + 12] = 60;
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 9);
     assert_true(board_hash(rig.b) == hash);

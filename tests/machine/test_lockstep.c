@@ -94,7 +94,7 @@ static void record(const struct rig_game *g, const struct board_start *start, st
     for (int f = 0; f < RECORDED; f++) {
         rig_pads(&rng, pads);
         rig_tick(&r, pads);
-        assert_true(demo_frame(w, r.b, pads));
+        assert_true(demo_record_frame(w, r.b, pads));
     }
     assert_true(demo_end(w, r.b));
     rig_free(&r);
@@ -111,7 +111,7 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
     rig_power(&r, g, start);
     for (uint32_t f = 0; f <= d->frames && wrong < 0; f++) {
         board_hashes(r.b, hashes);
-        uint64_t differ = demo_differs(d, f, hashes);
+        uint64_t differ = demo_differing_parts(d, f, hashes);
         for (int i = d->parts - 1; i >= 0; i--)
             if (differ >> i & 1) {
                 wrong = (int)f;
@@ -137,12 +137,12 @@ static void test_record_play(void **state)
     rig_folder(&g, "torture");
     record(&g, &start, &w, path);
     assert_int_equal(w.demo.frames, RECORDED);
-    assert_int_equal(w.demo.seconds, (RECORDED + 59) / 60 + 1);
+    assert_int_equal(w.demo.n_rows, (RECORDED + 59) / 60 + 1);
     assert_int_equal(play(&g, &w.demo, &w.demo.start, &part), -1);
 
     memset(&d, 0, sizeof d);
     assert_true(demo_load(&d, path, err, sizeof err));
-    assert_true(d.complete && demo_fits(&d, &g.cart, err, sizeof err));
+    assert_true(d.complete && demo_check_cart(&d, &g.cart, err, sizeof err));
     assert_int_equal(d.start.seed, 99);
     assert_int_equal(play(&g, &d, &d.start, &part), -1);
 
@@ -202,7 +202,7 @@ static void game_of(struct rig_game *g, const struct act *act)
     snprintf(text, sizeof text, frame, AT - 1, act->code);
     m.n_dips = 1;
     snprintf(m.dips[0].name, sizeof m.dips[0].name, "odd");
-    m.dips[0].number = true;
+    m.dips[0].is_number = true;
     m.dips[0].lo = 0;
     m.dips[0].hi = 1;
     rig_script(g, &m, text);
@@ -230,7 +230,7 @@ static void diverges(const struct act *act)
     board_hashes(a.b, ha);
     board_hashes(b.b, hb);
     for (int i = 0; i < board_parts(a.b); i++) {
-        const char *part = board_part(a.b, i);
+        const char *part = board_part_name(a.b, i);
         bool may = act->other && !strcmp(part, act->other), must = !strcmp(part, "script");
         if (must ? ha[i] == hb[i] : ha[i] != hb[i] && !may)
             fail_msg("%s: part %s %s", act->name, part, must ? "does not differ" : "differs");

@@ -312,7 +312,7 @@ static void test_state(void **state)
     }
     open_with("");
     for (int i = 0; i < PARTS; i++) {
-        const char *name = board_part(r.b, i);
+        const char *name = board_part_name(r.b, i);
         bool may = !strcmp(name, "script") || !strcmp(name, "enemies") || !strcmp(name, "player");
         if ((h[0][i] != h[1][i]) != may)
             fail_msg("part %s", name);

@@ -37,8 +37,8 @@ static void draw_kinds(struct bullet_kinds *k, fx size)
 
 static void draw_pairs(struct bullets *s)
 {
-    s->meets = 1 + (uint32_t)rng_below(&rng, 4);
-    for (uint32_t p = 0; p < s->meets; p++) {
+    s->n_meets = 1 + (uint32_t)rng_below(&rng, 4);
+    for (uint32_t p = 0; p < s->n_meets; p++) {
         s->meet_first[p] = (uint16_t)(1 + rng_below(&rng, TAGS));
         s->meet_second[p] = (uint16_t)(1 + rng_below(&rng, TAGS));
         s->meet_flags[p] = (uint8_t)rng_below(&rng, 8);
@@ -49,9 +49,9 @@ static void draw_pairs(struct bullets *s)
 static void draw_bullets(struct bullets *s, uint64_t n, fx span, fx speed, fx grain)
 {
     while (n--) {
-        struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, KINDS),
-                                      .delay = one_in(9),
-                                      .dir = (ang)rng_next(&rng) };
+        struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS),
+                                     .delay = one_in(9),
+                                     .dir = (ang)rng_next(&rng) };
         shape.tag = (uint16_t)rng_below(&rng, TAGS + 1);
         uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
         bool still = one_in(3) || shape.delay;
@@ -151,7 +151,7 @@ static void mark(const struct board *b, uint32_t p, uint32_t i, uint32_t k)
     plain.alone += alone;
     plain.held += i < s->s.held_top && s->s.held[i / 64] >> (i & 63) & 1;
     plain.stood += !(flags[s->kind[i]] & KIND_SWEPT) != !(flags[s->kind[k]] & KIND_SWEPT);
-    plain.pieces += (b->bullet_kinds.shape[s->kind[i]] | b->bullet_kinds.shape[s->kind[k]]) > SHAPE_PLAIN;
+    plain.pieces += (b->bullet_kinds.shape[s->kind[i]] | b->bullet_kinds.shape[s->kind[k]]) > SHAPE_MAX_PLAIN;
 }
 
 static void reference_meets(const struct board *b)
@@ -161,7 +161,7 @@ static void reference_meets(const struct board *b)
     expected_n = 0;
     memset(plain.first, 0, sizeof plain.first);
     memset(plain.gone, 0, sizeof plain.gone);
-    for (uint32_t p = 0; p < s->meets; p++)
+    for (uint32_t p = 0; p < s->n_meets; p++)
         for (uint32_t i = 0; i < s->s.top; i++) {
             int32_t k = there(b, i, s->meet_first[p]) && !plain.first[i] ? plain_partner(b, p, i) : NO_SLOT;
             if (k == NO_SLOT)
@@ -448,9 +448,9 @@ static void see(void *context, const struct slots_value *v)
 {
     struct pair_seen *s = context;
 
-    s->meets += !strcmp(v->column, "meets");
+    s->meets += !strcmp(v->column, "n_meets");
     s->firsts += !strcmp(v->column, "meet_first");
-    if (!strcmp(v->column, "meets"))
+    if (!strcmp(v->column, "n_meets"))
         s->last = v->value;
 }
 

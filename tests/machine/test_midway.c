@@ -152,7 +152,7 @@ static void straight(struct run *run, const struct rom_image *rom, const struct 
     for (uint32_t f = 0; f < FRAMES; f++) {
         run->plain[f] = board_hash(r.b);
         rig_tick(&r, run->pads[f]);
-        const struct board_out *out = board_last(r.b);
+        const struct board_out *out = board_last_output(r.b);
         if (out->fault)
             fail_msg("%s", out->fault->message);
         for (size_t at = 0, n; at < out->log_size; at += n + 1) {

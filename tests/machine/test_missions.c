@@ -26,10 +26,10 @@ static void open_game(const char *text)
 
 static int32_t reg(const char *name)
 {
-    const int i = api_player_register(r.b->vm.L, r.b, 0, name);
+    const int i = api_find_player_register(r.b->vm.L, r.b, 0, name);
 
     assert_true(i >= 0);
-    return board_register(r.b, 0, (uint32_t)i);
+    return board_get_register(r.b, 0, (uint32_t)i);
 }
 
 static const char three[] =

@@ -13,7 +13,7 @@ static struct rig rig;
 static int make_tables(void **state)
 {
     (void)state;
-    board_sound_open(&tables);
+    board_sound_init_tables(&tables);
     return 0;
 }
 
@@ -53,19 +53,19 @@ static void done(void)
 
 static uint64_t heard(const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
 
-    board_sound(b, &tables, sound);
+    board_mix_sound(b, &tables, sound);
     return hash_bytes(HASH_START, sound, sizeof sound);
 }
 
 static int loudest(const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
     int most = 0;
 
-    board_sound(b, &tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+    board_mix_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         most = abs(sound[i]) > most ? abs(sound[i]) : most;
     return most;
 }
@@ -308,7 +308,7 @@ static bool until_told(int frames)
 
     for (int f = 0; f < frames; f++) {
         rig_tick(&rig, none);
-        if (board_last(rig.b)->log_size > 0)
+        if (board_last_output(rig.b)->log_size > 0)
             return true;
     }
     return false;
@@ -326,7 +326,7 @@ static void run_from(const char *script, const char *section, uint64_t out[AFTER
     assert_true(until_told(4000));
     for (int f = 0; f < AFTER; f++) {
         const struct seq *s = &rig.b->music;
-        out[f] = hash_fold(hash_fold(heard(rig.b), s->pos), s->tune + 100u * s->mark + 10000u * s->aside);
+        out[f] = hash_fold(hash_fold(heard(rig.b), s->pos), s->tune + 100u * s->mark + 10000u * s->suspended_count);
         rig_run(&rig, 1);
     }
     done();
@@ -499,18 +499,18 @@ static void test_room(void **state)
     rig_run(&rig, 20);
     press(PAD_FIRE); /* "deep" comes first, as in rom.lua */
     assert_string_equal(name_now(), "deep");
-    assert_int_equal(rig.b->music.aside, 1);
+    assert_int_equal(rig.b->music.suspended_count, 1);
     press(PAD_DOWN);
     press(PAD_FIRE);
     assert_string_equal(name_now(), "tide");
-    assert_int_equal(rig.b->music.aside, 0);
+    assert_int_equal(rig.b->music.suspended_count, 0);
     press(PAD_UP);
     press(PAD_FIRE);
     assert_string_equal(name_now(), "deep");
     press(PAD_BOMB);
     rig_run(&rig, 40);
     assert_string_equal(name_now(), "tide");
-    assert_int_equal(rig.b->music.aside, 0);
+    assert_int_equal(rig.b->music.suspended_count, 0);
     done();
     power("stage.def('s', function() end) unlock.def('tired', { when = { heard = 'tide' } })\n"
           "boot.run { stages = { 's' }, players = { 'ship' }, music = { { name = 'tide', text = 'First' },\n"
@@ -636,7 +636,7 @@ static void test_cues(void **state)
         assert_string_equal(deeds[i].name, cart_cues[i]);
         power_sound(deeds[i].name, deeds[i].script);
         for (int k = 0; k < CART_CUES; k++)
-            assert_true((rig.b->cart.cue[k] != 0) == (k == i));
+            assert_true((rig.b->cart.cue_place[k] != 0) == (k == i));
         const int n = begun(200, true);
         if (n == 0)
             fail_msg("no sound of \"%s\"", deeds[i].name);
@@ -665,7 +665,7 @@ static void test_first(void **state)
     (void)state;
     power_sound("graze", "");
     rig.b->core.frame = 2;
-    sound_cue(rig.b, CUE_GRAZE, 0);
+    sound_play_cue(rig.b, CUE_GRAZE, 0);
     assert_true(rig.b->cues.tune[0] != 0);
     done();
 }
@@ -681,7 +681,7 @@ static void test_slots(void **state)
     for (; rig_run(&rig, 1), board_cue(rig.b, 0, &cue) && cue.name; frames++) {
         assert_string_equal(cue.name, "hit");
         assert_int_equal(lasts, 0);
-        lasts += cue.ends;
+        lasts += cue.ends_next;
     }
     assert_true(frames > 1 && lasts == 1);
     rig.b->cues.tune[0] = 1; /* no sound begins there */
@@ -695,11 +695,11 @@ static void test_long_fades(void **state)
     (void)state;
     power("music.play('tide')");
     rig_run(&rig, 2);
-    sound_music_stop(rig.b, 65535);
+    sound_stop_music(rig.b, 65535);
     rig.b->music.fade = 50000;
-    sound_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_options){ .fade = 40000 });
+    sound_start_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_options){ .fade = 40000 });
     assert_int_equal(rig.b->music.fade, 40000);
-    assert_int_equal(rig.b->music.fade_over, 52428);
+    assert_int_equal(rig.b->music.fade_length, 52428);
     done();
 }
 

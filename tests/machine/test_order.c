@@ -336,8 +336,8 @@ static void test_reset(void **state)
     (void)state;
     rig_script(&g, NULL, text);
     rig_power(&r, &g, NULL);
-    assert_int_equal(board_last(r.b)->log_size, 5);
-    assert_memory_equal(board_last(r.b)->log, "load\n", 5);
+    assert_int_equal(board_last_output(r.b)->log_size, 5);
+    assert_memory_equal(board_last_output(r.b)->log, "load\n", 5);
     for (int f = 0; f < 3; f++)
         rig_tick(&r, none);
     assert_int_equal(nvram_get(&r.b->nvram, "n").bits, 1);

@@ -255,14 +255,14 @@ static void ships_show_where_they_are_hit(void **state)
     assert_int_equal(COLOUR(100, 147), t->canvas.colour[CANVAS_RED]);
     assert_int_equal(COLOUR(103, 150), t->canvas.colour[CANVAS_DARK]);
     assert_int_equal(inked(t), 12 + 20 + 20);
-    t->r.b->screen = (struct screen){ .s = t->r.b->screen.s, .shake = 8, .shake_over = 1, .shake_aimed = 1 };
-    t->r.b->screen.shake_at = t->r.b->core.clock - 1; /* its first frame: 8 px to the right */
+    t->r.b->screen = (struct screen){ .s = t->r.b->screen.s, .shake = 8, .shake_frames = 1, .shake_aimed = 1 };
+    t->r.b->screen.shake_start = t->r.b->core.clock - 1; /* its first frame: 8 px to the right */
     draw(t, 0, 320, -1, -1);
     overlay_ships(&t->canvas, t->r.b);
     assert_int_equal(COLOUR(107, 149), t->canvas.colour[CANVAS_WHITE]);
     assert_true(COLOUR(99, 149) != t->canvas.colour[CANVAS_WHITE]);
-    screen_empty(&t->r.b->screen);
-    p->in[1] = p->in[0];
+    screen_reset(&t->r.b->screen);
+    p->in_game[1] = p->in_game[0];
     p->x[1] = 30 << 16;
     p->y[1] = -(1 << 16); /* half of it beyond the field */
     draw(t, 0, 320, -1, -1);
@@ -270,7 +270,7 @@ static void ships_show_where_they_are_hit(void **state)
     assert_int_equal(COLOUR(30, 1), t->canvas.colour[CANVAS_CYAN]);
     assert_int_equal(COLOUR(30, 0), t->canvas.colour[CANVAS_WHITE]);
     p->flags[0] |= PLAYER_HIDDEN;
-    p->in[1] = 0;
+    p->in_game[1] = 0;
     draw(t, 0, 320, -1, -1);
     overlay_ships(&t->canvas, t->r.b);
     assert_int_equal(inked(t), 0);
@@ -322,7 +322,7 @@ enum { ENTER = 40, ESCAPE = 41, BACKSPACE = 42, HOME = 74, DELETE = 76, END = 77
 
 static struct keys_read polled(struct bed *t, unsigned key, const char *text, uint32_t pressed)
 {
-    struct plat_input in = { .focus = true };
+    struct plat_input in = { .has_focus = true };
     struct keys_read k = { .pressed = pressed, .held = pressed, .pads = { 16 } };
 
     if (key)
@@ -477,7 +477,7 @@ static void a_line_is_undone_unless_it_is_kept(void **state)
 
 static void what_cannot_be_kept_is_not(void **state)
 {
-    struct plat_input in = { .focus = true };
+    struct plat_input in = { .has_focus = true };
     struct keys_read k = { .pressed = 0 };
     struct bed *t = *state;
     uint64_t hash = board_hash(t->r.b);

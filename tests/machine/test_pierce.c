@@ -33,9 +33,9 @@ static bool in_mind(const struct board *b, uint32_t i, int64_t thing, int *n)
     bool is = false;
 
     *n = 0;
-    for (uint32_t k = 0; k < PIERCED; k++) {
-        int64_t h = b->shots.pierced[i * PIERCED + k];
-        if (!h || b->shots.rehit_clock[i * PIERCED + k] <= CLOCK || !board_there(b, h))
+    for (uint32_t k = 0; k < MAX_PIERCED_TARGETS; k++) {
+        int64_t h = b->shots.pierced[i * MAX_PIERCED_TARGETS + k];
+        if (!h || b->shots.rehit_clock[i * MAX_PIERCED_TARGETS + k] <= CLOCK || !board_is_readable(b, h))
             continue;
         is |= h == thing;
         ++*n;
@@ -52,8 +52,8 @@ static int list_touched(const struct board *b, uint32_t i, struct touched t[MOST
 
     EACH_LIVE (e, &b->enemies.s)
         if (meets(shot, foe(b, e), flags & KIND_SWEPT))
-            t[n++] = (struct touched){ square((wide)s->x[i] - s->vx[i] - b->enemies.was_x[e]) +
-                                           square((wide)s->y[i] - s->vy[i] - b->enemies.was_y[e]),
+            t[n++] = (struct touched){ square((wide)s->x[i] - s->vx[i] - b->enemies.prev_x[e]) +
+                                           square((wide)s->y[i] - s->vy[i] - b->enemies.prev_y[e]),
                                        board_handle(b, H_ENEMY, (int32_t)e) };
     EACH_LIVE (k, &o->s)
         if (is_solid(b, k, flags & KIND_CANCELS) && meets(shot, flier(o, &b->bullet_kinds, k), flags & KIND_SWEPT))
@@ -67,7 +67,7 @@ static int list_touched(const struct board *b, uint32_t i, struct touched t[MOST
 static void expect_of(const struct board *b, uint32_t i)
 {
     struct touched t[MOST];
-    const int n = list_touched(b, i, t), left = b->shots.pierce[i];
+    const int n = list_touched(b, i, t), left = b->shots.pierce_left[i];
     int known, hits = 0;
 
     in_mind(b, i, 0, &known);
@@ -79,7 +79,7 @@ static void expect_of(const struct board *b, uint32_t i)
         }
         if (left != PIERCE_FOREVER && hits > left)
             break;
-        if (b->shot_kinds.pierce[b->shots.kind[i]] && known + hits == PIERCED) {
+        if (b->shot_kinds.pierce[b->shots.kind[i]] && known + hits == MAX_PIERCED_TARGETS) {
             full++;
             break;
         }
@@ -102,7 +102,7 @@ static void draw_kinds(struct bullet_kinds *k, fx span, bool shots)
         k->flags[i] = (uint16_t)((one_in(4) ? 0 : KIND_SWEPT) | (shots && one_in(3) ? KIND_CANCELS : 0));
         if (shots) {
             k->pierce[i] = one_in(4) ? 0 : one_in(3) ? PIERCE_FOREVER : 1 + (int32_t)rng_below(&rng, 4);
-            k->every[i] = 6;
+            k->rehit_interval[i] = 6;
         }
     }
 }
@@ -110,13 +110,13 @@ static void draw_kinds(struct bullet_kinds *k, fx span, bool shots)
 static void draw_pool(struct bullets *s, uint64_t n, fx span, fx grain)
 {
     while (n--) {
-        struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, KINDS) };
+        struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS) };
         uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
         s->vx[i] = within(span / 2);
         s->vy[i] = within(span / 2);
         s->x[i] = within(span) / grain * grain + s->vx[i];
         s->y[i] = within(span) / grain * grain + s->vy[i];
-        s->fastest = fx_max(s->fastest, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
+        s->speed_bound = fx_max(s->speed_bound, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
         if (s->hp)
             s->hp[i] = one_in(2) ? 0 : one_in(6) ? HP_FOREVER : 1 + (int32_t)rng_below(&rng, 9);
     }
@@ -128,21 +128,21 @@ static int64_t any_thing(const struct board *b)
     const uint32_t i = (uint32_t)rng_below(&rng, foe_one ? FOES : BULLETS);
     const struct slots *s = foe_one ? &b->enemies.s : &b->bullets.s;
 
-    return handle_of(foe_one ? H_ENEMY : H_BULLET, i < s->top && !one_in(5) ? s->gen[i] : 77, i);
+    return handle_make(foe_one ? H_ENEMY : H_BULLET, i < s->top && !one_in(5) ? s->gen[i] : 77, i);
 }
 
 static void draw_memory(struct board *b)
 {
     EACH_LIVE (i, &b->shots.s) {
         const int32_t of = b->shot_kinds.pierce[b->shots.kind[i]];
-        b->shots.pierce[i] = of <= 0 ? of : (int32_t)rng_below(&rng, (uint64_t)of + 1);
-        for (uint32_t k = 0; of && k < PIERCED; k++) {
+        b->shots.pierce_left[i] = of <= 0 ? of : (int32_t)rng_below(&rng, (uint64_t)of + 1);
+        for (uint32_t k = 0; of && k < MAX_PIERCED_TARGETS; k++) {
             bool twice = false;
             int64_t h = one_in(3) ? any_thing(b) : 0;
             for (uint32_t j = 0; j < k; j++)
-                twice |= b->shots.pierced[i * PIERCED + j] == h;
-            b->shots.pierced[i * PIERCED + k] = twice ? 0 : h;
-            b->shots.rehit_clock[i * PIERCED + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
+                twice |= b->shots.pierced[i * MAX_PIERCED_TARGETS + j] == h;
+            b->shots.pierced[i * MAX_PIERCED_TARGETS + k] = twice ? 0 : h;
+            b->shots.rehit_clock[i * MAX_PIERCED_TARGETS + k] = CLOCK - 2 + (uint32_t)rng_below(&rng, 6);
         }
     }
 }
@@ -158,7 +158,7 @@ static void scene(struct board *b, int number)
         bullets_drop(&b->bullets, i);
     EACH_LIVE (i, &b->enemies.s)
         enemies_drop(&b->enemies, i);
-    b->bullets.fastest = b->shots.fastest = 0;
+    b->bullets.speed_bound = b->shots.speed_bound = 0;
     draw_kinds(&b->bullet_kinds, span, false);
     draw_kinds(&b->shot_kinds, span, true);
     draw_pool(&b->bullets, rng_below(&rng, BULLETS), span, grain);

@@ -216,10 +216,11 @@ static void put_odd(struct bed *t, const char *name)
 /* Does the function take arguments by name, and can it be called whenever it is? */
 static bool fits(const struct api_entry *e)
 {
-    const unsigned never = API_LOAD | API_METHOD | API_SYS | API_MORE;
+    const unsigned never = API_LOAD | API_METHOD | API_SYS | API_VARARGS;
     const bool lua = e->flags & API_LUA && !(e->flags & API_FIRE); /* volleys are patterns' */
 
-    return e->count > e->plain && !(e->flags & never) && !lua && !api_off(&(struct manifest){ 0 }, e->name);
+    return e->count > e->positional_count && !(e->flags & never) && !lua &&
+           !api_disabled_reason(&(struct manifest){ 0 }, e->name);
 }
 
 /* A parameter of what e fires has the number it has behind e's own. */
@@ -230,7 +231,7 @@ static const struct api_param *param(const struct api_entry *e, const struct api
 
 static const struct api_entry *entry_named(const char *name)
 {
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (!strcmp(api_entry(&api_table, i)->name, name))
             return api_entry(&api_table, i);
     return NULL;
@@ -256,7 +257,8 @@ static void put_call(struct bed *t, const struct api_entry *e, bool good)
     put(t, "do local t = { ");
     for (int k = 0; k < n; k++) {
         const struct api_param *p = param(e, fire, (from + k) % n);
-        if ((from + k) % n < e->plain || (often(p) ? !good && below(t, 24) == 0 : below(t, seldom(p) ? 24 : 4) > 0))
+        if ((from + k) % n < e->positional_count ||
+            (often(p) ? !good && below(t, 24) == 0 : below(t, seldom(p) ? 24 : 4) > 0))
             continue;
         put(t, "%s = ", p->name);
         put_value(t, p);
@@ -264,11 +266,12 @@ static void put_call(struct bed *t, const struct api_entry *e, bool good)
     }
     put(t, "} ");
     if (!good && below(t, 4) == 0)
-        put_odd(t, e->params[e->plain + (int)below(t, (uint32_t)(e->count - e->plain))].name);
+        put_odd(t, e->params[e->positional_count + (int)below(t, (uint32_t)(e->count - e->positional_count))].name);
     if (!good && below(t, 8) == 0)
-        put(t, "t.%s = nil ", e->params[e->plain + (int)below(t, (uint32_t)(e->count - e->plain))].name);
+        put(t, "t.%s = nil ",
+            e->params[e->positional_count + (int)below(t, (uint32_t)(e->count - e->positional_count))].name);
     put(t, "print(%s(", e->name);
-    for (int i = 0; i < e->plain; i++) {
+    for (int i = 0; i < e->positional_count; i++) {
         put_value(t, &e->params[i]);
         put(t, ", ");
     }
@@ -279,7 +282,7 @@ static void put_call(struct bed *t, const struct api_entry *e, bool good)
 
 struct end {
     bool fine;
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
     uint64_t hash, digest, calls;
 };
 
@@ -288,7 +291,7 @@ static struct end *run(struct bed *t, bool plain, bool rubbish, struct end *end)
     struct board *b = t->r.b;
 
     board_restore(b, t->image);
-    b->vm.plain = plain;
+    b->vm.skips_plans = plain;
     for (size_t i = 0; rubbish && i < sizeof b->vm.guesses; i++)
         ((uint8_t *)&b->vm.guesses)[i] = (uint8_t)rng_next(&t->rng);
     memset(end->out, 0, sizeof end->out);
@@ -335,18 +338,18 @@ static void test_random(void **state)
     int fine = 0, wrong = 0;
     uint32_t used = 0;
 
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (fits(api_entry(&api_table, i)))
             warm(t, api_entry(&api_table, i));
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         for (int k = 0; fits(e) && k < lines; k++) {
             t->n = 0;
             for (uint32_t calls = 1 + below(t, 3); calls > 0; calls--)
                 put_call(t, e, below(t, 3) == 0);
-            const uint32_t before = t->r.b->vm.planned;
+            const uint32_t before = t->r.b->vm.plan_count;
             run(t, false, below(t, 4) == 0, &planned);
-            used += t->r.b->vm.planned != before;
+            used += t->r.b->vm.plan_count != before;
             expect_equal(t, &planned, run(t, true, below(t, 4) == 0, &plain));
             fine += plain.fine;
             wrong += !plain.fine;
@@ -379,16 +382,16 @@ static void test_changed(void **state)
 static void test_used(void **state)
 {
     struct bed *t = *state;
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
     struct board *b = t->r.b;
     const char *line = "for i = 1, 40 do bullet.fire { kind = 'dot', x = i, y = 2, speed = 1 } end";
 
-    b->vm.planned = 0;
+    b->vm.plan_count = 0;
     assert_true(board_eval(b, line, out, sizeof out));
-    assert_int_equal(b->vm.planned, 40 + 1 - 15); /* the scene fired one */
-    b->vm.plain = true;
+    assert_int_equal(b->vm.plan_count, 40 + 1 - 15); /* the scene fired one */
+    b->vm.skips_plans = true;
     assert_true(board_eval(b, line, out, sizeof out));
-    assert_int_equal(b->vm.planned, 40 + 1 - 15);
+    assert_int_equal(b->vm.plan_count, 40 + 1 - 15);
 }
 
 int main(void)

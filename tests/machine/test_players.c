@@ -82,10 +82,10 @@ static void test_drain(void **state)
             c = 2;
         if (f == 59)
             a = 3, c = 9;
-        assert_int_equal(board_register(b, 0, 0), a);
-        assert_int_equal(board_register(b, 0, 1), f == 20 ? 8 : f == 59 ? 1 : seen_b);
-        assert_int_equal(board_register(b, 0, 2), c);
-        assert_int_equal(board_register(b, 1, 0), low); /* the second player's own */
+        assert_int_equal(board_get_register(b, 0, 0), a);
+        assert_int_equal(board_get_register(b, 0, 1), f == 20 ? 8 : f == 59 ? 1 : seen_b);
+        assert_int_equal(board_get_register(b, 0, 2), c);
+        assert_int_equal(board_get_register(b, 1, 0), low); /* the second player's own */
     }
     done();
 }
@@ -296,7 +296,7 @@ static void test_options_serve(void **state)
     for (int f = 0; f < 20; f++) {
         hold(0, PAD_LEFT, 1);
         assert_int_equal(b->laser_heads.x[0], b->options.x[0]);
-        board_where(b, board_handle(b, H_SPRITE, 0), &x, &y);
+        board_get_position(b, board_handle(b, H_SPRITE, 0), &x, &y);
         assert_int_equal(y, b->options.y[0] + px(9));
     }
     hold(0, 0, 12);
@@ -320,7 +320,7 @@ static void test_options_full(void **state)
     rig_power(&rig, &g, NULL);
     b = rig.b;
     hold(0, 0, 1);
-    assert_string_equal(board_last(b)->log,
+    assert_string_equal(board_last_output(b)->log,
                         "option pool full (3): new options are dropped; raise `board.options` in rom.lua\n");
     assert_int_equal(options_of(0), 2);
     assert_int_equal(options_of(1), 1);
@@ -363,7 +363,7 @@ static void test_bomb(void **state)
     assert_int_equal(b->bullets.s.live, 20);
     hold(PAD_BOMB, 0, 1); /* held: one press */
     assert_string_equal(rig_told(&rig), "bomb 1 false");
-    assert_int_equal(b->player.safe[0], 40);
+    assert_int_equal(b->player.safe_left[0], 40);
     hold(PAD_BOMB, 0, 30);
     assert_string_equal(rig_told(&rig), "run 1 k k");
     assert_int_equal(b->bullets.s.live, 0);
@@ -536,20 +536,20 @@ static void test_asks(void **state)
         "stage.def('s', function() local p = player.get(1) while true do wait(30) say('.') if p.alive then\n"
         "bullet.fire { kind = 'orb', from = p, speed = 0 } wait(1) bullet.clear() else p = player.get(1) end end end)\n"
         "boot.run { stages = { 's' }, players = { 'ship' }, continues = 2 }");
-    b->cart.m.players = 1;
+    b->cart.manifest.players = 1;
     hold(0, 0, 2);
     hold(PAD_START, 0, 1);
     hold(0, 0, 2);
     hold(PAD_START, 0, 1);
     hold(0, 0, 34);
     assert_string_equal(rig_told(&rig), "start .");
-    assert_true(b->core.frozen && !b->player.in[0] && !b->core.over);
+    assert_true(b->core.frozen && !b->player.in_game[0] && !b->core.game_over);
     hold(0, 0, 500); /* it stands and counts */
     assert_string_equal(rig_told(&rig), "");
     hold(PAD_START, 0, 1);
     hold(0, 0, 2);
     assert_string_equal(rig_told(&rig), "on 1 1 s");
-    assert_true(!b->core.frozen && b->player.in[0]);
+    assert_true(!b->core.frozen && b->player.in_game[0]);
     hold(0, 0, 70);
     assert_true(b->core.frozen);
     rig_told(&rig);
@@ -557,7 +557,7 @@ static void test_asks(void **state)
     assert_true(b->core.frozen);
     hold(0, 0, 60);
     assert_string_equal(rig_told(&rig), "over");
-    assert_true(!b->core.frozen && b->core.over);
+    assert_true(!b->core.frozen && b->core.game_over);
     done();
 }
 

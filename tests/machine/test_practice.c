@@ -86,7 +86,7 @@ static void add_register(struct board_start *s, const char *name, int32_t value)
 /* So often was a line said in the log of the last tick. */
 static int said(const struct rig *r, const char *what)
 {
-    const struct board_out *out = board_last(r->b);
+    const struct board_out *out = board_last_output(r->b);
     int n = 0;
 
     for (size_t i = 0; i + strlen(what) <= out->log_size; i++)
@@ -97,7 +97,7 @@ static int said(const struct rig *r, const char *what)
 /* So many marks of a kind, and of that name if one is given, did the last tick tell. */
 static int told(const struct rig *r, enum board_marker_kind kind, const char *name)
 {
-    const struct board_out *out = board_last(r->b);
+    const struct board_out *out = board_last_output(r->b);
     int n = 0;
 
     for (int i = 0; i < out->markers; i++)
@@ -169,21 +169,21 @@ static void test_registers(void **state)
     (void)state;
     rig_power(&r, &game, &start);
     rig_run(&r, 2);
-    assert_int_equal(board_register(r.b, 0, 0), 2);
-    assert_int_equal(board_register(r.b, 0, 1), 7);
+    assert_int_equal(board_get_register(r.b, 0, 0), 2);
+    assert_int_equal(board_get_register(r.b, 0, 1), 7);
     rig_free(&r);
     add_register(&start, "power", 2000000000);
     rig_power(&r, &game, &start);
     for (int round = 1; round <= 2; round++) {
         until_round(&r, 1);
-        assert_int_equal(board_register(r.b, 0, 0), 2);
-        assert_int_equal(board_register(r.b, 0, 1), 2000000000);
+        assert_int_equal(board_get_register(r.b, 0, 0), 2);
+        assert_int_equal(board_get_register(r.b, 0, 1), 2000000000);
     }
     rig_free(&r);
     start.practice.reg[0].value = -5; /* as an old demo may ask */
     rig_power(&r, &game, &start);
     rig_run(&r, 2);
-    assert_int_equal(board_register(r.b, 0, 1), 0);
+    assert_int_equal(board_get_register(r.b, 0, 1), 0);
     rig_free(&r);
 }
 
@@ -216,7 +216,7 @@ static void expect_refusal(const struct board_start *start, const char *message)
 
     assert_true(board_size(&game.image.rom, &size, err, sizeof err));
     void *ram = malloc(size);
-    assert_null(board_power(ram, size, &game.image.rom, start, err, sizeof err));
+    assert_null(board_power_on(ram, size, &game.image.rom, start, err, sizeof err));
     assert_string_equal(err, message);
     free(ram);
 }
@@ -261,7 +261,7 @@ static struct hits suffer(const char *mark, bool invincible)
         h.hits += said(&r, "hit");
         h.grazes += said(&r, "graze");
         h.deaths += told(&r, MARKER_DEATH, NULL);
-        h.lived += r.b->player.in[0] && !r.b->player.safe[0];
+        h.lived += r.b->player.in_game[0] && !r.b->player.safe_left[0];
     }
     h.grazes = (int)r.b->player.grazes[0] == h.grazes ? h.grazes : -1;
     rig_free(&r);
@@ -305,8 +305,8 @@ static void test_both_invincible(void **state)
         start.practice.invincible = god;
         rig_power(&r, &own, &start);
         rig_run(&r, 100);
-        assert_int_equal(r.b->player.in[0], god);
-        assert_int_equal(r.b->player.in[1], god);
+        assert_int_equal(r.b->player.in_game[0], god);
+        assert_int_equal(r.b->player.in_game[1], god);
         rig_free(&r);
     }
     rig_game_free(&own);
@@ -329,7 +329,7 @@ static void tell_games(const char *text, const uint16_t pads[4], uint32_t frames
     for (uint32_t f = 0; f < frames; f++) {
         const uint16_t held[PADS] = { f % 20 < 2 ? pads[f / 20 % 4] : 0, 0 };
         rig_tick(&r, held);
-        const struct board_out *o = board_last(r.b);
+        const struct board_out *o = board_last_output(r.b);
         for (int i = 0; i < o->markers; i++)
             if (o->marker[i].kind > MARKER_LISTED)
                 n += (size_t)snprintf(out + n, size - n, "%d %s %d\n", (int)o->marker[i].kind - MARKER_GAME,
@@ -387,11 +387,11 @@ static void tell(const char *mark, int frames, char *out, size_t size)
     out[0] = 0;
     for (int f = 0; f < frames; f++) {
         rig_run(&r, 1);
-        const struct board_out *now = board_last(r.b);
+        const struct board_out *now = board_last_output(r.b);
         for (int i = 0; i < now->markers; i++) {
             const struct board_marker *m = &now->marker[i];
             n += (size_t)snprintf(out + n, size - n, "%s %s%s%s%s%s%s\n", kinds[m->kind], m->name,
-                                  m->of[0] ? " of " : "", m->of, m->title[0] ? " \"" : "", m->title,
+                                  m->parent[0] ? " of " : "", m->parent, m->title[0] ? " \"" : "", m->title,
                                   m->title[0] ? "\"" : "");
         }
     }
@@ -432,15 +432,15 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
     bool done = false, ship = false;
 
     other_ships[0] = 0;
-    for (int i = 0; i < g->cart.m.n_dips; i++)
-        start.dip[i] = g->cart.m.dips[i].value;
+    for (int i = 0; i < g->cart.manifest.n_dips; i++)
+        start.dip[i] = g->cart.manifest.dips[i].default_value;
     rig_power(&r, g, &start);
     out[0] = 0;
     for (*frames = 0; !done; ++*frames) {
         assert_true(*frames < 1000);
         rig_run(&r, 1);
-        const struct board_out *now = board_last(r.b);
-        assert_true(now->markers < BOARD_MARKERS); /* or some may not have been told */
+        const struct board_out *now = board_last_output(r.b);
+        assert_true(now->markers < MAX_TICK_MARKERS); /* or some may not have been told */
         for (int i = 0; i < now->markers; i++) {
             const struct board_marker *m = &now->marker[i];
             done |= m->kind == MARKER_LISTED;
@@ -452,14 +452,14 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
             if (m->kind == MARKER_SHIP || m->kind == MARKER_REGISTER)
                 n += (size_t)snprintf(out + n, size - n, "%s=%d\n", m->name, (int)m->value);
             else if (m->kind == MARKER_MARK || m->kind == MARKER_PHASE)
-                n += (size_t)snprintf(out + n, size - n, "%s%s%s %s\n", m->of, m->kind == MARKER_MARK ? ":" : "/",
+                n += (size_t)snprintf(out + n, size - n, "%s%s%s %s\n", m->parent, m->kind == MARKER_MARK ? ":" : "/",
                                       m->name, m->title);
             else if (m->kind != MARKER_LISTED)
                 n += (size_t)snprintf(out + n, size - n, "%s %s\n", m->name, m->title);
         }
     }
     rig_run(&r, 5); /* and then nothing */
-    assert_int_equal(board_last(r.b)->markers, 0);
+    assert_int_equal(board_last_output(r.b)->markers, 0);
     rig_free(&r);
 }
 
@@ -715,7 +715,7 @@ static void test_reset(void **state)
     rig_power(&r, &g, &start);
     rig_run(&r, 100);
     assert_int_equal(r.b->player.lives[0], 0);
-    assert_int_equal(r.b->player.in[0], 1);
+    assert_int_equal(r.b->player.in_game[0], 1);
     rig_free(&r);
     rig_game_free(&g);
 }
@@ -939,7 +939,7 @@ static void told_now(enum board_marker_kind kind, const char *name, const char *
 
     out = (struct board_out){ .markers = 1, .marker[0] = { .kind = kind } };
     snprintf(out.marker[0].name, sizeof out.marker[0].name, "%s", name);
-    snprintf(out.marker[0].of, sizeof out.marker[0].of, "%s", of);
+    snprintf(out.marker[0].parent, sizeof out.marker[0].parent, "%s", of);
     practice_after_tick(&menu, &out);
 }
 

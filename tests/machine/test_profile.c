@@ -14,7 +14,7 @@ static const struct profile_line *line_of(const char *place)
 {
     static const struct profile_line none = { .place = "" };
 
-    for (int i = 0; i < PROFILE_ROOM; i++)
+    for (int i = 0; i < PROFILE_CAPACITY; i++)
         if (strcmp(profile.line[i].place, place) == 0)
             return &profile.line[i];
     return &none;
@@ -22,9 +22,9 @@ static const struct profile_line *line_of(const char *place)
 
 static uint64_t sum(void)
 {
-    uint64_t n = profile_work(&profile.other);
+    uint64_t n = profile_work(&profile.overflow);
 
-    for (int i = 0; i < PROFILE_ROOM; i++)
+    for (int i = 0; i < PROFILE_CAPACITY; i++)
         n += profile_work(&profile.line[i]);
     return n;
 }
@@ -61,9 +61,9 @@ static void exact(void **state)
     (void)state;
     begin(&g, &r, counts);
     rig_run(&r, 1);
-    board_profile(r.b, &profile);
+    board_set_profile(r.b, &profile);
     rig_run(&r, FRAMES);
-    board_profile(r.b, NULL);
+    board_set_profile(r.b, NULL);
     const uint64_t once = line_of("main.lua:4")->instructions, twice = line_of("main.lua:5")->instructions;
     assert_int_equal(twice - once, FRAMES * 100 * 2); /* an addition and the loop's own instruction */
     assert_in_range(once, FRAMES * 200, FRAMES * 210);
@@ -73,8 +73,8 @@ static void exact(void **state)
     assert_int_equal(line_of("main.lua:7")->calls, 2 * line_of("main.lua:6")->calls);
     assert_true(line_of("main.lua:8")->calls >= FRAMES * WORK_CALL);
     assert_int_equal(line_of("main.lua:1")->instructions, 0);
-    assert_int_equal(sum(), profile_work(&profile.all));
-    assert_int_equal(profile_work(&profile.other), 0);
+    assert_int_equal(sum(), profile_work(&profile.total));
+    assert_int_equal(profile_work(&profile.overflow), 0);
     end(&g, &r);
 }
 
@@ -88,10 +88,10 @@ static void ends(void **state)
     begin(&g, &r, counts);
     rig_run(&r, 1);
     const lua_Hook hook = lua_gethook(r.b->vm.L);
-    board_profile(r.b, &profile);
+    board_set_profile(r.b, &profile);
     rig_run(&r, 2);
     assert_true(lua_gethook(r.b->vm.L) != hook);
-    board_profile(r.b, NULL);
+    board_set_profile(r.b, NULL);
     const uint64_t was = sum();
     rig_run(&r, FRAMES);
     assert_int_equal(sum(), was);
@@ -120,16 +120,16 @@ static void of_author(void **state)
 
     (void)state;
     begin(&g, &r, library);
-    board_profile(r.b, &profile);
+    board_set_profile(r.b, &profile);
     rig_run(&r, 4 * FRAMES);
-    board_profile(r.b, NULL);
+    board_set_profile(r.b, NULL);
     assert_true(r.b->bullets.s.live > 40);
     assert_true(line_of("main.lua:4")->library >= 8 * 2);
     assert_true(line_of("main.lua:8")->library > (4 * FRAMES - 1) * 3);
     assert_int_equal(line_of("main.lua:5")->library, 0);
-    for (int i = 0; i < PROFILE_ROOM; i++)
+    for (int i = 0; i < PROFILE_CAPACITY; i++)
         assert_true(strncmp(profile.line[i].place, "@std/", 5) != 0);
-    assert_int_equal(profile.all.library, line_of("main.lua:4")->library + line_of("main.lua:8")->library);
+    assert_int_equal(profile.total.library, line_of("main.lua:4")->library + line_of("main.lua:8")->library);
     end(&g, &r);
 }
 
@@ -144,17 +144,17 @@ static void between_frames(void **state)
                                  "task.go(function() wait(forever) end)\n";
     struct rig_game g;
     struct rig r;
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
 
     (void)state;
     begin(&g, &r, script);
     rig_run(&r, 1);
-    board_profile(r.b, &profile);
+    board_set_profile(r.b, &profile);
     assert_true(board_eval(r.b, "enemy.spawn({ kind = 'fly', x = 100, y = 50 }):kill()", out, sizeof out));
     rig_run(&r, 2);
     assert_in_range(line_of("main.lua:4")->instructions, 200, 210);
-    assert_in_range(profile_work(&profile.all), 200 + WORK_CALL, 200 + 10 * WORK_CALL);
-    assert_int_equal(sum(), profile_work(&profile.all));
+    assert_in_range(profile_work(&profile.total), 200 + WORK_CALL, 200 + 10 * WORK_CALL);
+    assert_int_equal(sum(), profile_work(&profile.total));
     end(&g, &r);
 }
 
@@ -181,7 +181,7 @@ static void changes_nothing(void **state)
     (void)state;
     begin(&g, &r, script);
     rig_power(&other, &g, NULL);
-    board_profile(r.b, &profile);
+    board_set_profile(r.b, &profile);
     for (int f = 0; f < 120; f++) {
         rig_run(&r, 1);
         rig_run(&other, 1);
@@ -190,8 +190,8 @@ static void changes_nothing(void **state)
     }
     assert_true(line_of("main.lua:5")->calls >= 119 * WORK_CALL);
     assert_true(line_of("main.lua:4")->bytes > 119 * 100 && line_of("main.lua:4")->bytes < 119 * 4000);
-    assert_int_equal(sum(), profile_work(&profile.all));
-    assert_in_range(profile_work(&profile.all), 119 * 500, 119 * 9000);
+    assert_int_equal(sum(), profile_work(&profile.total));
+    assert_in_range(profile_work(&profile.total), 119 * 500, 119 * 9000);
     rig_free(&other);
     end(&g, &r);
 }

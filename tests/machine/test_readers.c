@@ -260,7 +260,7 @@ static uint8_t *record(size_t *size)
     for (int f = 0; f < SPOIL_FRAMES; f++) {
         rig_pads(&r, pads);
         rig_tick(&rig, pads);
-        assert_true(demo_frame(&w, rig.b, pads));
+        assert_true(demo_record_frame(&w, rig.b, pads));
     }
     assert_true(demo_end(&w, rig.b));
     demo_free(&w.demo);
@@ -284,8 +284,8 @@ static enum spoil_outcome try_demo(const uint8_t *p, size_t n, uint64_t seed)
     enum spoil_outcome out = SPOIL_REFUSED;
     bool bad;
 
-    if (demo_read(&d, p, n, err, sizeof err) && demo_fits(&d, &game.cart, err, sizeof err)) {
-        demo_doubt(&d, &game.cart, doubt, sizeof doubt);
+    if (demo_read(&d, p, n, err, sizeof err) && demo_check_cart(&d, &game.cart, err, sizeof err)) {
+        demo_replay_warning(&d, &game.cart, doubt, sizeof doubt);
         out = spoil_run(&bench, &game.image.rom, &d.start, &d, seed, &bad);
         if (bad)
             fail_msg("case %llu: outcome %d says \"%s\"", (unsigned long long)seed, (int)out, bench.said);

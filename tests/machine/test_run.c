@@ -30,9 +30,9 @@ static void power(struct game *g, const struct board_start *start)
     assert_true(cart_open(&g->cart, &g->image.rom, err, sizeof err));
     assert_true(board_size(&g->image.rom, &size, err, sizeof err));
     g->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    g->b = board_power(g->ram, size, &g->image.rom, start, err, sizeof err);
+    g->b = board_power_on(g->ram, size, &g->image.rom, start, err, sizeof err);
     assert_non_null(g->b);
-    assert_null(board_last(g->b)->fault);
+    assert_null(board_last_output(g->b)->fault);
 }
 
 static void drop(struct game *g)
@@ -66,7 +66,7 @@ static void test_whole_run(void **state)
     struct game g;
     struct demo d = { 0 };
     struct tally t = { 0 };
-    struct nv_row rows[NV_ROWS];
+    struct nv_row rows[NV_MAX_ROWS];
     char err[256], title[64];
     unsigned phases = 0, stages = 0;
 
@@ -75,14 +75,14 @@ static void test_whole_run(void **state)
     assert_true(d.complete);
     assert_string_equal(d.start.practice.section, "");
     power(&g, &d.start);
-    assert_int_equal(nvram_rows(&g.b->nvram, "normal", NULL, rows), 0);
+    assert_int_equal(nvram_get_rows(&g.b->nvram, "normal", NULL, rows), 0);
     while (board_frame(g.b) < d.frames) {
         uint16_t pads[PADS];
         demo_pads(&d, board_frame(g.b), pads);
         tally_before(&t, g.b);
         assert_null(board_tick(g.b, pads)->fault);
         tally_after(&t, g.b);
-        stages |= g.b->player.in[0] ? 1u : 0;
+        stages |= g.b->player.in_game[0] ? 1u : 0;
         int left = boss_left(g.b, title, sizeof title);
         if (left >= 0)
             phases |= 1u << (left + (strstr(title, "Queen") ? 0 : 8));
@@ -98,7 +98,7 @@ static void test_whole_run(void **state)
     assert_true(t.kills >= 100);
     assert_true(t.grazes >= 50);
     assert_true(t.deaths >= 1);
-    assert_true(nvram_rows(&g.b->nvram, "normal", NULL, rows) > 0); /* a name was entered */
+    assert_true(nvram_get_rows(&g.b->nvram, "normal", NULL, rows) > 0); /* a name was entered */
     assert_true(rows[0].score > 0);
     demo_free(&d);
     drop(&g);
@@ -126,7 +126,7 @@ static void test_standing_still(void **state)
 
     (void)state;
     power(&g, &start);
-    while (f < 60 * 60 && !(f > 60 && !g.b->player.in[0])) {
+    while (f < 60 * 60 && !(f > 60 && !g.b->player.in_game[0])) {
         assert_null(board_tick(g.b, pads)->fault);
         f++;
     }
@@ -147,7 +147,7 @@ static void test_practice_rounds(void **state)
     power(&g, &start);
     for (uint32_t f = 0; f < 6000 && rounds < 3; f++) {
         assert_null(board_tick(g.b, pads)->fault);
-        since = g.b->player.in[0] ? since + 1 : 0;
+        since = g.b->player.in_game[0] ? since + 1 : 0;
         if (since == 60) {
             tasks[rounds] = g.b->tasks.s.live;
             shots[rounds++] = g.b->shots.s.live;
@@ -172,7 +172,7 @@ static void test_never_shooting(void **state)
     (void)state;
     power(&g, &start);
     for (uint32_t f = 0; f < 25000; f++) {
-        g.b->player.safe[0] = 100; /* nothing can hit it: only shooting is missing */
+        g.b->player.safe_left[0] = 100; /* nothing can hit it: only shooting is missing */
         assert_null(board_tick(g.b, pads)->fault);
         bool fights = boss_left(g.b, title, sizeof title) >= 0 && strstr(title, "Crab");
         crab |= fights;

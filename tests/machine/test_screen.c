@@ -224,15 +224,15 @@ static void test_state(void **state)
     board_hashes(r[0].b, a);
     board_hashes(r[1].b, b);
     for (int i = 0; i < board_parts(r[0].b); i++) {
-        const char *name = board_part(r[0].b, i);
+        const char *name = board_part_name(r[0].b, i);
         if ((a[i] != b[i]) != (!strcmp(name, "script") || !strcmp(name, "screen")))
             fail_msg("part %s", name);
     }
     uint64_t before = rig_picture(&r[1]);
     rig_spoil(&r[1]);
     assert_true(rig_picture(&r[1]) == before);
-    screen_empty(&r[1].b->screen);
-    screen_shake(&r[1].b->screen, r[1].b->core.clock, &dx, &dy);
+    screen_reset(&r[1].b->screen);
+    screen_get_shake(&r[1].b->screen, r[1].b->core.clock, &dx, &dy);
     assert_true(dx == 0 && dy == 0);
     assert_true(screen_flash(&r[1].b->screen, r[1].b->core.clock) == 0);
     assert_true(screen_bars(&r[1].b->screen, r[1].b->core.clock) == 0);
@@ -258,7 +258,7 @@ static void test_hashes(void **state)
     size_t size = board_hash_cache_size(r.b);
     uint8_t *copies = calloc(size + 64, 1);
     memset(copies + size, 0x5a, 64);
-    while (strcmp(board_part(r.b, part), "screen"))
+    while (strcmp(board_part_name(r.b, part), "screen"))
         part++;
     for (int n = 0; n < 20; n++) {
         rig_run(&r, 1);
@@ -272,7 +272,7 @@ static void test_hashes(void **state)
     }
     assert_int_equal(there, 9);
     assert_true(board_part_hash(r.b, part) == 0);
-    r.b->screen.bars_at = 1 << 16; /* any bit of any register */
+    r.b->screen.bars_start = 1 << 16; /* any bit of any register */
     assert_true(board_part_hash(r.b, part) != 0);
     free(copies);
     rig_free(&r);
@@ -295,7 +295,7 @@ static void test_wipe(void **state)
     rig_run(&r, 1);
     assert_int_equal(screen_bars(&r.b->screen, 2), 0);
     assert_int_equal(screen_flash(&r.b->screen, 2), 0);
-    assert_int_equal(r.b->screen.shake_over, 0);
+    assert_int_equal(r.b->screen.shake_frames, 0);
     rig_free(&r);
     rig_game_free(&g);
 }

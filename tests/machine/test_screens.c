@@ -66,7 +66,7 @@ static const char run_all[] =
 static void start(int players, bool doom)
 {
     soon("PRESS START", 60);
-    assert_true(board_last(r.b)->menu);
+    assert_true(board_last_output(r.b)->menu_shown);
     press(PAD_START, 0);
     if (players > 1) {
         soon("2 PLAYERS", 20);
@@ -94,20 +94,20 @@ static void start(int players, bool doom)
     if (players > 1) { /* nobody goes without the other */
         press(0, PAD_FIRE);
         frames(60);
-        assert_int_equal(r.b->player.in[0], 0);
+        assert_int_equal(r.b->player.in_game[0], 0);
         press(0, PAD_BOMB);
     }
     press(PAD_FIRE, 0);
     assert_true(at("READY") >= 0);
     if (players > 1) {
         frames(60);
-        assert_int_equal(r.b->player.in[0], 0);
+        assert_int_equal(r.b->player.in_game[0], 0);
         press(0, PAD_BOMB | PAD_LEFT); /* not both: it takes the step */
         press(0, PAD_RIGHT);
         press(0, PAD_FIRE);
     }
     soon("STAGE", 60);
-    assert_false(board_last(r.b)->menu);
+    assert_false(board_last_output(r.b)->menu_shown);
 }
 
 static void pause_and_go_on(void)
@@ -161,7 +161,7 @@ static void through_all(int w, int h, int field_w, int players)
     soon("WILD", 5);
     soon("500", 30);
     assert_true(players == 1 || (at("AAAA") >= 0 && at(" 70") >= 0));
-    assert_int_equal(r.b->player.in[0], 0);
+    assert_int_equal(r.b->player.in_game[0], 0);
     assert_true(r.b->sprites.s.live <= 1); /* the plate behind the table */
     frames(30);
     press(PAD_FIRE, 0);
@@ -262,7 +262,7 @@ static void test_leaving(void **state)
     assert_int_equal(r.b->player.score[0], 0);
     quit_to("QUIT TO TITLE", 3);
     soon("PRESS START", 60);
-    assert_int_equal(r.b->player.in[0], 0);
+    assert_int_equal(r.b->player.in_game[0], 0);
     close_game();
 }
 
@@ -275,9 +275,9 @@ static void test_mashed(void **state)
     for (int every = 2; every <= 12; every++) {
         open_game(run_all);
         soon("PRESS START", 60);
-        for (int f = 0; f < 60 * every && !r.b->player.in[0]; f++)
+        for (int f = 0; f < 60 * every && !r.b->player.in_game[0]; f++)
             rig_tick(&r, f % every < every / 2 ? down : (const uint16_t[PADS]){ 0 });
-        if (!r.b->player.in[0])
+        if (!r.b->player.in_game[0])
             fail_msg("fire every %d frames: no game has begun", every);
         close_game();
     }
@@ -321,7 +321,7 @@ static void start_leads_to_the_list(void)
 
 static void until_attract(void)
 {
-    for (int f = 0; board_last(r.b)->request != REQUEST_ATTRACT; f++) {
+    for (int f = 0; board_last_output(r.b)->request != REQUEST_ATTRACT; f++) {
         assert_true(f < 700);
         frames(1);
     }
@@ -351,25 +351,25 @@ static void test_attract(void **state)
     close_game();
 }
 
-/* What is asked for in this frame; ASKS: nothing. */
-static enum board_ask asked(void)
+/* What is asked for in this frame; HOST_SCREENS: nothing. */
+static enum board_host_screen asked(void)
 {
-    const struct board_out *out = board_last(r.b);
+    const struct board_out *out = board_last_output(r.b);
 
-    return out->request == REQUEST_ASK ? out->ask : ASKS;
+    return out->request == REQUEST_HOST_SCREEN ? out->host_screen : HOST_SCREENS;
 }
 
 /* Presses until that frame asks, if it does. */
-static enum board_ask press_asked(uint16_t button)
+static enum board_host_screen press_asked(uint16_t button)
 {
     const uint16_t down[PADS] = { button };
 
     for (int i = 0; i < 4; i++) {
         rig_tick(&r, i < 2 ? down : (const uint16_t[PADS]){ 0 });
-        if (asked() != ASKS)
+        if (asked() != HOST_SCREENS)
             return asked();
     }
-    return ASKS;
+    return HOST_SCREENS;
 }
 
 /* SETTINGS and REPLAYS are the host's: the game asks once, and the list is there again with the same entry chosen. */
@@ -382,15 +382,15 @@ static void test_asks(void **state)
     soon("SETTINGS", 20);
     press(PAD_UP, 0);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(press_asked(PAD_FIRE), ASK_SETTINGS);
+        assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_SETTINGS);
         frames(1);
-        assert_int_equal(asked(), ASKS);
+        assert_int_equal(asked(), HOST_SCREENS);
         soon("SETTINGS", 20);
     }
     press(PAD_UP, 0);
-    assert_int_equal(press_asked(PAD_START), ASK_REPLAYS);
+    assert_int_equal(press_asked(PAD_START), HOST_SCREEN_REPLAYS);
     soon("REPLAYS", 20);
-    assert_int_equal(r.b->player.in[0], 0);
+    assert_int_equal(r.b->player.in_game[0], 0);
     press(PAD_BOMB, 0);
     start(1, false);
     press(PAD_START, 0);
@@ -399,7 +399,7 @@ static void test_asks(void **state)
     press(PAD_DOWN, 0);
     press(PAD_DOWN, 0);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(press_asked(PAD_FIRE), ASK_SETTINGS);
+        assert_int_equal(press_asked(PAD_FIRE), HOST_SCREEN_SETTINGS);
         frames(10);
         assert_int_equal(r.b->core.clock, clock);
         assert_true(at("SETTINGS") >= 0);
@@ -514,7 +514,7 @@ static int reach_right(int n)
     for (; n > 0; n--) {
         frames(1);
         EACH_LIVE (i, &s->s) {
-            const int w = s->layer[i] >= LAYER_PLATE ? s->sprite[i] : r.b->pictures[s->sprite[i]].w;
+            const int w = s->layer[i] >= LAYER_PLATE ? s->sprite[i] : r.b->sprite_images[s->sprite[i]].w;
             if (s->flags[i] & SPRITE_SCREEN && fx_floor(s->x[i]) + w > most)
                 most = fx_floor(s->x[i]) + w;
         }
@@ -617,7 +617,7 @@ static void test_own(void **state)
     got[0] = shown[0] = 0;
     for (int i = 0; i < 600 && strlen(got) < strlen(want) && !rig_fault(&r); i++) {
         rig_run(&r, 1);
-        const struct board_out *o = board_last(r.b);
+        const struct board_out *o = board_last_output(r.b);
         snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
         if (o->request == REQUEST_ATTRACT)
             snprintf(shown + strlen(shown), sizeof shown - strlen(shown), "%s ", o->attract);
@@ -651,7 +651,7 @@ static void test_endings(void **state)
     got[0] = 0;
     for (int i = 0; i < 260; i++) {
         rig_run(&r, 1);
-        const struct board_out *o = board_last(r.b);
+        const struct board_out *o = board_last_output(r.b);
         snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
     }
     assert_string_equal(got, "my title\nright\tship\nmy title\n");
@@ -674,8 +674,8 @@ static void test_staff(void **state)
     open_game(own);
     for (int i = 0; i < 400 && !rig_fault(&r) && strlen(got) < 4; i++) {
         frames(1);
-        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)board_last(r.b)->log_size,
-                 board_last(r.b)->log);
+        snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)board_last_output(r.b)->log_size,
+                 board_last_output(r.b)->log);
     }
     assert_string_equal(got, "A\nC\n");
     close_game();
@@ -707,7 +707,7 @@ static void test_opening(void **state)
     got[0] = 0;
     for (int i = 0; i < 280; i++) {
         rig_run(&r, 1);
-        const struct board_out *o = board_last(r.b);
+        const struct board_out *o = board_last_output(r.b);
         snprintf(got + strlen(got), sizeof got - strlen(got), "%.*s", (int)o->log_size, o->log);
     }
     assert_memory_equal(got, "opening\ntitle\nopening\ntitle\nend\tship\ntitle\n", 43);

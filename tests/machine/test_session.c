@@ -214,7 +214,7 @@ static void stops_in_the_past(void **state)
     assert_true(demo_load(&d, path, err, sizeof err));
     assert_int_equal(d.frames, 77);
     assert_int_equal(d.flags, DEMO_BRANCHED);
-    uint64_t h = d.track[(d.seconds - 1) * (uint32_t)d.parts];
+    uint64_t h = d.rows[(d.n_rows - 1) * (uint32_t)d.parts];
     demo_free(&d);
     open_session(&s, false, NULL);
     play_to(&s, 77);
@@ -253,7 +253,7 @@ static void takes_over(void **state)
 /* A board that was changed from outside has no past, and its recording says so; from there on it is a run like any. */
 static void touched(void **state)
 {
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
     uint64_t changed, later;
     struct session s;
 
@@ -349,9 +349,9 @@ static uint64_t picture(const struct session *s)
     struct rig r = { .b = session_board(s) };
     int w, h;
 
-    board_screen(r.b, &w, &h);
+    board_screen_size(r.b, &w, &h);
     r.pix = calloc(1, fb_size(w, h));
-    r.scratch = malloc(board_scratch(r.b) + 1);
+    r.scratch = malloc(board_scratch_size(r.b) + 1);
     assert_true(r.pix && r.scratch);
     fb_init(&r.fb, r.pix, w, h);
     uint64_t hash = rig_picture(&r);
@@ -456,13 +456,13 @@ static void mends_a_fault(void **state)
     edit("stages/one.lua", habit, "n = 'two', every = 14, path = swoop, run");
     assert_true(rom_image_load(dir, false, &broken, err, sizeof err) && cart_open(&its, &broken.rom, err, sizeof err));
     assert_true(session_open(&s, &its, &demo.start, NULL, NULL));
-    while (!board_last(session_board(&s))->fault)
+    while (!board_last_output(session_board(&s))->fault)
         assert_true(session_tick(&s, demo.pads[board_frame(session_board(&s))]));
     uint32_t frame = board_frame(session_board(&s));
     assert_true(session_tick(&s, demo.pads[frame])); /* dead: nothing happens */
     assert_int_equal(session_last(&s), frame);
     session_goto(&s, frame - 10); /* but it can be gone back */
-    assert_null(board_last(session_board(&s))->fault);
+    assert_null(board_last_output(session_board(&s))->fault);
     at(&s, frame - 10);
     session_goto(&s, frame);
     edit("stages/one.lua", "n = 'two', every = 14, path = swoop, run", habit);

@@ -104,7 +104,7 @@ static void draw_shots(struct board *b, const struct field *f, uint64_t n, uint3
 
     while (n--) {
         bool far = one_in(16);
-        struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, kinds) };
+        struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, kinds) };
         uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
         s->dir[i] = (ang)rng_next(&rng) << (one_in(3) ? 30 : 0);
         s->vx[i] = one_in(3) ? 0 : move(f);

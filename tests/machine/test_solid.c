@@ -23,14 +23,14 @@ static void draw_kinds(struct bullet_kinds *k, fx span, uint16_t flags)
 static void draw_pool(struct bullets *s, uint64_t n, fx span, fx grain)
 {
     while (n--) {
-        struct bullet_shape shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .delay = one_in(8) };
+        struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .delay = one_in(8) };
         uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
         fx most = one_in(9) ? fastest : span / 9 < fastest ? span / 9 : fastest;
         s->vx[i] = one_in(3) || shape.delay ? 0 : within(most);
         s->vy[i] = one_in(3) || shape.delay ? 0 : within(most);
         s->x[i] = clamped((int64_t)within(span) / grain * grain + s->vx[i], edge);
         s->y[i] = clamped((int64_t)within(span) / grain * grain + s->vy[i], edge);
-        s->fastest = fx_max(s->fastest, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
+        s->speed_bound = fx_max(s->speed_bound, fx_max(fx_abs(s->vx[i]), fx_abs(s->vy[i])));
         if (s->hp)
             s->hp[i] = one_in(2) ? 0 : one_in(3) ? HP_FOREVER : 1 + (int32_t)rng_below(&rng, 9);
         if (one_in(9))
@@ -60,7 +60,7 @@ static void empty(struct board *b)
     slots_trim(&b->shots.s);
     slots_trim(&b->bullets.s);
     slots_trim(&b->enemies.s);
-    b->bullets.fastest = b->shots.fastest = 0;
+    b->bullets.speed_bound = b->shots.speed_bound = 0;
     b->events.n = 0;
 }
 

@@ -13,7 +13,7 @@ static struct rig rig;
 static int make_tables(void **state)
 {
     (void)state;
-    board_sound_open(&tables);
+    board_sound_init_tables(&tables);
     return 0;
 }
 
@@ -40,21 +40,21 @@ static void done(void)
 
 static uint64_t heard(uint64_t h, const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
 
-    board_sound(b, &tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+    board_mix_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         h = hash_fold(h, (uint16_t)sound[i]);
     return h;
 }
 
 static int loudest(const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
     int most = 0;
 
-    board_sound(b, &tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+    board_mix_sound(b, &tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         most = abs(sound[i]) > most ? abs(sound[i]) : most;
     return most;
 }
@@ -125,7 +125,7 @@ static uint64_t heard_at(const char *script, int music, int sounds, uint64_t *ha
     uint64_t h = 0;
 
     power(script);
-    board_sound_levels(&tables, music, sounds);
+    board_sound_set_levels(&tables, music, sounds);
     *most = 0;
     for (int f = 0; f < LONG; f++) {
         rig_run(&rig, 1);
@@ -134,7 +134,7 @@ static uint64_t heard_at(const char *script, int music, int sounds, uint64_t *ha
         const int now = loudest(rig.b);
         *most = now > *most ? now : *most;
     }
-    board_sound_levels(&tables, 100, 100);
+    board_sound_set_levels(&tables, 100, 100);
     done();
     return h;
 }
@@ -180,7 +180,7 @@ static void test_beats(void **state)
     if (left > first + second)
         beats += (left - first - second) * 133.25;
     assert_int_equal(seq_beats(&rig.b->music), (int)beats);
-    assert_true(rig.b->music.marks > 3);
+    assert_true(rig.b->music.marks_passed > 3);
     done();
 }
 
@@ -196,13 +196,13 @@ static void test_script(void **state)
           "  print(music.wait(2))\n"
           "  music.stop() print(music.name(), music.wait(), music.wait('none'))\n"
           "end)\n");
-    const struct board_out *out = board_last(rig.b);
+    const struct board_out *out = board_last_output(rig.b);
     assert_int_equal(out->log_size, strlen("nil\tnil\t0\t120\ntide\t108\n"));
     assert_memory_equal(out->log, "nil\tnil\t0\t120\ntide\t108\n", out->log_size);
     char log[512] = "";
     for (int f = 0; f < 400; f++) {
         rig_run(&rig, 1);
-        out = board_last(rig.b);
+        out = board_last_output(rig.b);
         snprintf(log + strlen(log), sizeof log - strlen(log), "%.*s", (int)out->log_size, out->log);
     }
     assert_string_equal(log, "1\tdrop\t41\n4\tback\n6\nnil\t0\t0\n");
@@ -281,15 +281,16 @@ static void test_cues(void **state)
     power("");
     c = &rig.b->cues;
     for (int i = 0; i < 3; i++)
-        sound_play(rig.b, &(struct cue){ cart_sound(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")),
+        sound_play(rig.b, &(struct cue){ cart_sound_place(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")),
                                          (uint16_t)(100 + i), 0, 0 });
     for (int i = 0; i < CUES; i++)
         n += c->tune[i] != 0;
     assert_int_equal(n, 1);
-    assert_int_equal(c->loud[0], 102);
+    assert_int_equal(c->cue_volume[0], 102);
     for (int i = 0; i < 3; i++) {
         rig_run(&rig, 1);
-        sound_play(rig.b, &(struct cue){ cart_sound(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")), 256, 0, 0 });
+        sound_play(rig.b,
+                   &(struct cue){ cart_sound_place(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")), 256, 0, 0 });
     }
     n = 0;
     for (int i = 0; i < CUES; i++)
@@ -299,7 +300,7 @@ static void test_cues(void **state)
     for (int i = 0; i < CUES; i++)
         assert_int_equal(c->tune[i], 0);
     for (int i = 0; i < VOICE_SLOTS; i++)
-        assert_false(voices_busy(&rig.b->voices, i));
+        assert_false(voices_is_busy(&rig.b->voices, i));
     assert_int_equal(loudest(rig.b), 0);
     done();
 }
@@ -330,15 +331,15 @@ static void test_duck(void **state)
     (void)state;
     power("music.play('tide') task.go(function() wait(60) sound.play('siren') end)");
     rig_run(&rig, 60);
-    assert_int_equal(rig.b->voices.gain1, VOICE_GAIN);
+    assert_int_equal(rig.b->voices.gain1, VOICE_FULL_GAIN);
     for (int f = 0; f < 400; f++) {
         rig_run(&rig, 1);
         const int32_t gain = rig.b->voices.gain1, was = rig.b->voices.gain0;
-        assert_true(abs(gain - was) <= VOICE_GAIN / 7 && (f < 239 ? gain <= was : gain >= was));
+        assert_true(abs(gain - was) <= VOICE_FULL_GAIN / 7 && (f < 239 ? gain <= was : gain >= was));
         if (f > 40 && f < 239)
-            assert_int_equal(gain, VOICE_GAIN - VOICE_GAIN * 128 / 255);
+            assert_int_equal(gain, VOICE_FULL_GAIN - VOICE_FULL_GAIN * 128 / 255);
     }
-    assert_int_equal(rig.b->voices.gain1, VOICE_GAIN);
+    assert_int_equal(rig.b->voices.gain1, VOICE_FULL_GAIN);
     done();
 }
 
@@ -363,7 +364,7 @@ static void test_none(void **state)
 {
     struct rig_game g;
     struct rig r;
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
 
     (void)state;
     rig_script(&g, NULL, "");
@@ -371,14 +372,14 @@ static void test_none(void **state)
     rig_run(&r, 3);
     assert_false(board_has_sound(r.b));
     memset(sound, 1, sizeof sound);
-    board_sound(r.b, NULL, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+    board_mix_sound(r.b, NULL, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         assert_int_equal(sound[i], 0);
     for (int i = 0; i < PARTS; i++)
         if (machine_parts[i].chip == &seq_chip || machine_parts[i].chip == &cues_chip ||
             machine_parts[i].chip == &voices_chip)
             assert_true(board_part_hash(r.b, i) == 0 &&
-                        slots_save(machine_parts[i].chip, (uint8_t *)r.b + machine_parts[i].at, NULL) == 0);
+                        slots_save(machine_parts[i].chip, (uint8_t *)r.b + machine_parts[i].offset, NULL) == 0);
     rig_free(&r);
     rig_game_free(&g);
 }

@@ -1,7 +1,7 @@
 /*
  * test_speaker.c - what goes to the host's speaker, with simulated clocks: the card is this file's plat_sound, and time
  * is what the tests say. Sound is unbroken whatever the clocks do, joints do not click and are over when they say, and
- * with the rate held at 1 what is played is what board_sound makes.
+ * with the rate held at 1 what is played is what board_mix_sound makes.
  */
 #include <math.h>
 #include "rig.h"
@@ -157,7 +157,7 @@ static int own_bend(int frames)
 
     for (int f = 0; f < frames; f++) {
         rig_run(&rig, 1);
-        board_sound(rig.b, tables, all + f * 1600);
+        board_mix_sound(rig.b, tables, all + f * 1600);
     }
     for (int i = 1; i < frames * 800 - 1; i++)
         most = abs(2 * all[2 * i] - all[2 * i + 2] - all[2 * i - 2]) > most
@@ -291,7 +291,7 @@ static void make_unbroken(int frames)
     unbroken = malloc((size_t)frames * 3200);
     for (int f = 0; f < frames; f++) {
         rig_run(&rig, 1);
-        board_sound(rig.b, tables, unbroken + f * 1600);
+        board_mix_sound(rig.b, tables, unbroken + f * 1600);
     }
     rig_free(&rig);
     rig_power(&rig, &game, NULL);
@@ -659,8 +659,8 @@ static void test_any_step(void **state)
 static int make_tables(void **state)
 {
     (void)state;
-    tables = malloc(board_sound_tables());
-    board_sound_open(tables);
+    tables = malloc(board_sound_tables_size());
+    board_sound_init_tables(tables);
     return 0;
 }
 

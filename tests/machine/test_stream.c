@@ -14,7 +14,7 @@ static struct rig rig;
 static int make_tables(void **state)
 {
     (void)state;
-    board_sound_open(&tables);
+    board_sound_init_tables(&tables);
     return 0;
 }
 
@@ -42,7 +42,7 @@ static void power(const char *script, bool exact)
     struct art_sound about = { .volume = 255,
                                .priority = 4,
                                .limit = 1,
-                               .bar = 4,
+                               .beats_per_bar = 4,
                                .tempo = 12000,
                                .stereo = true,
                                .exact = exact,
@@ -84,7 +84,7 @@ static void done(void)
     rig_game_free(&game);
 }
 
-static int16_t sound[2 * BOARD_SOUND];
+static int16_t sound[2 * BOARD_SOUND_FRAMES];
 
 /* All that is heard of n frames; free it. */
 static int16_t *listen(int n)
@@ -94,7 +94,7 @@ static int16_t *listen(int n)
     assert_non_null(out);
     for (int f = 0; f < n; f++) {
         rig_run(&rig, 1);
-        board_sound(rig.b, &tables, out + (size_t)f * 2 * BOARD_SOUND);
+        board_mix_sound(rig.b, &tables, out + (size_t)f * 2 * BOARD_SOUND_FRAMES);
     }
     return out;
 }
@@ -119,7 +119,7 @@ static void test_exact(void **state)
             }
         printf("# %s: off by %d at most\n", exact ? "16 bits" : "ADPCM", most);
         assert_true(most <= (exact ? 3 : 300));
-        for (int i = LOOP + 100; i + ROUND < N * BOARD_SOUND; i++)
+        for (int i = LOOP + 100; i + ROUND < N * BOARD_SOUND_FRAMES; i++)
             for (int c = 0; c < 2; c++)
                 assert_int_equal(all[2 * i + c], all[2 * (i + ROUND) + c]);
         free(all);
@@ -136,7 +136,7 @@ static const char *said(int n)
     log[0] = '\0';
     for (int f = 0; f < n; f++) {
         rig_run(&rig, 1);
-        const struct board_out *out = board_last(rig.b);
+        const struct board_out *out = board_last_output(rig.b);
         snprintf(log + strlen(log), sizeof log - strlen(log), "%.*s", (int)out->log_size, out->log);
     }
     return log;
@@ -176,12 +176,12 @@ static void test_end(void **state)
     (void)state;
     power("music.play('short')", false);
     rig_run(&rig, 30);
-    board_sound(rig.b, &tables, sound);
+    board_mix_sound(rig.b, &tables, sound);
     assert_true(abs(sound[500]) + abs(sound[700]) > 100);
     assert_memory_equal(&sound[500], &sound[501], 2); /* of one voice, in the middle */
     rig_run(&rig, 40);
     for (int i = 0; i < VOICE_SLOTS; i++)
-        assert_false(voices_busy(&rig.b->voices, i));
+        assert_false(voices_is_busy(&rig.b->voices, i));
     done();
 }
 
@@ -198,8 +198,8 @@ static void test_restored(void **state)
     for (int f = 0; f < N; f++) {
         rig_run(&rig, 1);
         rig_spoil(&rig);
-        board_sound(rig.b, &tables, sound);
-        assert_memory_equal(sound, all + (size_t)f * 2 * BOARD_SOUND, sizeof sound);
+        board_mix_sound(rig.b, &tables, sound);
+        assert_memory_equal(sound, all + (size_t)f * 2 * BOARD_SOUND_FRAMES, sizeof sound);
     }
     free(all);
     done();
@@ -226,10 +226,10 @@ static void test_aside(void **state)
             rig_run(&rig, 1);
         for (int f = 1; f < 30; f++) {
             rig_run(&rig, 1);
-            board_sound(rig.b, &tables, sound);
+            board_mix_sound(rig.b, &tables, sound);
             int best = -1;
             for (int k = 0; k < N && best < 0; k++)
-                if (memcmp(sound, all + (size_t)k * 2 * BOARD_SOUND, sizeof sound) == 0)
+                if (memcmp(sound, all + (size_t)k * 2 * BOARD_SOUND_FRAMES, sizeof sound) == 0)
                     best = k;
             assert_true(f < 4 || best == f);
         }
@@ -252,9 +252,9 @@ static void test_hours(void **state)
         rig.b->voices.phase[i] += (uint64_t)((1u << 30) / ROUND + 2) * ROUND << 32;
     for (int f = 0; f < 600; f++) {
         rig_run(&rig, 1);
-        board_sound(rig.b, &tables, sound);
+        board_mix_sound(rig.b, &tables, sound);
         if (f > 300) /* it was not in the loop yet */
-            assert_memory_equal(sound, all + (size_t)f * 2 * BOARD_SOUND, sizeof sound);
+            assert_memory_equal(sound, all + (size_t)f * 2 * BOARD_SOUND_FRAMES, sizeof sound);
         assert_true(f == 0 || rig.b->voices.phase[0] >> 32 < 1u << 30);
     }
     free(all);

@@ -447,7 +447,7 @@ static bool list_globals(const char *path, struct counts *c)
     return pclose(listing) == 0 && any;
 }
 
-/* Is the name, or one that names all, among those that script_next_read gives? */
+/* Is the name, or one that names all, among those that script_next_global gives? */
 static bool gives(const char *text, size_t n, const char *name)
 {
     static const char *const words[] = { "_ENV", "_G" };
@@ -457,7 +457,7 @@ static bool gives(const char *text, size_t n, const char *name)
     bool given = false;
 
     memcpy(copy, text, n);
-    while (!given && script_next_read(copy, n, &at, &word, &size)) {
+    while (!given && script_next_global(copy, n, &at, &word, &size)) {
         given = strlen(name) == size && memcmp(word, name, size) == 0;
         for (int i = 0; i < 2; i++)
             given = given || (strlen(words[i]) == size && memcmp(word, words[i], size) == 0);

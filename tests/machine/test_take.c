@@ -69,14 +69,15 @@ static void test_model(void **state)
         model_latch(in, side);
         for (int i = 0; i < 6; i++) {
             uint32_t p = (uint32_t)rng_below(&rng, PADS), k = (uint32_t)rng_below(&rng, PAD_BUTTONS);
-            uint32_t n = rng_below(&rng, 3) ? (uint32_t)rng_below(&rng, 6) : (uint32_t)rng_below(&rng, PRESS_KEPT + 1);
+            uint32_t n =
+                rng_below(&rng, 3) ? (uint32_t)rng_below(&rng, 6) : (uint32_t)rng_below(&rng, MAX_PRESS_AGE + 1);
             bool want = model_take(p, k, n, side);
             assert_int_equal(input_take(in, p, k, n, side), want);
             taken += want;
         }
         if (rng_below(&rng, 40) == 0) {
             uint32_t p = (uint32_t)rng_below(&rng, PADS);
-            input_forget(in, p, side, PAD_ALL);
+            input_drop_presses(in, p, side, PAD_ALL);
             model_forget(p, side);
         }
     }
@@ -110,7 +111,7 @@ static void frame(uint16_t first, uint16_t second)
     size_t n = strlen(told);
 
     rig_tick(&rig, pads);
-    const struct board_out *out = board_last(rig.b);
+    const struct board_out *out = board_last_output(rig.b);
     for (size_t i = 0; i < out->log_size && n + 1 < sizeof told; i++)
         if (out->log[i] != '\n')
             told[n++] = out->log[i];
@@ -401,7 +402,7 @@ static void sandbox(const char *try)
 
 static int said(const char *words)
 {
-    const struct board_out *out = board_last(rig.b);
+    const struct board_out *out = board_last_output(rig.b);
     char line[64];
     int n = 0, k = snprintf(line, sizeof line, "\1%s\n", words);
 
@@ -425,8 +426,8 @@ static void press_all(const char *page, const char *text, const char *ask, const
         k++;
     assert_true(k < PAD_BUTTONS);
     sandbox(text);
-    for (int i = 0; i < g.cart.m.n_dips; i++)
-        start.dip[i] = g.cart.m.dips[i].value;
+    for (int i = 0; i < g.cart.manifest.n_dips; i++)
+        start.dip[i] = g.cart.manifest.dips[i].default_value;
     rig_power(&rig, &g, &start);
     for (int f = 0; f < (PRESSES + 1) * LONG; f++) {
         bool down = f >= LONG && f % LONG < 1 + f / LONG % 3;

@@ -352,13 +352,13 @@ static void test_choose_in_talk(void **state)
     press(PAD_FIRE, 0);
     assert_string_equal(words(0), "A");
     hold(3, PAD_LEFT, 0);
-    assert_int_equal(player_withheld(&r.b->player, 0) & PAD_LEFT, PAD_LEFT);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0) & PAD_LEFT, PAD_LEFT);
     press(PAD_FIRE, 0);
     told("1");
     assert_string_equal(words(0), "B");
-    assert_int_equal(player_withheld(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
     press(PAD_FIRE, 0);
-    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
     close_it();
 }
 
@@ -433,7 +433,7 @@ static void test_stop(void **state)
     assert_false(empty_screen());
     rig_run(&r, 10);
     assert_true(empty_screen());
-    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
     close_it();
     open_it("local t = task.go(function() say('iri', 'A') end)\n"
             "wait(20) task.stop(t) string.sys.wipe() text.put { col = 2, row = 33, text = 'SCORES' }");
@@ -445,10 +445,10 @@ static void test_stop(void **state)
     open_it("local t = task.go(function() say('iri', 'OLD') end)\n"
             "wait(20) task.stop(t) say('sen', 'NEW', { letter = 0 })");
     rig_run(&r, 25);
-    assert_int_equal(player_withheld(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), PAD_FIRE | PAD_BOMB | PAD_SPECIAL);
     press(PAD_FIRE, 0);
     told("end");
-    assert_int_equal(player_withheld(&r.b->player, 0), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 0), 0);
     close_it();
 }
 
@@ -544,7 +544,7 @@ static void test_boss(void **state)
     assert_string_equal(words(0), "MINE");
     rig_run(&r, 40);
     assert_true(empty_screen());
-    assert_int_equal(player_withheld(&r.b->player, 1), 0);
+    assert_int_equal(player_ignored_buttons(&r.b->player, 1), 0);
     rig_run(&r, 80);
     told("end");
     close_it();
@@ -558,15 +558,16 @@ static void test_packed(void **state)
 
     (void)state;
     for (int i = 0; i < STD_MODULES; i++)
-        if (!strcmp(std_module(i), "talk") || !strcmp(std_module(i), "say") || !strcmp(std_module(i), "choose"))
+        if (!strcmp(std_module_name(i), "talk") || !strcmp(std_module_name(i), "say") ||
+            !strcmp(std_module_name(i), "choose"))
             dialogue |= (uint64_t)1 << i;
     for (int i = 0; i < STD_MODULES; i++)
         for (int k = 0; k < std_script_count; k++) {
-            if (strcmp(std_scripts[k].name, std_module(i)) || dialogue >> i & 1)
+            if (strcmp(std_scripts[k].name, std_module_name(i)) || dialogue >> i & 1)
                 continue;
             others++;
-            if (std_needed(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
-                fail_msg("%s names a word of dialogue", std_module(i));
+            if (std_modules_needed(i, (const char *)std_scripts[k].data, std_scripts[k].size) & dialogue)
+                fail_msg("%s names a word of dialogue", std_module_name(i));
         }
     assert_int_equal(others, STD_MODULES - 3);
 }

@@ -51,7 +51,7 @@ static const char *says(const char *text)
 /* ---- read only ---- */
 
 /* A thing of each kind. */
-static const char *const made[HANDLES] = {
+static const char *const made[HANDLE_KINDS] = {
     NULL,
     "bullet.fire { kind = 'dot', x = 9, y = 9, speed = 0 }",
     "shot.fire { kind = 'bolt', x = 9, y = 9, speed = 0 }",
@@ -76,15 +76,15 @@ static void test_read_only(void **state)
 {
     (void)state;
     int seen = 0;
-    for (int k = 1; k < HANDLES; k++) {
+    for (int k = 1; k < HANDLE_KINDS; k++) {
         const struct api_thing *t = api_table.things[k];
         char text[300], want[200];
         if (!made[k]) /* what is of backgrounds has nothing that is read only */
             continue;
         for (int i = -1; i < t->n; i++) {
-            const char *name = i < 0 ? "alive" : t->props[i].value.name;
-            if (i < 0 ? k == H_MOTION || k == H_LAYER || k == H_PLANE || handle_kind_group((enum handle_kind)k)
-                      : t->props[i].write == PROP_WRITE)
+            const char *name = i < 0 ? "alive" : t->props[i].param.name;
+            if (i < 0 ? k == H_MOTION || k == H_LAYER || k == H_PLANE || handle_kind_is_group((enum handle_kind)k)
+                      : t->props[i].access == PROP_WRITE)
                 continue;
             snprintf(text, sizeof text, "wait(2) local t = %s t.%s = 1", made[k], name);
             snprintf(want, sizeof want, "main.lua:2: %s: %s is read-only", t->name, name);
@@ -181,7 +181,7 @@ static bool is_there(const char *of, char how, const char *name)
     char full[64];
 
     snprintf(full, sizeof full, "%s%s%s", of, *of ? (how == ':' ? ":" : ".") : "", name);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         size_t n = strlen(full);
         if (how != '{' && (!strcmp(e->name, full) || (!*of && !strncmp(e->name, full, n) && e->name[n] == '.')))
@@ -190,9 +190,9 @@ static bool is_there(const char *of, char how, const char *name)
             if (!strcmp(e->params[k].name, name) && strcmp(name, "drops")) /* enemy.def says it by itself */
                 return true;
     }
-    for (int k = 1; how == ':' && k < HANDLES; k++)
+    for (int k = 1; how == ':' && k < HANDLE_KINDS; k++)
         for (int i = 0; !strcmp(api_table.things[k]->name, of) && i < api_table.things[k]->n; i++)
-            if (!strcmp(api_table.things[k]->props[i].value.name, name))
+            if (!strcmp(api_table.things[k]->props[i].param.name, name))
                 return true;
     return false;
 }
@@ -209,7 +209,7 @@ static void test_none_is_there(void **state)
             snprintf(word, sizeof word, "%.*s", (int)strcspn(names, " "), names);
             if (is_there(of, how, word))
                 fail_msg("%s %c %s is there: it is no name for later", of, how, word);
-            assert_true(api_reserved(of, how, word));
+            assert_true(api_is_reserved(of, how, word));
         }
     assert_true(n > 0);
     assert_true(is_there("", '.', "bullet"));
@@ -217,10 +217,10 @@ static void test_none_is_there(void **state)
     assert_true(is_there("bullet", ':', "aim"));
     assert_true(is_there("bullet", ':', "speed"));
     assert_true(is_there("bullet.fire", '{', "speed"));
-    assert_false(api_reserved("bullet", '.', "fire"));
-    assert_false(api_reserved("", '.', ""));
-    assert_false(api_reserved("", '.', "so"));
-    assert_false(api_reserved("", '.', "ound"));
+    assert_false(api_is_reserved("bullet", '.', "fire"));
+    assert_false(api_is_reserved("", '.', ""));
+    assert_false(api_is_reserved("", '.', "so"));
+    assert_false(api_is_reserved("", '.', "ound"));
 }
 
 /* A chip's names are off until rom.lua gives it room. */
@@ -230,23 +230,24 @@ static void test_off(void **state)
 
     (void)state;
     manifest_default(&m);
-    assert_string_equal(api_off(&m, "item"), "items are disabled; add `items = 512` to `board`");
-    assert_string_equal(api_off(&m, "items"), "items are disabled; add `items = 512` to `board`");
-    assert_null(api_off(&m, "ite"));
-    assert_null(api_off(&m, "bullet"));
-    assert_string_equal(api_off(&m, "text.line"), "text lines are disabled; add `lines = 32` to `board`");
-    assert_null(api_off(&m, "line"));
+    assert_string_equal(api_disabled_reason(&m, "item"), "items are disabled; add `items = 512` to `board`");
+    assert_string_equal(api_disabled_reason(&m, "items"), "items are disabled; add `items = 512` to `board`");
+    assert_null(api_disabled_reason(&m, "ite"));
+    assert_null(api_disabled_reason(&m, "bullet"));
+    assert_string_equal(api_disabled_reason(&m, "text.line"), "text lines are disabled; add `lines = 32` to `board`");
+    assert_null(api_disabled_reason(&m, "line"));
     m.lines = 1;
-    assert_null(api_off(&m, "text.line"));
-    assert_string_equal(api_off(&m, "laser"), "lasers are disabled; add `lasers = 64` to `board`");
-    assert_string_equal(api_off(&m, "laser.curve"), "curved lasers are disabled; add `curve_points = 2048` to `board`");
+    assert_null(api_disabled_reason(&m, "text.line"));
+    assert_string_equal(api_disabled_reason(&m, "laser"), "lasers are disabled; add `lasers = 64` to `board`");
+    assert_string_equal(api_disabled_reason(&m, "laser.curve"),
+                        "curved lasers are disabled; add `curve_points = 2048` to `board`");
     m.lasers = 1;
-    assert_null(api_off(&m, "laser"));
+    assert_null(api_disabled_reason(&m, "laser"));
     m.curve_points = 1;
-    assert_null(api_off(&m, "laser.curve"));
+    assert_null(api_disabled_reason(&m, "laser.curve"));
     m.items = 1;
-    assert_null(api_off(&m, "item"));
-    assert_null(api_off(&m, "items"));
+    assert_null(api_disabled_reason(&m, "item"));
+    assert_null(api_disabled_reason(&m, "items"));
 }
 
 /* What is off says which line of rom.lua switches it on. */
@@ -461,12 +462,12 @@ static void test_full_again(void **state)
         for (int f = 0; f < 60; f++) {
             const struct board_out *out = board_tick(rig.b, none);
             rig_sound(&rig);
-            heard[spoilt] += out->fulls;
-            assert_int_equal(out->fulls, f == 5 || f == 16 || f == 27);
-            for (int i = 0; i < out->fulls; i++) {
-                assert_string_equal(out->full[i].part, "bullets");
-                assert_int_equal(strlen(out->full[i].line) + 1, out->log_size);
-                assert_memory_equal(out->full[i].line, out->log, out->log_size - 1);
+            heard[spoilt] += out->full_pools;
+            assert_int_equal(out->full_pools, f == 5 || f == 16 || f == 27);
+            for (int i = 0; i < out->full_pools; i++) {
+                assert_string_equal(out->full_pool[i].part, "bullets");
+                assert_int_equal(strlen(out->full_pool[i].line) + 1, out->log_size);
+                assert_memory_equal(out->full_pool[i].line, out->log, out->log_size - 1);
             }
             if (spoilt)
                 rig_spoil(&rig);
@@ -479,8 +480,8 @@ static void test_full_again(void **state)
     rig_run(&rig, 5);
     rig_save(&rig);
     for (int again = 0; again < 3; again++) {
-        assert_int_equal(board_tick(rig.b, none)->fulls, 1);
-        assert_int_equal(board_tick(rig.b, none)->fulls, 0);
+        assert_int_equal(board_tick(rig.b, none)->full_pools, 1);
+        assert_int_equal(board_tick(rig.b, none)->full_pools, 0);
         rig_restore(&rig);
     }
     rig_free(&rig);
@@ -602,21 +603,21 @@ static void test_guide(void **state)
 static void test_ask(void **state)
 {
     static const char *const words[] = { "settings", "replays", "practice", "keys" };
-    uint64_t hash[ASKS + 1];
+    uint64_t hash[HOST_SCREENS + 1];
     char text[120];
 
     (void)state;
-    for (int i = 0; i <= ASKS; i++) {
+    for (int i = 0; i <= HOST_SCREENS; i++) {
         snprintf(text, sizeof text, "task.go(function() wait(5) %s%s%s wait(forever) end)",
-                 i < ASKS ? "board.ask '" : "", i < ASKS ? words[i] : "", i < ASKS ? "'" : "");
+                 i < HOST_SCREENS ? "board.ask '" : "", i < HOST_SCREENS ? words[i] : "", i < HOST_SCREENS ? "'" : "");
         rig_script(&g, NULL, text);
         rig_power(&rig, &g, NULL);
         for (int f = 0; f < 10; f++) {
             rig_run(&rig, 1);
-            const struct board_out *out = board_last(rig.b);
-            assert_int_equal(out->request, f == 5 && i < ASKS ? REQUEST_ASK : REQUEST_NONE);
-            if (f == 5 && i < ASKS)
-                assert_int_equal(out->ask, i);
+            const struct board_out *out = board_last_output(rig.b);
+            assert_int_equal(out->request, f == 5 && i < HOST_SCREENS ? REQUEST_HOST_SCREEN : REQUEST_NONE);
+            if (f == 5 && i < HOST_SCREENS)
+                assert_int_equal(out->host_screen, i);
         }
         hash[i] = board_hash(rig.b);
         for (int k = 0; k < i; k++)
@@ -647,12 +648,12 @@ static void test_players(void **state)
         rig_tick(&rig, none);
         rig_tick(&rig, start);
         rig_run(&rig, 3);
-        assert_int_equal(rig.b->player.in[0], 0); /* where to is asked first */
+        assert_int_equal(rig.b->player.in_game[0], 0); /* where to is asked first */
         rig_tick(&rig, down);
         rig_tick(&rig, none);
         rig_tick(&rig, start);
         rig_run(&rig, 3);
-        assert_int_equal(rig.b->player.in[1], players == 2); /* else what comes below START was chosen */
+        assert_int_equal(rig.b->player.in_game[1], players == 2); /* else what comes below START was chosen */
         rig_free(&rig);
         rig_game_free(&g);
     }
@@ -753,7 +754,7 @@ static const char *fits(const struct api_entry *e, const struct api_param *p)
         [A_OPTION_KIND] = "'bead'",
         [A_SPRITE] = "'dot'",
         [A_BLEND] = "'none'",
-        [A_FACE] = "'tiny'",
+        [A_FONT] = "'tiny'",
         [A_MAP] = "'sea'",
         [A_SOUND] = "'hit'",
         [A_TUNE] = "'tide'",
@@ -770,7 +771,7 @@ static const char *fits(const struct api_entry *e, const struct api_param *p)
         return text;
     }
     if (p->type == A_THING) {
-        for (int k = 1; k < HANDLES; k++)
+        for (int k = 1; k < HANDLE_KINDS; k++)
             if ((unsigned)p->lo >> k & 1 && made[k])
                 return made[k];
         return "string.foe";
@@ -807,16 +808,16 @@ static void put_call(struct blame *t, const struct api_entry *e, const struct ap
     const bool method = e->flags & API_METHOD;
 
     t->n = 0;
-    for (int k = 1; method && k < HANDLES; k++)
+    for (int k = 1; method && k < HANDLE_KINDS; k++)
         if (!strncmp(e->name, api_table.things[k]->name, strcspn(e->name, ":")) &&
             !api_table.things[k]->name[strcspn(e->name, ":")])
             put(t, "local self = %s ", made[k] ? made[k] : "nil");
     put(t, "%s%s(", method ? "self:" : "", method ? strchr(e->name, ':') + 1 : e->name);
-    for (int i = method; i < e->plain; i++)
+    for (int i = method; i < e->positional_count; i++)
         put(t, "%s%s", i == method ? "" : ", ", i == wrong ? value ? value : "nil" : fits(e, &e->params[i]));
-    if (n > e->plain)
-        put(t, "%s{ ", e->plain > method ? ", " : "");
-    for (int i = e->plain; i < n; i++) {
+    if (n > e->positional_count)
+        put(t, "%s{ ", e->positional_count > method ? ", " : "");
+    for (int i = e->positional_count; i < n; i++) {
         const struct api_param *p = api_param_at(e, fire, i);
         const bool often = !p->optional || !strcmp(p->name, "x") || !strcmp(p->name, "y");
         if (i == wrong ? value != NULL : often)
@@ -826,7 +827,7 @@ static void put_call(struct blame *t, const struct api_entry *e, const struct ap
         put(t, "fire = '%s', ", word);
     if (each)
         put(t, "each = function() end ");
-    put(t, n > e->plain ? "})" : ")");
+    put(t, n > e->positional_count ? "})" : ")");
     for (size_t i = 0; i < sizeof inner / sizeof *inner; i++)
         if (!strcmp(inner[i].entry, e->name)) {
             char table[sizeof t->line];
@@ -847,7 +848,7 @@ static bool is_inner(const struct api_entry *e)
 /* Runs the line as it is, or in a task. Returns what it failed with, or NULL. */
 static const char *failure(struct blame *t, bool task)
 {
-    static char out[EVAL_TEXT], line[sizeof t->line + 40];
+    static char out[EVAL_TEXT_SIZE], line[sizeof t->line + 40];
     const uint16_t none[PADS] = { 0 };
     struct board *b = t->rig.b;
     const char *said = NULL;
@@ -860,7 +861,7 @@ static const char *failure(struct blame *t, bool task)
     b->vm.loading = false;
     for (int i = 0; task && !said && i < 3; i++)
         if (board_tick(b, none)->fault) {
-            snprintf(out, sizeof out, "%s", board_last(b)->fault->message);
+            snprintf(out, sizeof out, "%s", board_last_output(b)->fault->message);
             said = strncmp(out, "console:1: ", 11) ? out : out + 11;
         }
     rig_restore(&t->rig);
@@ -947,14 +948,14 @@ static void test_blame(void **state)
     rig_power(&t.rig, &g, NULL);
     rig_run(&t.rig, 3);
     rig_save(&t.rig);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         t.loading = e->flags & API_LOAD || is_inner(e);
-        if ((e->flags & API_SYS && !is_inner(e)) || api_off(&m, e->name))
+        if ((e->flags & API_SYS && !is_inner(e)) || api_disabled_reason(&m, e->name))
             continue;
         for (int f = 0; e->flags & API_FIRE && f < FIRES; f++)
             for (int each = 0; each < 2; each++)
-                mistake_all(&t, e, api_table.fire[f], words[f], each);
+                mistake_all(&t, e, api_table.fire_entries[f], words[f], each);
         if (!(e->flags & API_FIRE))
             mistake_all(&t, e, NULL, NULL, false);
     }
@@ -1106,7 +1107,7 @@ static void test_words(void **state)
     (void)state;
     assert_string_equal(said("spark.def('a', { sprite = 'dot', life = 9, layer = 'back' })", 1),
                         "main.lua:1: spark.def: layer: expected middle or front, got \"back\"");
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         for (int k = 0; k < api_entry(&api_table, i)->count; k++) {
             const struct api_param *p = &api_entry(&api_table, i)->params[k];
             struct api_value v = { 0 };

@@ -6,7 +6,7 @@
 #include "../../src/cab/tables/shade.h"
 #include "rig.h"
 
-static void *tables; /* of board_sound */
+static void *tables; /* of board_mix_sound */
 static struct shade_kept shades;
 
 /* The picture, by a view that the frame picks, and the samples of a game that has any, as one number. */
@@ -14,13 +14,13 @@ static uint64_t seen_and_heard(struct rig *r)
 {
     const uint32_t any = board_frame(r->b) * 2654435769u >> 16;
     const struct view view = rig_view((int)(any % RIG_VIEWS), shade_for(&shades, &r->game->cart));
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
 
     if (!tables) {
-        tables = malloc(board_sound_tables());
-        board_sound_open(tables);
+        tables = malloc(board_sound_tables_size());
+        board_sound_init_tables(tables);
     }
-    board_sound(r->b, tables, sound);
+    board_mix_sound(r->b, tables, sound);
     return hash_bytes(rig_picture_by(r, &view), sound, sizeof sound);
 }
 

@@ -88,11 +88,11 @@ static void test_all_of_the_hash(void **state)
             struct folded f = { .h = HASH_START, .slot = NO_SLOT };
             board_trace(r.b, i, fold, &f);
             if (!board_part_hash(r.b, i)) { /* a part that this game has no room for */
-                assert_true(i >= PARTS_ALWAYS && f.values == 0);
+                assert_true(i >= PARTS_ALWAYS_HASHED && f.values == 0);
                 continue;
             }
             if (f.h != board_part_hash(r.b, i))
-                fail_msg("%s: the trace of %s is not what is hashed", rows[k].game, board_part(r.b, i));
+                fail_msg("%s: the trace of %s is not what is hashed", rows[k].game, board_part_name(r.b, i));
             assert_true(f.values >= 2);
         }
         rig_free(&r);
@@ -204,14 +204,15 @@ static void plant(struct rig *r, int part, int64_t slot, const struct column *c,
     print_trace("b", "w", r->b, only);
     store(p, c->width, was);
     assert_int_equal(bisect("a", "b"), RESULT_DIFFERS);
-    if (slot >= 0 && machine_parts[part].chip->list && (was == 0 || is == 0)) { /* an entry may have become all zero */
+    if (slot >= 0 && machine_parts[part].chip->is_list &&
+        (was == 0 || is == 0)) { /* an entry may have become all zero */
         char start[64];
-        const char *name = board_part(r->b, part);
+        const char *name = board_part_name(r->b, part);
         snprintf(start, sizeof start, "\n  %s %lld %s", name, (long long)slot, column_name(name, c->name));
         assert_non_null(strstr(out, start));
         return;
     }
-    named(board_frame(r->b), board_part(r->b, part), slot, c, i, was, is);
+    named(board_frame(r->b), board_part_name(r->b, part), slot, c, i, was, is);
 }
 
 /* A live slot, any of them. */
@@ -231,7 +232,7 @@ static int64_t some_slot(const struct slots *s, struct rng *rng)
  * without room has none. */
 static int plant_part(struct rig *r, int part, struct rng *rng)
 {
-    uint8_t *self = (uint8_t *)r->b + machine_parts[part].at;
+    uint8_t *self = (uint8_t *)r->b + machine_parts[part].offset;
     const struct chip *chip = machine_parts[part].chip;
     int planted = 0;
 
@@ -241,13 +242,13 @@ static int plant_part(struct rig *r, int part, struct rng *rng)
     assert_int_equal(bisect("a", "a"), RESULT_DONE);
     for (int k = 0; k < chip->count; k++) {
         const struct column *c = &chip->columns[k];
-        int64_t slot = c->reg ? NO_SLOT : some_slot((struct slots *)self, rng);
+        int64_t slot = c->is_register ? NO_SLOT : some_slot((struct slots *)self, rng);
         int i = (int)rng_below(rng, c->n);
         uint8_t *column = self + c->at;
-        if (!slots_column_there(c, ((struct slots *)self)->groups) || c->kind != COL_GAME || (!c->reg && slot < 0) ||
-            column == (uint8_t *)&r->b->core.frame)
+        if (!slots_has_column(c, ((struct slots *)self)->groups) || c->kind != COL_GAME ||
+            (!c->is_register && slot < 0) || column == (uint8_t *)&r->b->core.frame)
             continue; /* the frame is what lines are compared by */
-        if (!c->reg)
+        if (!c->is_register)
             memcpy(&column, self + c->at, sizeof column);
         plant(r, part, slot, c, i, column + ((size_t)(slot < 0 ? 0 : slot) * c->n + (size_t)i) * c->width, rng);
         planted++;

@@ -14,7 +14,7 @@
 enum { MOST = 512, PROPS = 32 };
 
 static struct api_entry copies[MOST];
-static long uses[MOST], reads[HANDLES][PROPS], writes[HANDLES][PROPS];
+static long uses[MOST], reads[HANDLE_KINDS][PROPS], writes[HANDLE_KINDS][PROPS];
 static unsigned step_seen, step_timed; /* bits of step_keys */
 
 static const char *const step_keys[] = { "wait",   "kind",  "bank", "dir",  "aim",    "turn",     "home",
@@ -55,7 +55,7 @@ static void note_steps(lua_State *L, int at)
 
 static int count_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_entry *e = api_bound(L)->entry;
+    const struct api_entry *e = api_current_binding(L)->entry;
     int i = (int)(e - copies);
 
     if (!by_std(L, 1)) {
@@ -81,11 +81,11 @@ static int count_property(lua_State *L)
     const char *name = lua_tostring(L, 2);
     long(*of)[PROPS] = lua_tointeger(L, lua_upvalueindex(1)) ? writes : reads;
 
-    if (by_std(L, 2) || !handle_is(h) || !name)
+    if (by_std(L, 2) || !handle_is_well_formed(h) || !name)
         return 0;
     const struct api_thing *t = api_table.things[handle_kind(h)];
     for (int i = 0; i < t->n && i < PROPS; i++)
-        if (!strcmp(t->props[i].value.name, name))
+        if (!strcmp(t->props[i].param.name, name))
             of[handle_kind(h)][i]++;
     return 0;
 }
@@ -106,9 +106,9 @@ static int number_of(const struct api_entry *e)
 {
     int i = 0;
 
-    while (i < api_count(&api_table) && api_entry(&api_table, i) != e)
+    while (i < api_count_entries(&api_table) && api_entry(&api_table, i) != e)
         i++;
-    assert_true(i < api_count(&api_table));
+    assert_true(i < api_count_entries(&api_table));
     return i;
 }
 
@@ -135,7 +135,7 @@ static void patch(lua_State *L, int at, lua_CFunction call, int seen)
             patch(L, lua_gettop(L), call, seen);
         else if (lua_tocfunction(L, -1) == call) {
             lua_getupvalue(L, -1, 1);
-            struct api_bound *f = lua_touserdata(L, -1);
+            struct api_binding *f = lua_touserdata(L, -1);
             f->entry = &copies[number_of(f->entry)];
             lua_pop(L, 1);
         }
@@ -153,16 +153,16 @@ static void make_all(lua_State *L)
         if (lua_istable(L, -1)) /* of them, one has the API's tables as keys */
             for (lua_pushnil(L); lua_next(L, -2); lua_pop(L, 1))
                 if (lua_istable(L, -2))
-                    api_fill(L, lua_gettop(L) - 1);
+                    api_fill_table(L, lua_gettop(L) - 1);
         lua_pop(L, 1);
     }
-    for (int i = 0; i < api_count(&api_table); i++)
-        for (int k = 1; k < HANDLES; k++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++)
+        for (int k = 1; k < HANDLE_KINDS; k++) {
             const char *name = api_entry(&api_table, i)->name, *verb = strchr(name, ':');
             if (!verb || (size_t)(verb - name) != strlen(api_table.things[k]->name) ||
                 strncmp(name, api_table.things[k]->name, (size_t)(verb - name)) != 0)
                 continue;
-            lua_pushinteger(L, handle_of((enum handle_kind)k, 1, 0));
+            lua_pushinteger(L, handle_make((enum handle_kind)k, 1, 0));
             lua_getfield(L, -1, verb + 1);
             assert_true(lua_isfunction(L, -1));
             lua_pop(L, 2);
@@ -179,7 +179,7 @@ static void patch_all(lua_State *L)
     lua_pushvalue(L, LUA_REGISTRYINDEX);
     patch(L, lua_gettop(L), call, seen);
     lua_settop(L, 0);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const char *name = api_entry(&api_table, i)->name, *dot = strchr(name, '.');
         if (!(api_entry(&api_table, i)->flags & API_LUA) || strchr(name, ' '))
             continue;
@@ -221,7 +221,7 @@ static int start(lua_State *L)
 static void without_entry(const struct rig_game *from, struct rig_game *to)
 {
     static uint8_t manifest[MANIFEST_BYTES];
-    struct manifest m = from->cart.m;
+    struct manifest m = from->cart.manifest;
     struct lump lumps[RIG_LUMPS];
     int n = (int)from->image.rom.count;
 
@@ -278,7 +278,7 @@ static void record(const struct rig_game *game, const char *to)
     for (int f = 0; f < FRAMES; f++) {
         recipe(f, &rng, pads);
         rig_tick(&r, pads);
-        assert_true(demo_frame(&w, r.b, pads));
+        assert_true(demo_record_frame(&w, r.b, pads));
     }
     assert_true(demo_end(&w, r.b));
     demo_free(&w.demo);
@@ -324,14 +324,14 @@ static void test_demo_holds(void **state)
     struct rig r;
 
     (void)state;
-    assert_true(d.complete && demo_fits(&d, &g.cart, err, sizeof err));
-    const char *doubt = demo_doubt(&d, &g.cart, err, sizeof err);
+    assert_true(d.complete && demo_check_cart(&d, &g.cart, err, sizeof err));
+    const char *doubt = demo_replay_warning(&d, &g.cart, err, sizeof err);
     if (doubt)
         fail_msg("torture.demo: %s (CURTAIN_UPDATE=1 records it anew)", doubt);
     rig_power(&r, &g, &d.start);
     for (uint32_t f = 0; f <= d.frames; f++) {
         board_hashes(r.b, hashes);
-        uint64_t differ = demo_differs(&d, f, hashes);
+        uint64_t differ = demo_differing_parts(&d, f, hashes);
         if (differ)
             fail_msg("frame %u: part %s differs (CURTAIN_UPDATE=1 records the demo anew)", f,
                      d.part[bits_lowest(differ)]);
@@ -371,7 +371,7 @@ static void look_at_bullets(struct reached *at, int pool, const struct bullets *
 static void look(const struct board *b, struct reached *at)
 {
     for (int i = 0; i < PARTS; i++) {
-        const struct slots *s = (const struct slots *)((const uint8_t *)b + machine_parts[i].at);
+        const struct slots *s = (const struct slots *)((const uint8_t *)b + machine_parts[i].offset);
         at->most[i] = s->live > at->most[i] ? s->live : at->most[i];
         at->cap[i] = s->cap;
         at->refused[i] = s->refused > at->refused[i] ? s->refused : at->refused[i];
@@ -383,12 +383,12 @@ static void look(const struct board *b, struct reached *at)
         look_at_kind(at, 2, b->enemy_kinds.shape[kind], b->enemy_kinds.flags[kind]);
     }
     for (uint32_t i = 0; i < b->steps.s.live; i++)
-        at->does |= b->steps.does[i];
+        at->does |= b->steps.actions[i];
     for (int p = 0; p < PADS; p++) {
-        at->in[p] |= b->player.in[p];
+        at->in[p] |= b->player.in_game[p];
         at->grazed[p] |= b->player.grazes[p] > 0;
         at->scored[p] |= b->player.score[p] > 0;
-        at->hurt[p] |= b->player.in[p] && b->player.lives[p] < 2;
+        at->hurt[p] |= b->player.in_game[p] && b->player.lives[p] < 2;
         at->focused[p] |= b->player.flags[p] & PLAYER_FOCUS;
     }
 }
@@ -404,8 +404,8 @@ static int play(void **state)
 
     if (setup(state))
         return -1;
-    assert_true(api_count(&api_table) <= MOST);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    assert_true(api_count_entries(&api_table) <= MOST);
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         copies[i] = *api_entry(&api_table, i);
         if (copies[i].run)
             copies[i].run = count_run;
@@ -439,7 +439,7 @@ static void test_functions(void **state)
     char missing[4096] = "";
 
     (void)state;
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         /* missions are another way through the menus: test_missions.c; its ROM has no documents: test_bulletml.c */
         if (!(api_entry(&api_table, i)->flags & API_SYS) && !uses[i] &&
             strncmp(api_entry(&api_table, i)->name, "mission.", 8) != 0 &&
@@ -456,16 +456,16 @@ static void test_properties(void **state)
     char missing[4096] = "", name[80];
 
     (void)state;
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         for (int i = 0; i < api_table.things[k]->n; i++) {
             const struct api_prop *p = &api_table.things[k]->props[i];
-            snprintf(name, sizeof name, "%s.%s", api_table.things[k]->name, p->value.name);
+            snprintf(name, sizeof name, "%s.%s", api_table.things[k]->name, p->param.name);
             if (!strcmp(name, "sprite.blend") || k == H_BULLETML) /* the ROM has none: test_blend.c, test_bulletml.c */
                 continue;
             if (!reads[k][i] &&
-                !(handle_kind_group((enum handle_kind)k) && strcmp(p->value.name, "count"))) /* groups are written */
+                !(handle_kind_is_group((enum handle_kind)k) && strcmp(p->param.name, "count"))) /* groups are written */
                 append(missing, sizeof missing, name, " (read)");
-            if (!writes[k][i] && p->write == PROP_WRITE)
+            if (!writes[k][i] && p->access == PROP_WRITE)
                 append(missing, sizeof missing, name, " (write)");
         }
     if (missing[0])
@@ -498,7 +498,7 @@ static void test_pools(void **state)
         bool bytes = !strcmp(name, "nvram"); /* a script for which there is no room ends */
         if (bytes ? at.most[i] < 256 : 10 * at.most[i] < 9 * at.cap[i])
             fail_msg("%s: at most %u of %u live", name, at.most[i], at.cap[i]);
-        if ((!machine_parts[i].chip->list || !strcmp(name, "motions")) && !at.refused[i])
+        if ((!machine_parts[i].chip->is_list || !strcmp(name, "motions")) && !at.refused[i])
             fail_msg("%s: never full", name);
     }
     for (int p = 0; p < PADS; p++)

@@ -164,9 +164,9 @@ static void test_state(void **state)
     board_save(rig.b, copy);
     rig.b->bullets.value1[1]++;
     assert_true(board_hash(rig.b) != hash);
-    rig.b->bullets.value_start[0] = 0;
+    rig.b->bullets.initial_value[0] = 0;
     board_restore(rig.b, copy);
-    assert_true(board_hash(rig.b) == hash && rig.b->bullets.value_start[0] == 2 * FX_ONE);
+    assert_true(board_hash(rig.b) == hash && rig.b->bullets.initial_value[0] == 2 * FX_ONE);
     free(copy);
     end();
 }
@@ -225,9 +225,9 @@ static void test_steps(void **state)
     rig_script(&g, &m, text);
     rig_power(&rig, &g, NULL);
     rig_run(&rig, 60 * 6 * 20);
-    assert_int_equal(rig.b->core.notes != 0, 0);
+    assert_int_equal(rig.b->core.note_digest != 0, 0);
     rig_run(&rig, 2);
-    assert_int_equal(rig.b->core.notes != 0, 1);
+    assert_int_equal(rig.b->core.note_digest != 0, 1);
     end();
     /* one program for all; a kind of thing without the value has 0; a value below 1 is one frame */
     holds(&m,

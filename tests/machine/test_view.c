@@ -19,7 +19,7 @@ enum { VIEW_AS_EVER = 12345 };
 static void draw(struct rig *r, const struct view *view, int overdraw, struct picture *out)
 {
     memset(r->fb.pix, 0xa5, (size_t)r->fb.pitch * (size_t)(r->fb.h - 1) + (size_t)r->fb.w);
-    memset(r->scratch, 0x5a, board_scratch(r->b));
+    memset(r->scratch, 0x5a, board_scratch_size(r->b));
     if (overdraw == VIEW_AS_EVER)
         board_draw(r->b, view, &r->fb, out->rgb, r->scratch);
     else
@@ -71,7 +71,7 @@ static void all_views(struct rig *r)
         same("front to back", r, &ever, &front);
         if (i == 0)
             same("a view of zeroes", r, &plain, &ever);
-        if (!view.dim && !view.soft_flashes)
+        if (!view.dim && !view.softens_flashes)
             coloured(r, &plain, &ever, view.colours);
         assert_memory_equal(&view, &was, sizeof view);
     }
@@ -85,7 +85,7 @@ static long covered, behind, mixed;
 /* Where the table of shades of the palette that is loaded stands. */
 static const uint8_t **shades_at(struct board *b)
 {
-    return b->cart.has_looks ? &b->cart.looks[board_palette(b)].shades : &b->cart.main.shades;
+    return b->cart.has_looks ? &b->cart.looks[board_loaded_palette(b)].shades : &b->cart.main_look.shades;
 }
 
 /* What covers the background is what is the same whatever that is shown as. There the dim changes nothing, else it
@@ -93,8 +93,8 @@ static const uint8_t **shades_at(struct board *b)
 static void dims(struct rig *r)
 {
     static struct picture plain, a, b, dimmed;
-    static uint8_t one[CART_SHADES], other[CART_SHADES];
-    const struct manifest *m = &r->b->cart.m;
+    static uint8_t one[CART_SHADES_SIZE], other[CART_SHADES_SIZE];
+    const struct manifest *m = &r->b->cart.manifest;
     const uint8_t **at = shades_at(r->b), *made = *at, *shades = made ? made : shade_for(&kept, &r->game->cart);
     struct view view = { .dim = VIEW_DIM_QUARTER, .shades = one };
 
@@ -136,16 +136,16 @@ static void play(const char *name, const char *section, const char *demo, uint32
     struct demo d = { 0 };
     struct rng rng;
     uint16_t pads[PADS] = { 0 };
-    uint8_t made[CART_SHADES];
+    uint8_t made[CART_SHADES_SIZE];
 
     rig_folder(&g, name);
     shade_make(cart_palette(&g.cart, "main"), made);
-    assert_non_null(g.cart.main.shades); /* what is packed has them */
-    assert_memory_equal(g.cart.main.shades, made, CART_SHADES);
+    assert_non_null(g.cart.main_look.shades); /* what is packed has them */
+    assert_memory_equal(g.cart.main_look.shades, made, CART_SHADES_SIZE);
     if (section)
         snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
-    for (int i = 0; i < g.cart.m.n_dips; i++)
-        start.dip[i] = g.cart.m.dips[i].value;
+    for (int i = 0; i < g.cart.manifest.n_dips; i++)
+        start.dip[i] = g.cart.manifest.dips[i].default_value;
     if (demo)
         assert_true(rig_demo(&g, demo, &d));
     rig_power(&r, &g, demo ? &d.start : &start);
@@ -235,12 +235,12 @@ static void things_power(struct rig_game *g, struct rig *r)
 /* Pixels of the 16 x 16 round (x, y) that a table shows another way. */
 static int shaded(struct rig *r, const struct picture *plain, int x, int y)
 {
-    static uint8_t flipped[CART_SHADES];
+    static uint8_t flipped[CART_SHADES_SIZE];
     const struct view view = { .dim = VIEW_DIM_MOST, .shades = flipped };
     static struct picture p;
     int n = 0;
 
-    for (int i = 0; i < CART_SHADES; i++)
+    for (int i = 0; i < CART_SHADES_SIZE; i++)
         flipped[i] = (uint8_t)(255 - i);
     draw(r, &view, VIEW_AS_EVER, &p);
     for (int i = 0; i < 256; i++) {
@@ -268,7 +268,7 @@ static void test_matters(void **state)
     rig_run(&r, 2);
     assert_int_equal(r.b->options.s.live, 1);
     draw(&r, NULL, VIEW_AS_EVER, &plain);
-    const struct sprite *arrow = &r.b->pictures[cart_find_sprite(&g.cart, "arrow")];
+    const struct sprite *arrow = &r.b->sprite_images[cart_find_sprite(&g.cart, "arrow")];
     for (int i = 0; i < 256; i++)
         holes += !arrow->pix[i];
     assert_true(holes > 20 && holes < 80);
@@ -284,7 +284,7 @@ static void test_matters(void **state)
     all_views(&r);
     dims(&r);
     rig_run(&r, 14);
-    assert_true(r.b->screen.shake_over);
+    assert_true(r.b->screen.shake_frames);
     all_views(&r);
     dims(&r);
     rig_free(&r);
@@ -302,7 +302,7 @@ static void test_none(void **state)
     (void)state;
     things_power(&g, &r);
     rig_run(&r, 2);
-    assert_null(g.cart.main.shades);
+    assert_null(g.cart.main_look.shades);
     draw(&r, NULL, VIEW_AS_EVER, &plain);
     draw(&r, &view, VIEW_AS_EVER, &p);
     same("no tables", &r, &plain, &p);
@@ -350,7 +350,7 @@ static void test_older(void **state)
 /* A soft flash is a quarter of its share in each frame, of all colours. */
 static void test_flash(void **state)
 {
-    const struct view soft = { .soft_flashes = true };
+    const struct view soft = { .softens_flashes = true };
     static struct picture full, p;
     struct rig_game g;
     struct rig r;

@@ -201,7 +201,7 @@ static void test_lang(void **state)
     hash = board_hash(rig.b);
     rig_spoil(&rig);
     assert_true(board_hash(rig.b) == hash);
-    assert_null(board_power(rig.ram, rig.ram_size, &g.image.rom, &start, err, sizeof err));
+    assert_null(board_power_on(rig.ram, rig.ram_size, &g.image.rom, &start, err, sizeof err));
     assert_string_equal(err, "language \"fr\": no lang/fr.txt in the game");
     end();
 }

@@ -128,9 +128,9 @@ static void counts(const struct dearest *d)
         fine = scene_tick(&s);
         work = s.b->vm.work > work ? s.b->vm.work : work;
     }
-    if (fine != !d->says || (d->says && !strstr(board_last(s.b)->fault->message, d->says)))
+    if (fine != !d->says || (d->says && !strstr(board_last_output(s.b)->fault->message, d->says)))
         fail_msg("%s: it ended with %s, after %llu units of work", d->what,
-                 fine ? "nothing" : board_last(s.b)->fault->message, (unsigned long long)work);
+                 fine ? "nothing" : board_last_output(s.b)->fault->message, (unsigned long long)work);
     if (work < d->least || work > (d->says ? most : WORK_LIMIT))
         fail_msg("%s: %llu units of work, expected %llu to %llu", d->what, (unsigned long long)work,
                  (unsigned long long)d->least, (unsigned long long)most);

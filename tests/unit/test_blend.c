@@ -9,7 +9,7 @@
 #include "../../src/cab/pack/art.h"
 #include "../../src/cab/tables/blend.h"
 
-static uint8_t table[CART_BLEND];
+static uint8_t table[CART_BLEND_SIZE];
 
 /* What blend.h promises, word by word. */
 static int wanted(const uint8_t *rgb, int under, int over, int mix)
@@ -45,7 +45,7 @@ static void check(const uint8_t *rgb, int mix)
 
 static void default_palette(void **state)
 {
-    uint8_t rgb[CART_PALETTE];
+    uint8_t rgb[CART_PALETTE_SIZE];
 
     (void)state;
     art_default_palette(rgb);
@@ -57,13 +57,13 @@ static void default_palette(void **state)
 static void random_palettes(void **state)
 {
     static const int mixes[] = { BLEND_ADD, 1, 37, 50 };
-    uint8_t rgb[CART_PALETTE];
+    uint8_t rgb[CART_PALETTE_SIZE];
     struct rng r;
 
     (void)state;
     rng_seed(&r, 8);
     for (size_t k = 0; k < sizeof mixes / sizeof *mixes; k++) {
-        for (int i = 0; i < CART_PALETTE; i++)
+        for (int i = 0; i < CART_PALETTE_SIZE; i++)
             rgb[i] = (uint8_t)(rng_next(&r) >> (k == 3 ? 59 : 56)); /* at last all in one corner */
         check(rgb, mixes[k]);
     }
@@ -72,20 +72,20 @@ static void random_palettes(void **state)
 /* Of ramps: what the rule says, whatever the colours. */
 static void of_ramps(void **state)
 {
-    static const uint8_t black[CART_PALETTE];
+    static const uint8_t black[CART_PALETTE_SIZE];
 
     (void)state;
     for (int rule = BLIT_RAMP_ADD; rule < BLIT_MIXES; rule++) {
         assert_true(blend_make(black, BLEND_RULE + BLIT_RAMP_ADD - rule, table));
-        for (int i = 0; i < CART_BLEND; i++)
-            assert_int_equal(table[i], blit_ramp((enum blit_mix)rule, (uint8_t)(i >> 8), (uint8_t)i));
+        for (int i = 0; i < CART_BLEND_SIZE; i++)
+            assert_int_equal(table[i], blit_ramp_entry((enum blit_mix)rule, (uint8_t)(i >> 8), (uint8_t)i));
     }
 }
 
 /* Few colours, many times each: ties everywhere, and at the corners of the cube. */
 static void equal_colours(void **state)
 {
-    uint8_t rgb[CART_PALETTE];
+    uint8_t rgb[CART_PALETTE_SIZE];
 
     (void)state;
     memset(rgb, 0, sizeof rgb);
@@ -101,7 +101,7 @@ static void equal_colours(void **state)
 /* What is over, or under, by one percent changes next to nothing: the entry itself, or one of its colour. */
 static void ends(void **state)
 {
-    uint8_t rgb[CART_PALETTE];
+    uint8_t rgb[CART_PALETTE_SIZE];
 
     (void)state;
     art_default_palette(rgb);

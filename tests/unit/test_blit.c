@@ -93,17 +93,17 @@ static void random_clip(struct bed *b)
 {
     switch (rng_below(&b->r, 4)) {
     case 0: /* one pixel wide or high */
-        fb_clip(&b->fb, (int)rng_below(&b->r, W), 0, 1, H);
+        fb_set_clip(&b->fb, (int)rng_below(&b->r, W), 0, 1, H);
         return;
     case 1:
-        fb_clip(&b->fb, 0, (int)rng_below(&b->r, H), W, 1);
+        fb_set_clip(&b->fb, 0, (int)rng_below(&b->r, H), W, 1);
         return;
     case 2:
-        fb_clip(&b->fb, (int)rng_below(&b->r, W), (int)rng_below(&b->r, H), (int)rng_below(&b->r, W + 1),
-                (int)rng_below(&b->r, H + 1));
+        fb_set_clip(&b->fb, (int)rng_below(&b->r, W), (int)rng_below(&b->r, H), (int)rng_below(&b->r, W + 1),
+                    (int)rng_below(&b->r, H + 1));
         return;
     default:
-        fb_clip_all(&b->fb);
+        fb_reset_clip(&b->fb);
     }
 }
 
@@ -196,7 +196,7 @@ static const uint8_t *table_of(enum blit_mix mix)
     if (mix < BLIT_RAMP_ADD)
         return NULL;
     for (int i = 0; !made[mix] && i < 65536; i++)
-        table[mix][i] = blit_ramp(mix, (uint8_t)(i >> 8), (uint8_t)i);
+        table[mix][i] = blit_ramp_entry(mix, (uint8_t)(i >> 8), (uint8_t)i);
     made[mix] = true;
     return table[mix];
 }
@@ -205,14 +205,14 @@ static const uint8_t *table_of(enum blit_mix mix)
 static void rules(void **state)
 {
     (void)state;
-    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0x23, 0x54), 0x57);
-    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0x2c, 0x54), 0x5f);
-    assert_int_equal(blit_ramp(BLIT_RAMP_ADD, 0xff, 0x01), 0x0f);
-    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x23, 0x54), 0x54);
-    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x00, 0xf1), 0xf1);
-    assert_int_equal(blit_ramp(BLIT_RAMP_HALF, 0x1f, 0x3f), 0x3f);
-    assert_int_equal(blit_ramp(BLIT_RAMP_MAX, 0x23, 0x54), 0x54);
-    assert_int_equal(blit_ramp(BLIT_RAMP_MAX, 0x29, 0x54), 0x59);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0x23, 0x54), 0x57);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0x2c, 0x54), 0x5f);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_ADD, 0xff, 0x01), 0x0f);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_HALF, 0x23, 0x54), 0x54);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_HALF, 0x00, 0xf1), 0xf1);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_HALF, 0x1f, 0x3f), 0x3f);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_MAX, 0x23, 0x54), 0x54);
+    assert_int_equal(blit_ramp_entry(BLIT_RAMP_MAX, 0x29, 0x54), 0x59);
 }
 
 /* A rule draws what its table draws, or says that it does not. */
@@ -258,7 +258,7 @@ static void batches(void **state)
         const int w = 1 + (int)rng_below(&b->r, k % 4 ? 20 : MAX_SIDE), h = 1 + (int)rng_below(&b->r, 20);
         const size_t n = (size_t)rng_below(&b->r, MANY + 1);
         random_image(b, w, h);
-        fb_clip_all(&b->fb);
+        fb_reset_clip(&b->fb);
         begin(b);
         for (size_t i = 0; i < n; i++) {
             int x = (int)rng_below(&b->r, (uint64_t)(W + 2 * FB_GUARD - w + 1)) - FB_GUARD;
@@ -279,7 +279,7 @@ static void sprites_at_every_edge(void **state)
 
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
         random_image(b, widths[i], 5);
-        fb_clip_all(&b->fb);
+        fb_reset_clip(&b->fb);
         for (int x = -FB_GUARD - 20; x < W + FB_GUARD + 4; x++)
             for (int y = -FB_GUARD - 6; y < H + FB_GUARD + 2; y += x % 8 ? 13 : 1)
                 for (unsigned flags = 0; flags < 4; flags++) {
@@ -321,7 +321,7 @@ static void banks_wrap(void **state)
 {
     struct bed *b = *state;
 
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     clear_image(b, 64, 4, 64);
     for (int i = 0; i < 256; i++)
         b->pix[i] = (uint8_t)i;
@@ -340,12 +340,12 @@ static void nothing_to_draw(void **state)
     struct bed *b = *state;
 
     random_image(b, 8, 8);
-    fb_clip(&b->fb, 4, 4, 0, 9);
+    fb_set_clip(&b->fb, 4, 4, 0, 9);
     begin(b);
     for (unsigned flags = 0; flags < 4; flags++)
         blit_sprite(&b->fb, &b->image, 0, 0, 1, flags);
     expect(b);
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     begin(b);
     for (unsigned flags = 0; flags < 4; flags++) {
         b->image.w = 0, b->image.h = 8;
@@ -428,7 +428,7 @@ static void blended_pairs(void **state)
     assert_non_null(table);
     random_table(b, table);
     b->image = (struct image){ NULL, 1, 1, 8 };
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     for (int under = 0; under < 256; under++)
         for (int bank = 0; bank < 16; bank++) {
             uint8_t row[8] = { one };
@@ -447,12 +447,12 @@ static void blended_nothing(void **state)
 
     assert_non_null(table);
     random_image(b, 24, 8);
-    fb_clip(&b->fb, 4, 4, 0, 9);
+    fb_set_clip(&b->fb, 4, 4, 0, 9);
     begin(b);
     for (unsigned flags = 0; flags < 4; flags++)
         blit_blended(&b->fb, &b->image, 0, 0, 1, flags, table);
     expect(b);
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     begin(b);
     for (unsigned flags = 0; flags < 4; flags++) {
         b->image.w = 0, b->image.h = 8;
@@ -485,7 +485,7 @@ static void stamps_are_sprites(void **state)
         random_image(b, 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE),
                      k % 3 ? 8 : 1 + (int)rng_below(&b->r, k % 5 ? 20 : MAX_SIDE));
         random_clip(b);
-        const bool fits = (b->image.w + 7) / 8 * 8 * b->image.h <= STAMP_BYTES;
+        const bool fits = (b->image.w + 7) / 8 * 8 * b->image.h <= STAMP_MAX_BYTES;
         assert_int_equal(stamp_make(&stamp, &b->image, 0xffff), fits);
         large += !fits;
         const enum blit_mix mix = any_mix(&b->r);
@@ -496,17 +496,17 @@ static void stamps_are_sprites(void **state)
             int x = any_place(&b->r, W, b->image.w), y = any_place(&b->r, H, b->image.h);
             uint32_t dx = (uint32_t)x - (uint32_t)c.x0, dy = (uint32_t)y - (uint32_t)c.y0;
             uint8_t bank = (uint8_t)rng_below(&b->r, 16);
-            list[i] = STAMP_OTHER | (uint32_t)i;
-            if (dx < c.wide && dy < c.high) {
+            list[i] = STAMP_CALLER_ENTRY | (uint32_t)i;
+            if (dx < c.width && dy < c.height) {
                 list[i] = stamp_dest(&b->fb, dx, dy, bank) + less;
                 paint_through(b, x, y, bank, 0, table_of(mix));
                 drawn++;
             }
         }
         for (size_t i = 0; i < n; i++) {
-            i += stamp_over(&b->fb, &b->image, mix, &(struct stamp_list){ list + i, n - i, less });
+            i += stamp_draw(&b->fb, &b->image, mix, &(struct stamp_list){ list + i, n - i, less });
             if (i < n)
-                assert_int_equal(list[i], STAMP_OTHER | i);
+                assert_int_equal(list[i], STAMP_CALLER_ENTRY | i);
         }
         expect(b);
     }
@@ -519,12 +519,12 @@ static void place_copy(struct bed *b, const struct stamp_corners *c, uint32_t *x
 {
     const uint32_t beside = *x + (uint32_t)rng_below(&b->r, 21) - 10;
 
-    if (rng_below(&b->r, 4) && beside < c->wide) {
+    if (rng_below(&b->r, 4) && beside < c->width) {
         *x = beside;
         return;
     }
-    *x = (uint32_t)rng_below(&b->r, c->wide);
-    *y = (uint32_t)rng_below(&b->r, c->high);
+    *x = (uint32_t)rng_below(&b->r, c->width);
+    *y = (uint32_t)rng_below(&b->r, c->height);
 }
 
 /* Copies of one size behind each other: each destination shows the one that it is said to, or that its direction asks
@@ -548,7 +548,7 @@ static void stamps_of_copies(void **state)
         const uint32_t size = (uint32_t)(b->image.pitch * h), n = many ? MOST : (uint32_t)rng_below(&b->r, FEW + 1);
         for (uint32_t i = 0; i < copies * size; i++)
             pix[i] = (int)(i % (uint32_t)b->image.pitch) < w && rng_below(&b->r, 3) ? (uint8_t)rng_next(&b->r) : 0;
-        fb_clip_all(&b->fb);
+        fb_reset_clip(&b->fb);
         const struct stamp_list all = { list, n, any_less(b) };
         struct stamp_corners c = stamp_corners(&b->fb, w, h);
         begin(b);
@@ -565,9 +565,9 @@ static void stamps_of_copies(void **state)
         for (uint32_t i = 0; i < n; i++) {
             uint32_t copy = turned ? (uint32_t)(((uint64_t)dir[which[i]] * copies + 0x80000000u) >> 32) % copies
                                    : (uint32_t)rng_below(&b->r, copies);
-            uint32_t place = list[i] & (STAMP_OTHER - 1), pitch = (uint32_t)b->fb.pitch;
+            uint32_t place = list[i] & (STAMP_CALLER_ENTRY - 1), pitch = (uint32_t)b->fb.pitch;
             at[i] = copy * size;
-            list[i] += all.less;
+            list[i] += all.bias;
             b->image.pix = b->pix = pix + at[i];
             paint_through(b, (int)(place % pitch) + c.x0, (int)(place / pitch) + c.y0, (uint8_t)(list[i] >> 28), 0,
                           table_of(mix));
@@ -575,11 +575,11 @@ static void stamps_of_copies(void **state)
         b->image.pix = pix;
         if (turned)
             assert_int_equal(
-                n, stamp_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, &all));
+                n, stamp_draw_turned(&b->fb, &b->image, &(struct stamp_turns){ dir, which, size, copies }, mix, &all));
         else if (copies == 1)
-            assert_int_equal(n, stamp_over(&b->fb, &b->image, mix, &all));
+            assert_int_equal(n, stamp_draw(&b->fb, &b->image, mix, &all));
         else
-            assert_int_equal(n, stamp_each(&b->fb, &b->image, at, mix, &all));
+            assert_int_equal(n, stamp_draw_each(&b->fb, &b->image, at, mix, &all));
         expect(b);
     }
 }
@@ -615,12 +615,12 @@ static void check_cells(struct bed *b, const struct stamp_layer *l)
     uint32_t at[64];
 
     assert_true(stamp_cells_size(l->fb.w, l->fb.h) <= sizeof seen);
-    stamp_cells_find(l, &cells, seen, x0, y0, x1, y1);
+    stamp_cells_compute(l, &cells, seen, x0, y0, x1, y1);
     for (int i = 0; i < 64; i++) {
         x[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 160 << 16) - (40 << 16) : (fx)rng_next(&b->r);
         y[i] = rng_below(&b->r, 9) ? (fx)rng_below(&b->r, 120 << 16) - (40 << 16) : (fx)rng_next(&b->r);
     }
-    stamp_cells_at(&cells, x, y, at);
+    stamp_cells_index(&cells, x, y, at);
     for (int i = 0; i < 64; i++)
         if (!seen[at[i]])
             assert_false(may_be_seen(l, x[i] >> 16, y[i] >> 16, x0, y0, x1, y1));
@@ -641,7 +641,7 @@ static void layers_are_sprites(void **state)
     long hidden = 0, shown = 0, covered = 0;
 
     assert_non_null(mem);
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     for (int k = 0; k < 1200; k++) {
         int n = 1 + (int)rng_below(&b->r, k % 2 || k % 8 == 4 ? MOST : 60),
             w = k % 8 == 4 ? FB_GUARD : 1 + (int)rng_below(&b->r, FB_GUARD);
@@ -653,7 +653,7 @@ static void layers_are_sprites(void **state)
         struct stamp_corners c = stamp_corners(&l.fb, w, b->image.h);
         assert_true(stamp_make(&stamp, &b->image, 0xffff));
         for (int i = 0; i < n; i++) {
-            uint32_t dx = (uint32_t)rng_below(&b->r, c.wide), dy = (uint32_t)rng_below(&b->r, c.high);
+            uint32_t dx = (uint32_t)rng_below(&b->r, c.width), dy = (uint32_t)rng_below(&b->r, c.height);
             at[i].x = (int)dx + c.x0;
             at[i].y = (int)dy + c.y0;
             at[i].place = stamp_dest(&l.fb, dx, dy, (uint8_t)rng_below(&b->r, 16));
@@ -666,18 +666,18 @@ static void layers_are_sprites(void **state)
         size_t half = (size_t)n / 2, pixels = 1 + (size_t)rng_below(&b->r, 64);
         if (one_by_one)
             for (int i = n; i-- > 0;)
-                stamp_layer_sprite(&l, &b->image, list[i], pixels);
+                stamp_layer_draw_sprite(&l, &b->image, list[i], pixels);
         else {
             stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list + half, (size_t)n - half, less }, pixels);
-            stamp_layer_map(&l);
+            stamp_layer_update_map(&l);
             check_cells(b, &l);
             stamp_layer_draw(&l, &stamp, &(struct stamp_list){ list, half, less }, pixels);
         }
         stamp_layer_show(&l, &b->fb, 0, 0);
         for (int y = 0; y < H; y++)
             assert_memory_equal(b->fb.pix + y * b->fb.pitch, b->want[y], W);
-        hidden += (long)l.hidden;
-        shown += n - (long)l.hidden;
+        hidden += (long)l.hidden_count;
+        shown += n - (long)l.hidden_count;
         covered += l.covered;
     }
     free(mem);

@@ -223,7 +223,7 @@ static void discs_are_what_is_inside(void **state)
         int64_t r = (int64_t)rng_below(&b->r, n % 2 ? 65536 * 3 : 65536 * 60) / 256 * 256;
         fb_fill(&b->fb, 0);
         canvas_open(&b->canvas, &b->fb, b->rgb);
-        fb_clip(&b->fb, 5, 0, W - 9, H);
+        fb_set_clip(&b->fb, 5, 0, W - 9, H);
         canvas_disc(&b->canvas, (int32_t)x, (int32_t)y, (int32_t)r, CANVAS_GREEN);
         for (int i = 0; i < W * H; i++) {
             int64_t px = i % W, py = i / W;

@@ -51,7 +51,7 @@ static void characters(void **state)
 /* What controls text instead of being seen: separators, turns of direction, what is no character. */
 static void hidden(void **state)
 {
-    char as[CLEAN_MARKUP];
+    char as[CLEAN_MARKUP_SIZE];
 
     (void)state;
     becomes("a   b", "a\xe2\x80\xa8"
@@ -65,17 +65,17 @@ static void hidden(void **state)
     becomes("      ", "\xef\xbf\xbe\xef\xbf\xbf"); /* U+FFFE, U+FFFF */
     becomes("    ", "\xf3\xa0\x80\x81");           /* U+E0001 */
     becomes("\xe2\x80\x8d", "\xe2\x80\x8d");       /* a joiner, as of emoji, stays */
-    assert_int_equal(clean_markup("\033[", as), 1);
+    assert_int_equal(clean_escape_character("\033[", as), 1);
     assert_string_equal(as, " ");
-    assert_int_equal(clean_markup("\n", as), 1);
+    assert_int_equal(clean_escape_character("\n", as), 1);
     assert_string_equal(as, " ");
-    assert_int_equal(clean_markup("<", as), 1);
+    assert_int_equal(clean_escape_character("<", as), 1);
     assert_string_equal(as, "&lt;");
-    assert_int_equal(clean_markup("\xe2\x80\xae!", as), 3);
+    assert_int_equal(clean_escape_character("\xe2\x80\xae!", as), 3);
     assert_string_equal(as, " ");
-    assert_int_equal(clean_markup("\xc3\xa4!", as), 2);
+    assert_int_equal(clean_escape_character("\xc3\xa4!", as), 2);
     assert_string_equal(as, "\xc3\xa4");
-    assert_int_equal(clean_markup("\xff", as), 1);
+    assert_int_equal(clean_escape_character("\xff", as), 1);
     assert_string_equal(as, "?");
 }
 

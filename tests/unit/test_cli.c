@@ -482,7 +482,7 @@ static void remove_all(void *user, const struct plat_file *file)
     char path[600];
 
     snprintf(path, sizeof path, "%s/%s", (const char *)user, file->name);
-    if (file->folder)
+    if (file->is_folder)
         plat_list(path, remove_all, path);
     remove(path);
 }

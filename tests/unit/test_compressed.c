@@ -33,9 +33,9 @@ static size_t there_and_back(const uint8_t *bytes, size_t size)
         free(back);
         return 0;
     }
-    assert_true(n < size && compressed_is(small, n));
-    assert_int_equal(compressed_size(small, n, err, sizeof err), size);
-    assert_true(compressed_read(small, n, back, err, sizeof err));
+    assert_true(n < size && compressed_detect(small, n));
+    assert_int_equal(compressed_plain_size(small, n, err, sizeof err), size);
+    assert_true(compressed_unpack(small, n, back, err, sizeof err));
     assert_memory_equal(back, bytes, size);
     assert_true(compress_rom(bytes, size, &again, &n_again));
     assert_int_equal(n_again, n); /* the same each time */
@@ -121,8 +121,8 @@ static void refused(const uint8_t *p, size_t n, const char *why)
 
     assert_true(copy && out);
     memcpy(copy, p, n);
-    if (compressed_size(copy, n, err, sizeof err) > 0)
-        assert_false(compressed_read(copy, n, out, err, sizeof err));
+    if (compressed_plain_size(copy, n, err, sizeof err) > 0)
+        assert_false(compressed_unpack(copy, n, out, err, sizeof err));
     assert_string_equal(err, why);
     free(copy);
     free(out);
@@ -153,7 +153,8 @@ static void test_refused(void **state)
     bytes_put32(p + 28, 1);
     bytes_put32(p + 12, hash_crc32(p + 16, n - 16));
     refused(p, n, "reserved header bytes are not zero");
-    const uint32_t sizes[] = { 0, (uint32_t)COMPRESSED_MOST + 1, UINT32_MAX, (uint32_t)n * COMPRESSED_TIMES + 1000 };
+    const uint32_t sizes[] = { 0, (uint32_t)COMPRESSED_MAX_SIZE + 1, UINT32_MAX,
+                               (uint32_t)n * COMPRESSED_MAX_RATIO + 1000 };
     for (int i = 0; i < 4; i++) {
         bytes_put32(p + 16, sizes[i]);
         repair_compressed(p, n);
@@ -161,7 +162,7 @@ static void test_refused(void **state)
                  "%zu bytes long, but its header says %u bytes when decompressed: expected 1 to %d, and at most %d "
                  "times the "
                  "file's size",
-                 n, sizes[i], COMPRESSED_MOST, COMPRESSED_TIMES);
+                 n, sizes[i], COMPRESSED_MAX_SIZE, COMPRESSED_MAX_RATIO);
         refused(p, n, why);
     }
     bytes_put32(p + 16, SIZE);

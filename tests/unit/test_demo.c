@@ -49,7 +49,7 @@ static void make_rom(void)
                                  "    wait(1)\n"
                                  "  end\n"
                                  "end)\n";
-    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE];
+    static uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE_SIZE];
     static char names[MAX_LUMPS][64];
     struct lump lumps[MAX_LUMPS];
     struct manifest m;
@@ -57,8 +57,8 @@ static void make_rom(void)
 
     manifest_default(&m);
     m.n_dips = 2;
-    m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .values = 2, .value_name = { "free", "one" } };
-    m.dips[1] = (struct dip){ .name = "lives", .number = true, .lo = 0, .hi = 9 };
+    m.dips[0] = (struct dip){ .name = "coins", .hi = 1, .n_values = 2, .value_name = { "free", "one" } };
+    m.dips[1] = (struct dip){ .name = "lives", .is_number = true, .lo = 0, .hi = 9 };
     const uint32_t manifest_size = manifest_pack(&m, manifest);
     lumps[n++] = (struct lump){ "manifest", manifest, manifest_size };
     lumps[n++] = (struct lump){ "palette/main", palette, sizeof palette };
@@ -101,10 +101,10 @@ static int teardown(void **state)
 
 static struct board *power(const struct board_start *start)
 {
-    struct board *b = board_power(ram, ram_size, &rom, start, err, sizeof err);
+    struct board *b = board_power_on(ram, ram_size, &rom, start, err, sizeof err);
 
-    if (b == NULL || board_last(b)->fault != NULL)
-        fail_msg("%s", b ? board_last(b)->fault->message : err);
+    if (b == NULL || board_last_output(b)->fault != NULL)
+        fail_msg("%s", b ? board_last_output(b)->fault->message : err);
     return b;
 }
 
@@ -125,7 +125,7 @@ static void play(struct demo_writer *w, struct board *b, struct rng *r, uint32_t
     for (uint32_t i = 0; i < n; i++) {
         next_pads(r, pads);
         board_tick(b, pads);
-        assert_true(demo_frame(w, b, pads));
+        assert_true(demo_record_frame(w, b, pads));
     }
 }
 
@@ -162,9 +162,9 @@ static void same(const struct demo *a, const struct demo *b)
         assert_string_equal(a->markers[i].marker.name, b->markers[i].marker.name);
         assert_int_equal(a->markers[i].marker.value, b->markers[i].marker.value);
     }
-    assert_int_equal(a->seconds, b->seconds);
-    if (a->seconds)
-        assert_memory_equal(a->track, b->track, a->seconds * (size_t)a->parts * sizeof a->track[0]);
+    assert_int_equal(a->n_rows, b->n_rows);
+    if (a->n_rows)
+        assert_memory_equal(a->rows, b->rows, a->n_rows * (size_t)a->parts * sizeof a->rows[0]);
     assert_int_equal(a->complete, b->complete);
     assert_int_equal(a->fault, b->fault);
 }
@@ -203,7 +203,7 @@ static void test_round_trip(void **state)
 {
     static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 119, 120, 200, 1000 };
     struct board_start start = { .seed = 0xfedcba9876543210u, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -214,8 +214,8 @@ static void test_round_trip(void **state)
         assert_true(d.complete);
         assert_int_equal(d.frames, lengths[i]);
         assert_int_equal(d.checksum_frames, lengths[i]);
-        assert_int_equal(d.seconds, 1 + (lengths[i] + 59) / 60);
-        assert_int_equal(demo_row_frame(&d, d.seconds - 1), lengths[i]);
+        assert_int_equal(d.n_rows, 1 + (lengths[i] + 59) / 60);
+        assert_int_equal(demo_row_frame(&d, d.n_rows - 1), lengths[i]);
         demo_free(&d);
         demo_free(&w.demo);
     }
@@ -225,7 +225,7 @@ static void test_round_trip(void **state)
 static void test_track(void **state)
 {
     struct board_start start = { .seed = 5, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     uint64_t hashes[MAX_PARTS];
     uint16_t pads[PADS];
     struct demo d;
@@ -237,23 +237,23 @@ static void test_track(void **state)
     for (uint32_t f = 0, row = 0; f <= 130; f++) {
         board_hashes(b, hashes);
         if (f == demo_row_frame(&d, row)) {
-            assert_memory_equal(hashes, d.track + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
+            assert_memory_equal(hashes, d.rows + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
             row++;
         }
-        assert_int_equal(demo_differs(&d, f, hashes), 0);
+        assert_int_equal(demo_differing_parts(&d, f, hashes), 0);
         for (int i = 0; i < d.parts; i++) {
             assert_true(f == 0 || d.checksums[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
             hashes[i] ^= 0x8000;
-            assert_int_equal(demo_differs(&d, f, hashes), (uint64_t)1 << i);
+            assert_int_equal(demo_differing_parts(&d, f, hashes), (uint64_t)1 << i);
             hashes[i] ^= 0x10000 | 0x8000; /* beyond the checksum: only rows know */
-            assert_int_equal(demo_differs(&d, f, hashes), f % 60 == 0 || f == 130 ? (uint64_t)1 << i : 0);
+            assert_int_equal(demo_differing_parts(&d, f, hashes), f % 60 == 0 || f == 130 ? (uint64_t)1 << i : 0);
             hashes[i] ^= 0x10000;
         }
         demo_pads(&d, f, pads);
         board_tick(b, pads);
     }
     memset(hashes, 0, sizeof hashes);
-    assert_true(demo_differs(&d, 131, hashes) == 0 && demo_differs(&d, UINT32_MAX, hashes) == 0);
+    assert_true(demo_differing_parts(&d, 131, hashes) == 0 && demo_differing_parts(&d, UINT32_MAX, hashes) == 0);
     demo_pads(&d, 130, pads);
     assert_true(pads[0] == 0 && pads[1] == 0);
     demo_free(&d);
@@ -269,7 +269,7 @@ static uint32_t disagrees(const struct demo *d, uint32_t frame)
 
     for (uint32_t f = 0; f <= d->frames; f++) {
         board_hashes(b, hashes);
-        if (demo_differs(d, f, hashes))
+        if (demo_differing_parts(d, f, hashes))
             return f;
         demo_pads(d, f, pads);
         pads[0] ^= f + 1 == frame ? PAD_START : 0;
@@ -283,7 +283,7 @@ static void test_divergence(void **state)
 {
     static const uint32_t at[] = { 1, 2, 59, 60, 61, 75, 119, 120, 121, 180, 181, 199, 200 };
     struct board_start start = { .seed = 2, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -309,15 +309,15 @@ static void fill_nvram(uint8_t *p, size_t n, int kind)
 
 static void test_start(void **state)
 {
-    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, 32768, NVRAM_MOST };
-    static uint8_t nvram[NVRAM_MOST];
+    static const size_t sizes[] = { 1, 2, 3, 127, 128, 129, 130, 131, 257, 32768, MAX_NVRAM };
+    static uint8_t nvram[MAX_NVRAM];
     struct board_start start = { .seed = 1, .difficulty = 0, .nvram = nvram };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
     for (int i = 0; i < MAX_DIPS; i++)
-        start.dip[i] = i < cart.m.n_dips ? 0 : -i * 100000000;
+        start.dip[i] = i < cart.manifest.n_dips ? 0 : -i * 100000000;
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         for (int kind = 0; kind < 4; kind++) {
             struct board *b = power(&(struct board_start){ .seed = 1, .difficulty = -1 });
@@ -340,7 +340,7 @@ static void test_crash(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng r;
     struct demo d;
 
@@ -351,19 +351,19 @@ static void test_crash(void **state)
         loads(&d);
         assert_false(d.complete);
         assert_int_equal(d.frames, f / 60 * 60);
-        assert_int_equal(d.seconds, f / 60 + 1);
+        assert_int_equal(d.n_rows, f / 60 + 1);
         if (d.frames)
             assert_memory_equal(d.pads, w.demo.pads, d.frames * sizeof d.pads[0]);
         demo_free(&d);
         play(&w, b, &r, 1);
     }
-    demo_drop(&w);
+    demo_writer_free(&w);
 }
 
 static void test_cut(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
     uint32_t frames = 0;
 
@@ -391,7 +391,7 @@ static void test_cut(void **state)
 static void test_flips(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -427,7 +427,7 @@ static void refused(size_t n, const char *part)
     assert_false(demo_read(&d, file, n, err, sizeof err));
     assert_null(d.pads);
     assert_null(d.checksums);
-    assert_null(d.track);
+    assert_null(d.rows);
     if (strstr(err, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
 }
@@ -447,7 +447,7 @@ static void refused_with(size_t n, size_t at, int value, const char *part)
 static void test_order(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
 
     (void)state;
     record(&w, &start, 300);
@@ -463,7 +463,7 @@ static void test_order(void **state)
 static void test_nonsense(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
 
     (void)state;
     record(&w, &start, 100);
@@ -524,7 +524,7 @@ static void test_checksum_lies(void **state)
 {
     static const int by[] = { -2, -1, 1, 2 };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
 
     (void)state;
     record(&w, &start, 100);
@@ -553,7 +553,7 @@ static void test_practice(void **state)
 {
     struct board_start start = { .seed = 9, .difficulty = -1 };
     struct practice *p = &start.practice;
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -598,14 +598,14 @@ static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
                              f % 14 == 0 ? (int32_t)(f * 0x1234567u) : 0);
         if (f % 21 == 0)
             board_add_marker(b, MARKER_DEATH, "2", "", "", 0);
-        assert_true(demo_frame(w, b, none));
+        assert_true(demo_record_frame(w, b, none));
     }
 }
 
 static void test_markers(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     struct demo d;
 
@@ -653,7 +653,7 @@ static void test_points(void **state)
     static const int64_t points[][PADS] = { { 0, 0 }, { 120300, 0 }, { 7, 999999999999 } };
     static const uint32_t frames[] = { 0, 60, 61 };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
     struct rng r;
     int64_t got;
@@ -720,7 +720,7 @@ static void test_points_lies(void **state)
 static void test_marker_lies(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     int at = 0;
 
@@ -752,7 +752,7 @@ static void test_values(void **state)
 {
     static const int32_t values[] = { 1, 10, -1, INT32_MIN, INT32_MAX };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     struct demo d;
 
@@ -763,7 +763,7 @@ static void test_values(void **state)
         board_tick(b, none);
         board_add_marker(b, MARKER_ROW, "normal", "", "", values[i]);
         board_add_marker(b, MARKER_GAME, "heron", "", "", 0);
-        assert_true(demo_frame(&w, b, none));
+        assert_true(demo_record_frame(&w, b, none));
     }
     assert_true(demo_end(&w, b));
     loads(&d);
@@ -786,7 +786,7 @@ static void test_lang(void **state)
 {
     static const char *const langs[] = { "", "d", "deutsch", "123456789_abcde" };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -806,7 +806,7 @@ static void test_lang(void **state)
     static const char bad[] = { '\n', 127, (char)0xe9 };
     for (size_t i = 0; i < sizeof bad; i++) {
         start.lang[1] = bad[i];
-        assert_null(board_power(ram, ram_size, &rom, &start, err, sizeof err));
+        assert_null(board_power_on(ram, ram_size, &rom, &start, err, sizeof err));
         assert_non_null(strstr(err, "language: expected printable ASCII"));
     }
 }
@@ -829,9 +829,9 @@ static void test_many_parts(void **state)
         d.start.difficulty = -1;
         d.checksum_parts = UINT64_MAX;
         d.checksum_frames = 59;
-        d.seconds = 2;
+        d.n_rows = 2;
         d.pads = pads;
-        d.track = track;
+        d.rows = track;
         d.checksums = checksums;
         for (int i = 0; i < parts; i++)
             snprintf(d.part[i], sizeof d.part[i], i ? "part%d" : "script", i);
@@ -847,7 +847,7 @@ static void test_many_parts(void **state)
         uint64_t hashes[MAX_PARTS];
         memcpy(hashes, track + parts, sizeof hashes[0] * (size_t)parts);
         hashes[parts - 1] ^= 1;
-        assert_true(demo_differs(&again, 59, hashes) == (uint64_t)1 << (parts - 1));
+        assert_true(demo_differing_parts(&again, 59, hashes) == (uint64_t)1 << (parts - 1));
         demo_free(&again);
         size_t n = file_bytes(), mask = record_at(2) + 8 + 8 + 6, bytes = (size_t)(parts + 7) / 8;
         if (parts % 8)
@@ -865,7 +865,7 @@ static void test_format_3(void **state)
     if (!demo_load(&was, "tests/demos/frozen-3.demo", err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(was.format, 3);
-    assert_true(was.complete && was.frames == 905 && was.seconds == 17 && was.checksum_parts == UINT64_MAX);
+    assert_true(was.complete && was.frames == 905 && was.n_rows == 17 && was.checksum_parts == UINT64_MAX);
     assert_true(demo_save(&was, path, err, sizeof err));
     loads(&is);
     assert_int_equal(is.format, DEMO_FORMAT);
@@ -889,7 +889,7 @@ static void test_old_format(void **state)
     if (!demo_load(&d, "tests/demos/frozen-2.demo", err, sizeof err))
         fail_msg("%s", err);
     assert_int_equal(d.format, 2);
-    assert_true(d.complete && d.frames == 905 && d.checksum_frames == 905 && d.seconds == 17 && d.n_markers == 0);
+    assert_true(d.complete && d.frames == 905 && d.checksum_frames == 905 && d.n_rows == 17 && d.n_markers == 0);
     assert_int_equal(d.checksum_parts, 1u << 0); /* script, the first */
     assert_string_equal(d.part[0], "script");
     assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.registers == 0);
@@ -898,9 +898,9 @@ static void test_old_format(void **state)
         assert_int_equal(row != NULL, f % 60 == 0 || f == d.frames);
         memset(hashes, 0, sizeof hashes);
         hashes[0] = f ? demo_checksums(&d, f)[0] : row[0];
-        assert_int_equal(demo_differs(&d, f, hashes), row ? (f ? 0xfffff : 0xffffe) : 0);
+        assert_int_equal(demo_differing_parts(&d, f, hashes), row ? (f ? 0xfffff : 0xffffe) : 0);
         hashes[0] ^= 1;
-        assert_int_equal(demo_differs(&d, f, hashes) & 1, 1);
+        assert_int_equal(demo_differing_parts(&d, f, hashes) & 1, 1);
     }
     assert_false(demo_save(&d, path, err, sizeof err)); /* it says too little for the newest format */
     assert_non_null(strstr(err, "no per-part checksums"));
@@ -913,7 +913,7 @@ static void test_save(void **state)
     static const uint16_t select[PADS] = { PAD_SELECT, 0 };
     static uint8_t was[MOST];
     struct board_start start = { .seed = 4, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
     struct rng r;
 
@@ -926,7 +926,7 @@ static void test_save(void **state)
         mark_frames(&w, b, 30);
         if (kind == 1 || kind == 3) {
             board_tick(b, select);
-            assert_true(demo_frame(&w, b, select));
+            assert_true(demo_record_frame(&w, b, select));
         }
         assert_true(kind == 2 || demo_end(&w, b));
         size_t n = file_bytes();
@@ -937,7 +937,7 @@ static void test_save(void **state)
         assert_int_equal(file_bytes(), n);
         assert_memory_equal(file, was, n);
         demo_free(&d);
-        demo_drop(&w);
+        demo_writer_free(&w);
     }
 }
 
@@ -947,7 +947,7 @@ static void test_nvram_lies(void **state)
     static uint8_t nvram[1000];
     struct board_start start = { .difficulty = -1, .nvram = nvram, .nvram_size = sizeof nvram };
     struct board *b = power(&(struct board_start){ .difficulty = -1 });
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
 
     (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
@@ -968,7 +968,7 @@ static void test_rewind(void **state)
 {
     static const uint32_t to[] = { 0, 1, 59, 60, 61, 120, 149, 150 };
     struct board_start start = { .seed = 3, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -988,7 +988,7 @@ static void test_rewind(void **state)
         loads(&d);
         same(&d, &w.demo);
         assert_int_equal(d.frames, to[i] + 75);
-        assert_int_equal(d.seconds, 1 + (d.frames + 59) / 60);
+        assert_int_equal(d.n_rows, 1 + (d.frames + 59) / 60);
         assert_int_equal(d.flags, DEMO_BRANCHED);
         demo_free(&d);
         demo_free(&w.demo);
@@ -1006,7 +1006,7 @@ static struct board *record_sparse(struct demo_writer *w, uint32_t n)
 
     rng_seed(&r, n);
     assert_true(demo_begin(w, path, &cart, b, &start, 0));
-    assert_true(demo_prints(w, DEMO_PRINTS_SECONDS));
+    assert_true(demo_set_checksum_rate(w, DEMO_CHECKSUMS_EVERY_SECOND));
     play(w, b, &r, n);
     assert_true(demo_end(w, b));
     return b;
@@ -1017,7 +1017,7 @@ static struct board *record_sparse(struct demo_writer *w, uint32_t n)
 static void test_sparse(void **state)
 {
     static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 120, 3599, 3600, 3601, 3660, 3700 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d, again;
 
     (void)state;
@@ -1025,19 +1025,19 @@ static void test_sparse(void **state)
         record_sparse(&w, lengths[i]);
         loads(&d);
         assert_true(d.complete && d.sparse && !d.checksums && d.frames == lengths[i]);
-        assert_int_equal(d.seconds, w.demo.seconds);
+        assert_int_equal(d.n_rows, w.demo.n_rows);
         assert_memory_equal(d.pads, w.demo.pads, d.frames * sizeof d.pads[0]);
-        for (uint32_t row = 0; row < d.seconds; row++) {
-            const bool whole = row % 60 == 0 || row + 1 == d.seconds;
-            assert_int_equal(demo_row_whole(&d, row), whole);
+        for (uint32_t row = 0; row < d.n_rows; row++) {
+            const bool whole = row % 60 == 0 || row + 1 == d.n_rows;
+            assert_int_equal(demo_row_is_full(&d, row), whole);
             for (uint32_t k = row * (uint32_t)d.parts; k < (row + 1) * (uint32_t)d.parts; k++)
-                assert_true(d.track[k] == (whole ? w.demo.track[k] : (uint16_t)w.demo.track[k]));
+                assert_true(d.rows[k] == (whole ? w.demo.rows[k] : (uint16_t)w.demo.rows[k]));
         }
         const size_t bytes = file_bytes();
         assert_true(demo_save(&d, path, err, sizeof err));
         assert_int_equal(file_bytes(), bytes);
         loads(&again);
-        assert_memory_equal(again.track, d.track, d.seconds * (size_t)d.parts * sizeof d.track[0]);
+        assert_memory_equal(again.rows, d.rows, d.n_rows * (size_t)d.parts * sizeof d.rows[0]);
         demo_free(&again);
         demo_free(&d);
         demo_free(&w.demo);
@@ -1047,7 +1047,7 @@ static void test_sparse(void **state)
 /* A difference is found in the second that it is in, by part, as far as 16 bits tell; a whole row knows all. */
 static void test_sparse_differs(void **state)
 {
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     uint64_t hashes[MAX_PARTS];
     uint16_t pads[PADS], print;
     struct demo d;
@@ -1062,13 +1062,13 @@ static void test_sparse_differs(void **state)
         assert_int_equal(demo_has_checksums(&d, f), told);
         assert_int_equal(demo_hashes(&d, f) != NULL, whole);
         assert_null(demo_checksums(&d, f));
-        assert_int_equal(demo_differs(&d, f, hashes), 0);
+        assert_int_equal(demo_differing_parts(&d, f, hashes), 0);
         for (int i = 0; i < d.parts; i++) {
             assert_int_equal(demo_checksum(&d, f, i, &print), told);
             hashes[i] ^= 0x8000;
-            assert_int_equal(demo_differs(&d, f, hashes), told ? (uint64_t)1 << i : 0);
+            assert_int_equal(demo_differing_parts(&d, f, hashes), told ? (uint64_t)1 << i : 0);
             hashes[i] ^= 0x10000 | 0x8000;
-            assert_int_equal(demo_differs(&d, f, hashes), whole ? (uint64_t)1 << i : 0);
+            assert_int_equal(demo_differing_parts(&d, f, hashes), whole ? (uint64_t)1 << i : 0);
             hashes[i] ^= 0x10000;
         }
         demo_pads(&d, f, pads);
@@ -1083,7 +1083,7 @@ static void test_sparse_differs(void **state)
 static void test_grows_long(void **state)
 {
     struct board_start start = { .seed = 3, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     struct rng r;
     struct demo d;
@@ -1091,9 +1091,9 @@ static void test_grows_long(void **state)
     (void)state;
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
-    play(&w, b, &r, DEMO_DENSE);
+    play(&w, b, &r, DEMO_DENSE_FRAMES);
     loads(&d);
-    assert_true(!d.sparse && d.frames == DEMO_DENSE);
+    assert_true(!d.sparse && d.frames == DEMO_DENSE_FRAMES);
     demo_free(&d);
     const size_t dense = file_bytes();
     play(&w, b, &r, 59);
@@ -1101,7 +1101,7 @@ static void test_grows_long(void **state)
     play(&w, b, &r, 1);
     assert_true(w.demo.sparse && file_bytes() < dense / 2);
     loads(&d);
-    assert_true(d.sparse && d.frames == DEMO_DENSE + 60 && !d.complete);
+    assert_true(d.sparse && d.frames == DEMO_DENSE_FRAMES + 60 && !d.complete);
     demo_free(&d);
     b = power(&start);
     for (uint32_t f = 0; f < 90; f++)
@@ -1110,8 +1110,8 @@ static void test_grows_long(void **state)
     play(&w, b, &r, 50);
     assert_true(demo_end(&w, b));
     loads(&d);
-    assert_true(d.sparse && d.complete && d.frames == 140 && d.seconds == 4);
-    assert_true(demo_row_whole(&d, 3) && !demo_row_whole(&d, 2));
+    assert_true(d.sparse && d.complete && d.frames == 140 && d.n_rows == 4);
+    assert_true(demo_row_is_full(&d, 3) && !demo_row_is_full(&d, 2));
     demo_free(&d);
     demo_free(&w.demo);
 }
@@ -1120,7 +1120,7 @@ static void test_grows_long(void **state)
 static void test_sparse_lies(void **state)
 {
     static uint8_t good[1 << 16], bad[1 << 16];
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
     FILE *f;
 
@@ -1139,7 +1139,7 @@ static void test_sparse_lies(void **state)
             refused++;
             continue;
         }
-        assert_true(d.frames <= 120 && d.seconds <= 3);
+        assert_true(d.frames <= 120 && d.n_rows <= 3);
         demo_free(&d);
     }
     assert_in_range(refused, 100, n - 100);
@@ -1150,7 +1150,7 @@ static void test_flags(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng r;
     struct demo d;
 
@@ -1158,11 +1158,11 @@ static void test_flags(void **state)
     rng_seed(&r, 1);
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     play(&w, b, &r, 70);
-    assert_true(demo_flag(&w, DEMO_ASSISTED));
+    assert_true(demo_add_flags(&w, DEMO_ASSISTED));
     loads(&d);
     assert_int_equal(d.flags, DEMO_ASSISTED); /* at once, not at the end */
     demo_free(&d);
-    assert_true(demo_flag(&w, DEMO_TOUCHED));
+    assert_true(demo_add_flags(&w, DEMO_TOUCHED));
     play(&w, b, &r, 70);
     assert_true(demo_end(&w, b));
     loads(&d);
@@ -1178,7 +1178,7 @@ static void test_fault(void **state)
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
     static const uint16_t select[PADS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -1191,8 +1191,8 @@ static void test_fault(void **state)
         uint64_t hashes[MAX_PARTS], none[MAX_PARTS] = { 0 };
         board_hashes(b, hashes);
         board_tick(b, select);
-        assert_non_null(board_last(b)->fault);
-        assert_true(demo_frame(&w, b, select));
+        assert_non_null(board_last_output(b)->fault);
+        assert_true(demo_record_frame(&w, b, select));
         assert_true(demo_end(&w, b));
         loads(&d);
         same(&d, &w.demo);
@@ -1200,10 +1200,10 @@ static void test_fault(void **state)
         assert_int_equal(d.fault, FAULT_SCRIPT);
         assert_int_equal(d.frames, at[i] + 1);
         assert_int_equal(d.checksum_frames, at[i]);
-        assert_int_equal(d.seconds, 1 + at[i] / 60);
-        assert_int_equal(demo_differs(&d, at[i], hashes), 0);
-        assert_int_not_equal(demo_differs(&d, at[i], none), 0); /* the last good frame has its checksums */
-        assert_int_equal(demo_differs(&d, at[i] + 1, none), 0);
+        assert_int_equal(d.n_rows, 1 + at[i] / 60);
+        assert_int_equal(demo_differing_parts(&d, at[i], hashes), 0);
+        assert_int_not_equal(demo_differing_parts(&d, at[i], none), 0); /* the last good frame has its checksums */
+        assert_int_equal(demo_differing_parts(&d, at[i] + 1, none), 0);
         assert_int_equal(d.pads[at[i]][0], PAD_SELECT);
         demo_free(&d);
         demo_free(&w.demo);
@@ -1216,7 +1216,7 @@ static void test_after_fault(void **state)
     static const uint16_t select[PADS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng r;
 
     (void)state;
@@ -1224,7 +1224,7 @@ static void test_after_fault(void **state)
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
     play(&w, b, &r, 59);
     board_tick(b, select);
-    assert_true(demo_frame(&w, b, select) && demo_end(&w, b));
+    assert_true(demo_record_frame(&w, b, select) && demo_end(&w, b));
     size_t n = file_bytes(), end = record_at(3 + PADS);
     assert_int_equal(file[end], 'E');
     assert_int_equal(n, end + 20);
@@ -1239,7 +1239,7 @@ static void test_after_fault(void **state)
 
 static void misfits(struct demo *d, const char *part)
 {
-    assert_false(demo_fits(d, &cart, err, sizeof err));
+    assert_false(demo_check_cart(d, &cart, err, sizeof err));
     if (strstr(err, part) == NULL)
         fail_msg("\"%s\" does not say \"%s\"", err, part);
 }
@@ -1252,7 +1252,7 @@ static void test_foreign_start(void **state)
         int32_t good, bad;
     } rows[] = { { 0, 1, 2 }, { 0, 0, -1 }, { 0, 1, INT32_MAX }, { 1, 9, 10 }, { 1, 0, INT32_MIN } };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -1262,7 +1262,7 @@ static void test_foreign_start(void **state)
         d.start.dip[rows[i].dip] = rows[i].bad;
         misfits(&d, "DIP switch");
         d.start.dip[rows[i].dip] = rows[i].good;
-        assert_true(demo_fits(&d, &cart, err, sizeof err));
+        assert_true(demo_check_cart(&d, &cart, err, sizeof err));
     }
     d.start.difficulty = 1;
     misfits(&d, "difficulty");
@@ -1275,7 +1275,7 @@ static void test_no_file(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct rng r;
 
     (void)state;
@@ -1295,11 +1295,11 @@ static void test_idle_writer(void **state)
 {
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     uint16_t pads[PADS] = { 0 };
 
     (void)state;
-    assert_true(demo_frame(&w, b, pads) && demo_flag(&w, 1) && demo_rewind(&w, 0) && demo_end(&w, b));
+    assert_true(demo_record_frame(&w, b, pads) && demo_add_flags(&w, 1) && demo_rewind(&w, 0) && demo_end(&w, b));
     assert_int_equal(w.demo.frames, 0);
     assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
     assert_true(demo_end(&w, b) && demo_end(&w, b));
@@ -1324,7 +1324,7 @@ static void dump(const struct demo_writer *w, struct demo_dump how, struct demo 
 
     how.size = demo_dump_size(w);
     how.memory = malloc(how.size);
-    how.out = to_file;
+    how.write = to_file;
     how.user = &n;
     assert_non_null(how.memory);
     demo_dump(w, &how);
@@ -1338,7 +1338,7 @@ static void test_dump(void **state)
     static const uint32_t lengths[] = { 0, 1, 59, 60, 61, 119, 120, 200, 1000 };
     static uint8_t nvram[300000];
     struct board_start start = { .seed = 4, .difficulty = -1, .nvram = nvram, .nvram_size = sizeof nvram };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -1366,7 +1366,7 @@ static void test_dump_in_a_tick(void **state)
     static const uint32_t lengths[] = { 0, 1, 58, 59, 60, 61, 130 };
     static const uint16_t last[PADS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
     struct board_start start = { .seed = 4, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -1377,7 +1377,7 @@ static void test_dump_in_a_tick(void **state)
         rng_seed(&r, i);
         assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
         play(&w, b, &r, n);
-        demo_tick_begins(&w, last);
+        demo_begin_tick(&w, last);
         dump(&w, (struct demo_dump){ .frames = n, .ticking = true }, &d);
         assert_false(d.complete);
         assert_int_equal(d.frames, n + 1);
@@ -1387,7 +1387,7 @@ static void test_dump_in_a_tick(void **state)
         assert_memory_equal(d.checksums, w.demo.checksums, n * (size_t)d.parts * sizeof d.checksums[0]);
         demo_free(&d);
         assert_int_equal(w.demo.frames, n);
-        demo_drop(&w);
+        demo_writer_free(&w);
     }
 }
 
@@ -1395,7 +1395,7 @@ static void test_dump_in_a_tick(void **state)
 static void test_dump_of_the_past(void **state)
 {
     struct board_start start = { .seed = 4, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct board *b = power(&start);
     struct rng r;
     struct demo d;
@@ -1408,11 +1408,11 @@ static void test_dump_of_the_past(void **state)
         dump(&w, (struct demo_dump){ .frames = n }, &d);
         assert_false(d.complete);
         assert_int_equal(d.frames, n);
-        assert_int_equal(d.seconds, n / 60 + 1);
+        assert_int_equal(d.n_rows, n / 60 + 1);
         assert_memory_equal(d.pads, w.demo.pads, n * sizeof d.pads[0]);
         demo_free(&d);
     }
-    demo_drop(&w);
+    demo_writer_free(&w);
 }
 
 static void test_dump_of_a_fault(void **state)
@@ -1420,7 +1420,7 @@ static void test_dump_of_a_fault(void **state)
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
     static const uint16_t select[PADS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
 
     (void)state;
@@ -1431,7 +1431,7 @@ static void test_dump_of_a_fault(void **state)
         assert_true(demo_begin(&w, NULL, &cart, b, &start, 0));
         play(&w, b, &r, at[i]);
         board_tick(b, select);
-        assert_true(demo_frame(&w, b, select));
+        assert_true(demo_record_frame(&w, b, select));
         dump(&w, (struct demo_dump){ .frames = at[i] + 1, .fault = FAULT_SCRIPT }, &d);
         assert_true(demo_end(&w, b));
         w.demo.n_markers -= PADS;
@@ -1513,7 +1513,7 @@ static void test_text_lies(void **state)
 static void test_load_text(void **state)
 {
     struct board_start start = { .seed = 3, .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo_text t;
     struct demo d;
     size_t n;
@@ -1551,21 +1551,21 @@ static void test_load_text(void **state)
 static void test_fits(void **state)
 {
     struct board_start start = { .difficulty = -1 };
-    struct demo_writer w = { .on = false };
+    struct demo_writer w = { .recording = false };
     struct demo d;
     char buf[128];
 
     (void)state;
     record(&w, &start, 1);
     loads(&d);
-    assert_true(demo_fits(&d, &cart, err, sizeof err));
-    assert_null(demo_doubt(&d, &cart, buf, sizeof buf));
+    assert_true(demo_check_cart(&d, &cart, err, sizeof err));
+    assert_null(demo_replay_warning(&d, &cart, buf, sizeof buf));
     d.game_hash++;
-    assert_string_equal(demo_doubt(&d, &cart, buf, sizeof buf), "recorded with another game version");
+    assert_string_equal(demo_replay_warning(&d, &cart, buf, sizeof buf), "recorded with another game version");
     d.core += 6;
-    assert_non_null(strstr(demo_doubt(&d, &cart, buf, sizeof buf), "recorded with core version"));
+    assert_non_null(strstr(demo_replay_warning(&d, &cart, buf, sizeof buf), "recorded with core version"));
     d.id[0] = 'z';
-    assert_false(demo_fits(&d, &cart, err, sizeof err));
+    assert_false(demo_check_cart(&d, &cart, err, sizeof err));
     assert_non_null(strstr(err, "another game"));
     demo_free(&d);
     assert_false(demo_load(&d, dir, err, sizeof err));

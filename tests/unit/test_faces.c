@@ -280,7 +280,7 @@ static void test_bdf_greys(void **state)
 static void test_cells(void **state)
 {
     static const char *const dots[] = { ".#..#...", ".##.#...", "........" };
-    static uint8_t rgb[CART_PALETTE], rgba[8 * 3 * 4];
+    static uint8_t rgb[CART_PALETTE_SIZE], rgba[8 * 3 * 4];
     static struct art_font font = { .w = 4, .h = 3, .chars = "\xc3\xa9i " };
     struct art_picture picture = { .rgba = rgba, .w = 8, .h = 3 };
 

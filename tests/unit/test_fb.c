@@ -83,9 +83,9 @@ static int any_int(struct rng *r)
 static void random_clip(struct fb *fb, struct rng *r)
 {
     if (rng_below(r, 3) == 0)
-        fb_clip_all(fb);
+        fb_reset_clip(fb);
     else
-        fb_clip(fb, (int)rng_below(r, W), (int)rng_below(r, H), 1 + (int)rng_below(r, W), 1 + (int)rng_below(r, H));
+        fb_set_clip(fb, (int)rng_below(r, W), (int)rng_below(r, H), 1 + (int)rng_below(r, W), 1 + (int)rng_below(r, H));
 }
 
 static void size_and_start(void **state)
@@ -126,7 +126,7 @@ static void clip_is_the_intersection(void **state)
         int64_t x = any_int(&r), y = any_int(&r), w = any_int(&r), h = any_int(&r);
         struct fb *fb = &b.fb;
         bool empty = true;
-        fb_clip(fb, (int)x, (int)y, (int)w, (int)h);
+        fb_set_clip(fb, (int)x, (int)y, (int)w, (int)h);
         for (int py = 0; py < H; py++)
             for (int px = 0; px < W; px++) {
                 bool inside = px >= x && px < x + w && py >= y && py < y + h;
@@ -156,7 +156,7 @@ static void fill_ignores_the_clip(void **state)
 
     rng_seed(&r, 2);
     bed_open(&b, &r);
-    fb_clip(&b.fb, 5, 6, 7, 8);
+    fb_set_clip(&b.fb, 5, 6, 7, 8);
     fb_fill(&b.fb, PAINT);
     memset(want, 1, sizeof want);
     for (int y = 0; y < H - 1; y++)
@@ -310,7 +310,7 @@ static void lines_known(void **state)
     bed_expect(&b, half);
     bool none[H][W] = { { false } };
     bed_reset(&b);
-    fb_clip(&b.fb, 3, 3, 0, 5);
+    fb_set_clip(&b.fb, 3, 3, 0, 5);
     fb_line(&b.fb, 0, 0, 40, 40, PAINT);
     fb_rect(&b.fb, 0, 0, 40, 40, PAINT);
     fb_frame(&b.fb, 0, 0, 40, 40, PAINT);

@@ -561,7 +561,7 @@ static void each_hand_reaches_everything(void **state)
 static void labels(void **state)
 {
     static const struct {
-        const char *name, *label[PLAT_KINDS];
+        const char *name, *label[PLAT_CONTROLLER_KINDS];
     } rows[] = {
         { "pad.south", { "bottom button", "A", "A", "cross", "cross", "cross", "B" } },
         { "pad2.east", { "right button", "B", "B", "circle", "circle", "circle", "A" } },
@@ -579,14 +579,14 @@ static void labels(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        for (int kind = 0; kind < PLAT_KINDS; kind++) {
-            switch_label(switch_code(rows[i].name), (enum plat_kind)kind, name, sizeof name);
+        for (int kind = 0; kind < PLAT_CONTROLLER_KINDS; kind++) {
+            switch_label(switch_code(rows[i].name), (enum plat_controller_kind)kind, name, sizeof name);
             assert_string_equal(name, rows[i].label[kind]);
         }
     }
-    for (unsigned bit = 0; bit < PLAT_SWITCHES; bit++)
-        for (int kind = 0; kind < PLAT_KINDS; kind++) {
-            switch_label(SWITCH_CONTROLLER | bit, (enum plat_kind)kind, name, sizeof name);
+    for (unsigned bit = 0; bit < PLAT_BUTTONS; bit++)
+        for (int kind = 0; kind < PLAT_CONTROLLER_KINDS; kind++) {
+            switch_label(SWITCH_CONTROLLER | bit, (enum plat_controller_kind)kind, name, sizeof name);
             assert_true(name[0]);
         }
 }

@@ -70,7 +70,7 @@ static void test_read(void **state)
 
 static void test_refused(void **state)
 {
-    static char text[WORDS_TEXT + 64];
+    static char text[WORDS_MAX_TEXT + 64];
 
     (void)state;
     REFUSED("a = b\nHello", "lang/de.txt:2: expected text = translation, got \"Hello\"");
@@ -86,23 +86,23 @@ static void test_refused(void **state)
     REFUSED("b = 1\na = 2\n\nb = 3", "lang/de.txt:4: duplicate \"b\": line 1 already has it");
     memset(text, 'x', sizeof text);
     memcpy(text, "a = ", 4);
-    refused(text, 4 + WORDS_TEXT, "lang/de.txt:1: text of 1024 bytes, expected at most 1023");
-    assert_true(lang_read(&l, text, 3 + WORDS_TEXT, "lang/de.txt", err, sizeof err));
+    refused(text, 4 + WORDS_MAX_TEXT, "lang/de.txt:1: text of 1024 bytes, expected at most 1023");
+    assert_true(lang_read(&l, text, 3 + WORDS_MAX_TEXT, "lang/de.txt", err, sizeof err));
     lang_close(&l);
 }
 
 static void test_many(void **state)
 {
-    char *text = calloc(WORDS_MAX + 1, 16);
+    char *text = calloc(WORDS_MAX_ENTRIES + 1, 16);
     size_t n = 0;
 
     (void)state;
-    for (int i = 0; i <= WORDS_MAX; i++)
+    for (int i = 0; i <= WORDS_MAX_ENTRIES; i++)
         n += (size_t)sprintf(text + n, "%d=%d\n", i, i);
     refused(text, n, "lang/de.txt:16385: more than 16384 texts");
     n = (size_t)(strstr(text, "16384=") - text);
     assert_true(lang_read(&l, text, n, "lang/de.txt", err, sizeof err));
-    assert_int_equal(l.n, WORDS_MAX);
+    assert_int_equal(l.n, WORDS_MAX_ENTRIES);
     lang_close(&l);
     free(text);
     text = calloc(1, LANG_FILE + 1);

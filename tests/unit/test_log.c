@@ -98,7 +98,7 @@ static void long_lines(void **state)
 
 static void poll_with(const struct plat_input *in)
 {
-    const struct plat_input nothing = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    const struct plat_input nothing = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
     const struct keys_read none = { 0 };
 
     screens_poll(&s, &nothing, &none);
@@ -107,7 +107,7 @@ static void poll_with(const struct plat_input *in)
 
 static struct plat_input with_key(unsigned usage)
 {
-    struct plat_input in = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    struct plat_input in = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
 
     in.keys[usage / 8] = (uint8_t)(1 << usage % 8);
     return in;
@@ -149,7 +149,7 @@ static void opens_at_the_end(void **state)
     log_open(&l, &s);
     draw();
     assert_string_equal(screens_top(&s)->text(&l), "No messages yet.");
-    poll_with(&(struct plat_input){ .focus = true, .mouse_x = -1, .mouse_y = -1, .wheel = 1 });
+    poll_with(&(struct plat_input){ .has_focus = true, .mouse_x = -1, .mouse_y = -1, .wheel = 1 });
     screens_close(&s);
     for (int i = 0; i < 100; i++) {
         snprintf(text, sizeof text, "line %d", i);
@@ -167,13 +167,13 @@ static void opens_at_the_end(void **state)
 /* By keys, a controller and the wheel; and out. */
 static void scrolls(void **state)
 {
-    struct plat_input in = { .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    struct plat_input in = { .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
 
     opens_at_the_end(state);
     in = with_key(KEY_UP);
     poll_with(&in);
     assert_int_equal(chosen(), 98);
-    in = (struct plat_input){ .focus = true, .mouse_x = -1, .mouse_y = -1 };
+    in = (struct plat_input){ .has_focus = true, .mouse_x = -1, .mouse_y = -1 };
     in.controllers[2] = 1u << PLAT_DPAD_UP;
     poll_with(&in);
     assert_int_equal(chosen(), 97);

@@ -124,8 +124,8 @@ static void dump_values(struct out *o, lua_State *L, int from)
 
 static void dump_error(struct out *o, lua_State *L)
 {
-    if (lualib_raised(L, -1))
-        lualib_unwrap(L, -1);
+    if (lualib_is_raised(L, -1))
+        lualib_push_unwrapped(L, -1);
     dump(o, L, lua_gettop(L), 0);
 }
 
@@ -764,7 +764,7 @@ static void calls_every_name(void **state)
     static const char *const libraries[] = { "", "string", "table", "math", "utf8" };
 
     for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++) {
-        char *names = strdup(lualib_names(libraries[i])), name[64];
+        char *names = strdup(lualib_retained_names(libraries[i])), name[64];
         for (char *s = strtok(names, " "); s; s = strtok(NULL, " ")) {
             snprintf(name, sizeof name, "return %s%s%s", libraries[i], *libraries[i] ? "." : "", s);
             same_value(*state, name);

@@ -104,8 +104,8 @@ static bool run(lua_State *L, const char *chunk, const struct arg *args, char ou
             lua_pushnumber(L, args[n].f);
     }
     int status = lua_pcall(L, n, LUA_MULTRET, 0);
-    if (status != LUA_OK && lualib_raised(L, -1)) {
-        lualib_unwrap(L, -1);
+    if (status != LUA_OK && lualib_is_raised(L, -1)) {
+        lualib_push_unwrapped(L, -1);
         lua_replace(L, 1);
         lua_settop(L, 1);
     }
@@ -772,16 +772,16 @@ static void keeps_the_first_traceback(void **state)
 {
     struct pair *p = *state;
 
-    lualib_trace(p->ours);
+    lualib_push_trace(p->ours);
     assert_true(lua_isnil(p->ours, -1));
     gives(p, "return pcall(error, 'x')", "false;'x';");
-    lualib_trace(p->ours);
+    lualib_push_trace(p->ours);
     assert_true(lua_isnil(p->ours, -1));
     fails(
         p,
         "local function inner() local x = nil + 1 end local function outer() inner() return 1 end pcall(pcall, outer)",
         "attempt to perform arithmetic");
-    lualib_trace(p->ours);
+    lualib_push_trace(p->ours);
     assert_non_null(lua_tostring(p->ours, -1));
     assert_non_null(strstr(lua_tostring(p->ours, -1), "'inner'"));
     assert_null(strstr(lua_tostring(p->ours, -1), "0x"));
@@ -810,7 +810,7 @@ static void catches_across_yields(void **state)
     assert_int_equal(luaL_loadstring(dying, "pcall(function() pause_here() local x = nil + 1 end) return 1"), LUA_OK);
     assert_int_equal(lua_resume(dying, p->ours, 0, &results), LUA_YIELD);
     assert_int_equal(lua_resume(dying, p->ours, 0, &results), LUA_ERRRUN);
-    assert_false(lualib_raised(dying, -1));
+    assert_false(lualib_is_raised(dying, -1));
     assert_non_null(strstr(lua_tostring(dying, -1), "arithmetic"));
 }
 

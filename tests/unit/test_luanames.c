@@ -73,7 +73,7 @@ static void assert_same(const char *text, size_t size)
     for (int i = 0; i < 4; i++) {
         load(text, size);
         if (i & 1)
-            lualib_drop_locals(L, "@here.lua");
+            lualib_strip_locals(L, "@here.lua");
         dump[i] = dumped(i < 2, &n[i]);
     }
     assert_int_equal(n[0], n[1]);
@@ -114,7 +114,7 @@ static void all_sorts_stay_the_same(void **state)
     for (int dropped = 0; dropped < 2; dropped++) {
         load(SORTS, sizeof SORTS - 1);
         if (dropped)
-            lualib_drop_locals(L, "@here.lua");
+            lualib_strip_locals(L, "@here.lua");
         lua_pushnumber(L, 0.25);
         lua_pushliteral(L, "two");
         lua_call(L, 2, LUA_MULTRET);
@@ -148,7 +148,7 @@ static void faults_have_their_place(void **state)
         for (int dropped = 0; dropped < 2; dropped++) {
             load(of[i].text, strlen(of[i].text));
             if (dropped)
-                lualib_drop_locals(L, "@here.lua");
+                lualib_strip_locals(L, "@here.lua");
             assert_int_equal(lua_pcall(L, 0, 0, 0), LUA_ERRRUN);
             assert_string_equal(lua_tostring(L, -1), dropped ? of[i].after : of[i].before);
             lua_settop(L, 0);
@@ -162,7 +162,7 @@ static void takes_less(void **state)
     load(SORTS, sizeof SORTS - 1);
     lua_gc(L, LUA_GCCOLLECT);
     const int before = lua_gc(L, LUA_GCCOUNT) * 1024 + lua_gc(L, LUA_GCCOUNTB);
-    lualib_drop_locals(L, "@here.lua");
+    lualib_strip_locals(L, "@here.lua");
     lua_gc(L, LUA_GCCOLLECT);
     assert_true(lua_gc(L, LUA_GCCOUNT) * 1024 + lua_gc(L, LUA_GCCOUNTB) < before);
     assert_int_equal(lua_gettop(L), 1);

@@ -20,7 +20,7 @@ struct result {
 static struct result *read_text(const char *text, size_t n, bool want)
 {
     struct result *r = calloc(1, sizeof *r);
-    void *work = malloc(MANIFEST_WORK);
+    void *work = malloc(MANIFEST_SCRATCH_SIZE);
 
     assert_non_null(r);
     assert_non_null(work);
@@ -104,7 +104,7 @@ static void test_sizes(void **state)
     assert_int_equal(r->art.n_sprites, 5);
     for (int i = 0; i < 5; i++) {
         assert_string_equal(r->art.sprites[i].name, names[i]);
-        assert_int_equal(r->art.sprites[i].percent, percents[i]);
+        assert_int_equal(r->art.sprites[i].scale_percent, percents[i]);
         assert_int_equal(r->art.sprites[i].frames, i == 3 ? 1 : 2);
     }
     free(r);
@@ -167,19 +167,19 @@ static void test_dips(void **state)
     (void)state;
     assert_int_equal(r->m.n_dips, 3);
     assert_string_equal(d[0].name, "coins");
-    assert_false(d[0].number);
-    assert_int_equal(d[0].values, 2);
+    assert_false(d[0].is_number);
+    assert_int_equal(d[0].n_values, 2);
     assert_int_equal(d[0].hi, 1);
-    assert_int_equal(d[0].value, 0);
+    assert_int_equal(d[0].default_value, 0);
     assert_string_equal(d[0].value_name[1], "one");
     assert_string_equal(d[1].name, "n");
-    assert_int_equal(d[1].value, 2);
+    assert_int_equal(d[1].default_value, 2);
     assert_string_equal(d[2].name, "rate");
-    assert_true(d[2].number);
+    assert_true(d[2].is_number);
     assert_int_equal(d[2].lo, -1);
     assert_int_equal(d[2].hi, 10);
-    assert_int_equal(d[2].value, 3);
-    assert_int_equal(d[2].values, 0);
+    assert_int_equal(d[2].default_value, 3);
+    assert_int_equal(d[2].n_values, 0);
     free(r);
 }
 
@@ -215,10 +215,10 @@ static void test_art(void **state)
     assert_int_equal(a->sprites[1].ox, 6);
     assert_int_equal(a->sprites[1].rotations, 32);
     assert_int_equal(a->sprites[1].frames, 1);
-    assert_int_equal(a->sprites[1].every, 6);
+    assert_int_equal(a->sprites[1].frame_ticks, 6);
     assert_int_equal(a->sprites[2].sheet, 1);
     assert_int_equal(a->sprites[2].frames, 4);
-    assert_int_equal(a->sprites[2].every, 5);
+    assert_int_equal(a->sprites[2].frame_ticks, 5);
     assert_int_equal(a->sprites[2].y, 16);
     free(r);
 }
@@ -302,9 +302,9 @@ static void test_recordings(void **state)
 
     (void)state;
     assert_true(b->exact && b->stereo && b->loop.kind == LOOP_OF_FILE);
-    assert_true(!s->exact && !s->stereo && s->loop.kind == LOOP_NONE && s->tempo == 0 && s->bar == 4);
-    assert_true(t->stereo && t->tempo == 9725 && t->bar == 3 && t->offset == 0.5 && t->n_markers == 2);
-    assert_true(t->loop.kind == LOOP_GIVEN && t->loop.seconds && t->loop.start == 1.5 && t->loop.length == 2);
+    assert_true(!s->exact && !s->stereo && s->loop.kind == LOOP_NONE && s->tempo == 0 && s->beats_per_bar == 4);
+    assert_true(t->stereo && t->tempo == 9725 && t->beats_per_bar == 3 && t->offset == 0.5 && t->n_markers == 2);
+    assert_true(t->loop.kind == LOOP_GIVEN && t->loop.in_seconds && t->loop.start == 1.5 && t->loop.length == 2);
     assert_string_equal(r->art.markers[t->first_marker].name, "back");
     assert_true(r->art.markers[t->first_marker + 1].beat == 8.5);
     free(r);
@@ -350,7 +350,7 @@ static void test_numbers(void **state)
         for (int k = 0; k < 2; k++) {
             long long v = k == 0 ? f->lo - 1LL : f->hi + 1LL;
             spell_out(text, sizeof text, f->name, v);
-            if (f->flag)
+            if (f->is_flag)
                 snprintf(want, sizeof want, "%s: expected true or false, got %lld", f->name, v);
             else
                 snprintf(want, sizeof want, "%s: expected a whole number from %d to %d, got %lld", f->name, f->lo,
@@ -499,8 +499,8 @@ static void test_index_and_tags(void **state)
     const struct art_sprite *s = &r->art.sprites[1], *cut = &r->art.sprites[2];
     assert_string_equal(s->name, "s_50");
     assert_string_equal(s->tag, "fly");
-    assert_true(s->w == 0 && s->h == 0 && s->frames == 0 && s->every == 0 && s->percent == 50);
-    assert_true(cut->w == 3 && cut->h == 4 && cut->frames == 1 && cut->every == 6 && cut->tag[0] == '\0');
+    assert_true(s->w == 0 && s->h == 0 && s->frames == 0 && s->frame_ticks == 0 && s->scale_percent == 50);
+    assert_true(cut->w == 3 && cut->h == 4 && cut->frames == 1 && cut->frame_ticks == 6 && cut->tag[0] == '\0');
     free(r);
     r = read_good("return { sheets = { a = { file = 'a.aseprite', match = 'index' } },"
                   "maps = { m = { tiles = 't.png', match = 'index', rows = { { 1 } } } } }");
@@ -697,14 +697,14 @@ static void test_maps(void **state)
     assert_int_equal(r->art.n_maps, 3);
     const struct art_map *a = &r->art.maps[0], *b = &r->art.maps[1], *c = &r->art.maps[2];
     assert_int_equal(a->cols * 10 + a->rows, 12);
-    assert_int_equal(a->size * 100 + a->bank, 1603);
-    assert_int_equal(r->art.cells[a->cells], 7);
-    assert_int_equal(r->art.cells[a->cells + 1], 0);
+    assert_int_equal(a->tile_size * 100 + a->bank, 1603);
+    assert_int_equal(r->art.cells[a->first_cell], 7);
+    assert_int_equal(r->art.cells[a->first_cell + 1], 0);
     assert_int_equal(b->cols * 10 + b->rows, 31);
-    assert_int_equal(r->art.cells[b->cells], 0);
-    assert_int_equal(r->art.cells[b->cells + 1], 1);
-    assert_int_equal(r->art.cells[b->cells + 2], 6);
-    assert_int_equal(c->size, 0);
+    assert_int_equal(r->art.cells[b->first_cell], 0);
+    assert_int_equal(r->art.cells[b->first_cell + 1], 1);
+    assert_int_equal(r->art.cells[b->first_cell + 2], 6);
+    assert_int_equal(c->tile_size, 0);
     assert_string_equal(c->layer, "x");
     free(r);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -813,7 +813,7 @@ static void test_check(void **state)
     SPOILED(m.n_difficulties = 9, words);
     SPOILED(m.n_difficulties = 4, words);
     SPOILED(m.n_difficulties = 2, words);
-    SPOILED(memcpy(m.difficulties[1], m.difficulties[0], MAX_WORD), words);
+    SPOILED(memcpy(m.difficulties[1], m.difficulties[0], MAX_SETTING_NAME), words);
     SPOILED(m.difficulty = 3, "difficulty: not listed in difficulties");
     SPOILED(m.difficulty = -1, "difficulty: not listed in difficulties");
     SPOILED(m.n_dips = 17, "dip: expected at most 16 switches");
@@ -823,15 +823,15 @@ static void test_check(void **state)
     SPOILED(m.dips[15].value_name[3][3] = 1, "dip: unused switches are not zero");
     SPOILED(m.dips[0].name[0] = ' ', "dip: expected names of 1 to 15 letters, digits, _ or -");
     SPOILED(m.dips[0].name[0] = 'x', "dip.n: not in alphabetical order");
-    SPOILED(m.dips[0].values = 17, coins);
-    SPOILED(m.dips[0].values = -1, coins);
-    SPOILED(m.dips[0].values = 1, coins);
+    SPOILED(m.dips[0].n_values = 17, coins);
+    SPOILED(m.dips[0].n_values = -1, coins);
+    SPOILED(m.dips[0].n_values = 1, coins);
     SPOILED(m.dips[0].hi = 2, either);
     SPOILED(m.dips[0].lo = 1, either);
-    SPOILED(m.dips[0].number = true, either);
-    SPOILED(m.dips[1].number = false, "dip.n: expected either a range or 1 to 16 values");
-    SPOILED(m.dips[0].value = 2, "dip.coins: expected min <= default <= max, got 0, 2, 1");
-    SPOILED(m.dips[2].value = -2, "dip.rate: expected min <= default <= max, got -1, -2, 10");
+    SPOILED(m.dips[0].is_number = true, either);
+    SPOILED(m.dips[1].is_number = false, "dip.n: expected either a range or 1 to 16 values");
+    SPOILED(m.dips[0].default_value = 2, "dip.coins: expected min <= default <= max, got 0, 2, 1");
+    SPOILED(m.dips[2].default_value = -2, "dip.rate: expected min <= default <= max, got -1, -2, 10");
     free(r);
 }
 

@@ -495,7 +495,7 @@ static void test_lump(void **state)
 {
     uint32_t cell[] = { 1, 1, 0, 2, 2 | MAP_FLIP_X, 0, 0, 0, 0, 0 };
     struct map_cells c = { .cols = 5, .rows = 2, .cell = cell, .sheets = 1 };
-    uint8_t rgb[CART_PALETTE], *lump;
+    uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
     (void)state;
@@ -546,7 +546,7 @@ static void test_lump_sheets(void **state)
     struct art_picture a = { .rgba = calloc(25 * 24, 4), .w = 25, .h = 24 },
                        b = { .rgba = calloc(16 * 8, 4), .w = 16, .h = 8 };
     const struct map_picture picture[MAP_SHEETS] = { { &a, "a.png" }, { &b, "b.png" } };
-    uint8_t rgb[CART_PALETTE], *lump;
+    uint8_t rgb[CART_PALETTE_SIZE], *lump;
     size_t size;
 
     (void)state;

@@ -42,7 +42,7 @@ static void write_run(struct list *l, struct tune_run run, struct track_cursor *
 {
     struct tune_played e;
 
-    while (tune_next(&run, &e))
+    while (tune_next_event(&run, &e))
         write_down(l, &e);
     *at = run.at;
 }
@@ -59,8 +59,8 @@ static const char *events(const char *text)
     if (!mml_compile(text, strlen(text), "x.mml", &about, &bytes, &size, err, sizeof err))
         return strcpy(l.text, err);
     const struct tune t = tune_of(bytes);
-    assert_true(tune_open(bytes, size, err, sizeof err));
-    struct track_cursor c = tune_begin(&t, 0);
+    assert_true(tune_validate(bytes, size, err, sizeof err));
+    struct track_cursor c = tune_track_start(&t, 0);
     for (; l.at < 6000 && c.at; l.at += 1000)
         write_run(&l, (struct tune_run){ &t, 0, c, TUNE_TICK, 0, 1000, 0 }, &c);
     free(bytes);
@@ -132,14 +132,14 @@ static void test_header(void **state)
 
     (void)state;
     assert_string_equal(tune_title(&t), "The  tide");
-    assert_int_equal(t.bar, 3);
+    assert_int_equal(t.beats_per_bar, 3);
     assert_int_equal(t.tempo, 9950);
     assert_int_equal(t.tracks, 3);
     assert_int_equal(t.marks, 2);
-    assert_string_equal(tune_mark(&t, 1), "down");
+    assert_string_equal(tune_mark_name(&t, 1), "down");
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
-    const struct inst i = inst_of(tune_inst(&t, 0));
-    const struct op o = inst_op(tune_inst(&t, 0), 0);
+    const struct inst i = inst_read(tune_inst(&t, 0));
+    const struct op o = inst_read_op(tune_inst(&t, 0), 0);
     assert_true(i.kind == INST_FM && o.ratio == 896 && o.level == 1304 && i.env.attack == 96 && i.vibrato.depth == 51);
     assert_int_equal(i.vibrato.delay, 9600);
     free((void *)(uintptr_t)t.data);
@@ -299,7 +299,7 @@ static void test_damage(void **state)
             bad[rng_next(&r) % (sizeof text - 1)] = text[rng_next(&r) % (sizeof text - 1)];
         err[0] = '\0';
         if (mml_compile(bad, strlen(bad), "x", &about, &out, &size, err, sizeof err)) {
-            if (!tune_open(out, size, err, sizeof err))
+            if (!tune_validate(out, size, err, sizeof err))
                 fail_msg("%s: %s", bad, err);
             free(out);
         } else {
@@ -308,13 +308,13 @@ static void test_damage(void **state)
         const size_t at = rng_next(&r) % tune_size;
         const uint8_t was = tune[at];
         tune[at] ^= (uint8_t)(1 << rng_next(&r) % 8);
-        if (tune_open(tune, tune_size, err, sizeof err)) {
+        if (tune_validate(tune, tune_size, err, sizeof err)) {
             const struct tune t = tune_of(tune);
             if (i % 8 == 0)
                 voiced(&t, &tables);
             struct list l = { .at = 0 };
             for (int k = -1; k < t.tracks; k++) {
-                struct track_cursor c = tune_begin(&t, k);
+                struct track_cursor c = tune_track_start(&t, k);
                 l.text[0] = '\0';
                 write_run(&l, (struct tune_run){ &t, k, c, t.tempo, 0, 800, 0 }, &c);
             }

@@ -47,7 +47,7 @@ static void note_name(void *user, const struct plat_file *file)
     if (l->n == 64)
         return;
     snprintf(l->name[l->n], sizeof l->name[0], "%s", file->name);
-    l->folder[l->n++] = file->folder;
+    l->folder[l->n++] = file->is_folder;
 }
 
 static void remove_folder(const char *path)
@@ -243,10 +243,10 @@ static void test_smallest(void **state)
     snprintf(want, sizeof want, "pack_%s", strrchr(dir, '-') + 1);
     for (char *c = want; *c != '\0'; c++)
         *c = *c >= 'A' && *c <= 'Z' ? (char)(*c + 32) : *c;
-    assert_string_equal(cart.m.id, want);
+    assert_string_equal(cart.manifest.id, want);
     assert_lump(&image.rom, "script/main.lua", "print('hello')\n");
     assert_int_equal(find(&image.rom, "palette/main").size, 768);
-    assert_int_equal(find(&image.rom, "shades").size, CART_SHADES);
+    assert_int_equal(find(&image.rom, "shades").size, CART_SHADES_SIZE);
     assert_int_equal(cart.n_glyphs, 0);
     assert_int_equal(image.rom.count, 4);
     rom_image_free(&image);
@@ -315,7 +315,7 @@ static const char *modules_of(const char *text)
     put_text("main.lua", text);
     image = packed(false);
     got[0] = '\0';
-    for (int i = rom_first(&image.rom, folder); i < rom_first(&image.rom, "script/@std0"); i++) {
+    for (int i = rom_find_first(&image.rom, folder); i < rom_find_first(&image.rom, "script/@std0"); i++) {
         struct lump l;
         rom_lump(&image.rom, i, &l);
         const char *name = l.name + strlen(folder);
@@ -409,13 +409,13 @@ static void test_library(void **state)
 
     (void)state;
     for (int k = 0; k < std_script_count; k++)
-        pieces += std_module_of(std_scripts[k].name) >= 0;
+        pieces += std_module_of_piece(std_scripts[k].name) >= 0;
     assert_int_equal(std_script_count, STD_MODULES + pieces);
     assert_true(pieces > 0);
     for (int i = 0; i < STD_MODULES; i++) {
         int found = 0;
         for (int k = 0; k < std_script_count; k++)
-            found += strcmp(std_scripts[k].name, std_module(i)) == 0;
+            found += strcmp(std_scripts[k].name, std_module_name(i)) == 0;
         assert_int_equal(found, 1);
     }
 }
@@ -437,10 +437,10 @@ static struct bed bed_open(const char *text)
     t.image = packed(false);
     assert_true(board_size(&t.image.rom, &size, err, sizeof err));
     t.ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    t.b = board_power(t.ram, size, &t.image.rom, &start, err, sizeof err);
+    t.b = board_power_on(t.ram, size, &t.image.rom, &start, err, sizeof err);
     assert_non_null(t.b);
-    if (board_last(t.b)->fault != NULL)
-        fail_msg("%s", board_last(t.b)->fault->message);
+    if (board_last_output(t.b)->fault != NULL)
+        fail_msg("%s", board_last_output(t.b)->fault->message);
     return t;
 }
 
@@ -483,7 +483,7 @@ static void test_price(void **state)
 
 static void fails(struct bed *t, const char *line, const char *want)
 {
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
 
     assert_false(board_eval(t->b, line, out, sizeof out));
     assert_non_null(strstr(out, want));
@@ -494,7 +494,7 @@ static void test_not_here(void **state)
 {
     const char *missing =
         "undeclared global \"pattern\" (not packed in this ROM; a library module is packed if a script names it)";
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
 
     (void)state;
     put_palette("p.png");
@@ -517,7 +517,7 @@ static void test_not_here(void **state)
     bed_close(&t);
 }
 
-/* The globals that modules bind are those that std_of knows, and no others. */
+/* The globals that modules bind are those that std_module_of_global knows, and no others. */
 static void test_globals(void **state)
 {
     int bound = 0;
@@ -532,7 +532,7 @@ static void test_globals(void **state)
         lua_pushstring(M, lua_tostring(L, -2));
         bool everywhere = lua_rawget(M, -2) != LUA_TNIL;
         lua_pop(M, 1);
-        assert_int_equal(everywhere, std_of(lua_tostring(L, -2)) < 0);
+        assert_int_equal(everywhere, std_module_of_global(lua_tostring(L, -2)) < 0);
         bound += !everywhere;
     }
     assert_int_equal(bound, STD_MODULES - 6 + 3); /* but prelude, which binds 3, figure, sweep, bg, trail, scoring */
@@ -570,7 +570,7 @@ static void test_blends(void **state)
     assert_int_equal(image.size, again.size);
     assert_memory_equal(image.bytes, again.bytes, image.size);
     l = find(&image.rom, "blend/glow");
-    assert_int_equal(l.size, CART_BLEND);
+    assert_int_equal(l.size, CART_BLEND_SIZE);
     assert_int_equal(l.data[0x11 * 256 + 0x21], 0x31); /* #300032: #300031 is as near as #300033 */
     assert_int_equal(l.data[0xf1 * 256 + 0xf1], 0xff); /* #ff00ff */
     l = find(&image.rom, "blend/ghost");
@@ -595,7 +595,7 @@ static void put_turned(const char *name)
 static void test_own_tables(void **state)
 {
     struct rom_image image;
-    uint8_t *table = malloc(CART_BLEND), shades[CART_SHADES];
+    uint8_t *table = malloc(CART_BLEND_SIZE), shades[CART_SHADES_SIZE];
 
     (void)state;
     put_game("return { palette = 'p.png', palettes = { dusk = 'd.png', same = 'p.png' },"
@@ -606,11 +606,11 @@ static void test_own_tables(void **state)
     const uint8_t *dusk = find(&image.rom, "palette/dusk").data, *main = find(&image.rom, "palette/main").data;
     assert_non_null(table);
     assert_true(blend_make(dusk, BLEND_ADD, table));
-    assert_memory_equal(find(&image.rom, "blends/dusk/glow").data, table, CART_BLEND);
+    assert_memory_equal(find(&image.rom, "blends/dusk/glow").data, table, CART_BLEND_SIZE);
     assert_true(blend_make(main, BLEND_ADD, table));
-    assert_memory_equal(find(&image.rom, "blend/glow").data, table, CART_BLEND);
+    assert_memory_equal(find(&image.rom, "blend/glow").data, table, CART_BLEND_SIZE);
     shade_make(dusk, shades);
-    assert_memory_equal(find(&image.rom, "shade/dusk").data, shades, CART_SHADES);
+    assert_memory_equal(find(&image.rom, "shade/dusk").data, shades, CART_SHADES_SIZE);
     assert_int_equal(rom_find(&image.rom, "shade/same"), -1);
     assert_int_equal(rom_find(&image.rom, "blends/same/glow"), -1);
     assert_int_equal(rom_find(&image.rom, "blends/dusk/ramp"), -1);
@@ -625,13 +625,13 @@ static void shown_as(const char *lines, const char *palette)
     struct bed t = bed_open(lines);
 
     t.b->cart.rom = &t.image.rom; /* it has moved */
-    assert_string_equal(cart_palette_name(&t.b->cart, board_palette(t.b)), palette);
+    assert_string_equal(cart_palette_name(&t.b->cart, board_loaded_palette(t.b)), palette);
     const struct cart_look look = video_look(t.b);
     const bool main = !strcmp(palette, "main");
     assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shade/dusk").data);
     assert_ptr_equal(look.blend[0], find(&t.image.rom, main ? "blend/glow" : "blends/dusk/glow").data);
-    bg_shade(fog, cart_palette(&t.b->cart, palette), 0x123456);
-    assert_memory_equal(t.b->bg_shades.to + BG_FOG_TABLES, fog, sizeof fog);
+    bg_fill_shades(fog, cart_palette(&t.b->cart, palette), 0x123456);
+    assert_memory_equal(t.b->bg_shades.table + BG_FOG_TABLES, fog, sizeof fog);
     bed_close(&t);
 }
 
@@ -675,7 +675,7 @@ static void test_sprite(void **state)
     assert_int_equal(s.ox, -1);
     assert_int_equal(s.oy, 2);
     assert_int_equal(s.frames, 2);
-    assert_int_equal(s.every, 9);
+    assert_int_equal(s.frame_ticks, 9);
     assert_int_equal(s.rotations, 1);
     assert_int_equal(s.bank, 3);
     assert_memory_equal(s.pix, want, sizeof want); /* b has the colour of a: the lowest shade is taken */
@@ -839,7 +839,7 @@ static void test_sized(void **state)
     put_sheet("s.png", (const char *const[]){ "aacc....", "aacc...." }, 8, 2);
     image = packed(false);
     s = sprite(&image.rom, "two_300");
-    assert_true(s.w == 6 && s.h == 6 && s.ox == 3 && s.oy == 3 && s.frames == 2 && s.every == 9);
+    assert_true(s.w == 6 && s.h == 6 && s.ox == 3 && s.oy == 3 && s.frames == 2 && s.frame_ticks == 9);
     for (int y = 0; y < 6; y++)
         for (int x = 0; x < 6; x++) {
             bool corner = (x < 2 || x > 3) && (y < 2 || y > 3);
@@ -996,7 +996,7 @@ static void test_id(void **state)
         assert_string_equal(err, "");
         assert_true(good);
         assert_true(cart_open(&cart, &image.rom, err, sizeof err));
-        assert_string_equal(cart.m.id, i == 4 ? "game" : "my_game");
+        assert_string_equal(cart.manifest.id, i == 4 ? "game" : "my_game");
         rom_image_free(&image);
     }
 }

@@ -76,16 +76,16 @@ static void hosts_handlers(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         signal(signals[i], host_hears);
-        plat_last_word("");
-        plat_last_word("");
+        plat_set_exit_text("");
+        plat_set_exit_text("");
         heard = 0;
         raise(signals[i]);
         assert_int_equal(heard, signals[i]);
-        plat_last_word("");
-        plat_last_word(NULL);
+        plat_set_exit_text("");
+        plat_set_exit_text(NULL);
         assert_true(signal(signals[i], SIG_IGN) == host_hears);
-        plat_last_word("");
-        plat_last_word(NULL);
+        plat_set_exit_text("");
+        plat_set_exit_text(NULL);
         assert_true(signal(signals[i], SIG_DFL) == SIG_IGN);
     }
     signal(SIGPIPE, host_hears);

@@ -25,14 +25,14 @@
 
 /* A host without shared libraries has this in place of what library.h declares. */
 #include "../../platform/platform.h"
-#define plat_library(name, version)                  ((void)(name), NULL)
+#define plat_open_library(name, version)             ((void)(name), NULL)
 #define plat_library_hint(name, version, text, size) (text[0] = 0)
 #define library_open                                 without_open
 #define library_missing                              without_missing
 #define library_about                                without_about
 #include "../../src/cab/host/library.c"
 #undef plat_library_hint
-#undef plat_library
+#undef plat_open_library
 #undef library_open
 #undef library_missing
 #undef library_about
@@ -345,11 +345,11 @@ static void make_blocks(uint8_t *p)
     struct rng r;
 
     rng_seed(&r, 31);
-    for (int i = 0; i < BLOCKS * ADPCM_BYTES; i++)
+    for (int i = 0; i < BLOCKS * ADPCM_BLOCK_BYTES; i++)
         p[i] = (uint8_t)rng_next(&r);
     for (int b = 0; b < BLOCKS; b++) {
-        p[b * ADPCM_BYTES + 2] %= ADPCM_STEPS;
-        p[b * ADPCM_BYTES + 3] = 0;
+        p[b * ADPCM_BLOCK_BYTES + 2] %= ADPCM_STEPS;
+        p[b * ADPCM_BLOCK_BYTES + 3] = 0;
     }
 }
 
@@ -361,21 +361,21 @@ static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
     size_t n;
     uint8_t *raw;
 
-    bytes_put32(head + 4, sizeof head - 8 + BLOCKS * ADPCM_BYTES);
+    bytes_put32(head + 4, sizeof head - 8 + BLOCKS * ADPCM_BLOCK_BYTES);
     bytes_put32(head + 24, 48000);
-    bytes_put32(head + 28, 48000 * ADPCM_BYTES / ADPCM_SAMPLES);
-    bytes_put16(head + 32, ADPCM_BYTES);
+    bytes_put32(head + 28, 48000 * ADPCM_BLOCK_BYTES / ADPCM_BLOCK_SAMPLES);
+    bytes_put16(head + 32, ADPCM_BLOCK_BYTES);
     bytes_put16(head + 34, 4);
     bytes_put16(head + 36, 2);
-    bytes_put16(head + 38, ADPCM_SAMPLES);
+    bytes_put16(head + 38, ADPCM_BLOCK_SAMPLES);
     memcpy(head + 40, "fact\4\0\0\0", 8);
-    bytes_put32(head + 48, BLOCKS * ADPCM_SAMPLES);
+    bytes_put32(head + 48, BLOCKS * ADPCM_BLOCK_SAMPLES);
     memcpy(head + 52, "data", 4);
-    bytes_put32(head + 56, BLOCKS * ADPCM_BYTES);
+    bytes_put32(head + 56, BLOCKS * ADPCM_BLOCK_BYTES);
     assert_true(temp_folder(dir, sizeof dir, "adpcm"));
     snprintf(path, sizeof path, "%s/x.wav", dir);
     FILE *f = fopen(path, "wb");
-    assert_true(f && fwrite(head, sizeof head, 1, f) == 1 && fwrite(blocks, BLOCKS * ADPCM_BYTES, 1, f) == 1);
+    assert_true(f && fwrite(head, sizeof head, 1, f) == 1 && fwrite(blocks, BLOCKS * ADPCM_BLOCK_BYTES, 1, f) == 1);
     fclose(f);
     snprintf(command, sizeof command, "ffmpeg -loglevel error -i %s -f s16le %s/x.raw </dev/null >/dev/null 2>%s/said",
              path, dir, dir);
@@ -384,7 +384,7 @@ static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
         assert_int_equal(system(command), 0);
         snprintf(path, sizeof path, "%s/x.raw", dir);
         assert_true(files_read(path, path, 1 << 20, &raw, &n, err, sizeof err));
-        assert_int_equal(n, BLOCKS * ADPCM_SAMPLES * 2);
+        assert_int_equal(n, BLOCKS * ADPCM_BLOCK_SAMPLES * 2);
         for (size_t i = 0; i < n / 2; i++)
             out[i] = (int16_t)bytes_get16(raw + 2 * i);
         free(raw);
@@ -397,22 +397,22 @@ static bool decode_elsewhere(const uint8_t *blocks, int16_t *out)
 /* All samples of such blocks are ffmpeg's, and those that ffmpeg 5.1.9 gave once. */
 static void test_decoder(void **state)
 {
-    enum { N = BLOCKS * ADPCM_SAMPLES };
-    static uint8_t bytes[SAMPLE_HEADER + BLOCKS * ADPCM_BYTES];
+    enum { N = BLOCKS * ADPCM_BLOCK_SAMPLES };
+    static uint8_t bytes[SAMPLE_HEADER_SIZE + BLOCKS * ADPCM_BLOCK_BYTES];
     static int16_t ours[N], others[N];
     struct sample s;
     uint64_t h = HASH_START;
 
     (void)state;
-    make_blocks(bytes + SAMPLE_HEADER);
+    make_blocks(bytes + SAMPLE_HEADER_SIZE);
     bytes_put32(bytes, 48000);
     bytes_put32(bytes + 4, N);
-    bytes_put32(bytes + 8, SAMPLE_ENDS);
+    bytes_put32(bytes + 8, SAMPLE_NO_LOOP);
     assert_true(sample_open(bytes, sizeof bytes, &s));
     sample_read(&s, 0, N, ours);
     for (int i = 0; i < N; i++)
         h = hash_fold(h, (uint16_t)ours[i]);
-    if (decode_elsewhere(bytes + SAMPLE_HEADER, others)) {
+    if (decode_elsewhere(bytes + SAMPLE_HEADER_SIZE, others)) {
         assert_memory_equal(ours, others, sizeof ours);
         printf("# equal to ffmpeg in all of %d samples\n", N);
     } else {
@@ -427,7 +427,7 @@ static void test_encoder(void **state)
 {
     enum { N = 5050 };
     static int16_t in[N], out[N], greedy[N];
-    static uint8_t bytes[SAMPLE_HEADER + 2 * N];
+    static uint8_t bytes[SAMPLE_HEADER_SIZE + 2 * N];
     struct sample s;
     struct adpcm a = { 0, 0 };
 
@@ -441,16 +441,16 @@ static void test_encoder(void **state)
     assert_memory_equal(in, out, sizeof in);
     sample_read(&s, N + 49, 100, out);
     assert_memory_equal(in + 50 + 49, out, 200);
-    encode_sample(bytes, in, N, 44100, SAMPLE_ENDS, SAMPLE_PACKED);
+    encode_sample(bytes, in, N, 44100, SAMPLE_NO_LOOP, SAMPLE_PACKED);
     assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
     sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++) {
         int best = 0;
-        a = i % ADPCM_SAMPLES ? a : (struct adpcm){ in[i], a.index };
+        a = i % ADPCM_BLOCK_SAMPLES ? a : (struct adpcm){ in[i], a.index };
         for (int code = 1; code < 16; code++)
             if (abs(adpcm_next(a, code).value - in[i]) < abs(adpcm_next(a, best).value - in[i]))
                 best = code;
-        a = i % ADPCM_SAMPLES ? adpcm_next(a, best) : a;
+        a = i % ADPCM_BLOCK_SAMPLES ? adpcm_next(a, best) : a;
         greedy[i] = (int16_t)a.value;
     }
     printf("# signal to noise: %.1f dB, of the nearest codes %.1f\n", below(in, out, N), below(in, greedy, N));
@@ -583,13 +583,13 @@ static const char *events(const uint8_t *tune, int track, int64_t n)
 {
     static struct list l;
     const struct tune t = tune_of(tune);
-    struct track_cursor c = tune_begin(&t, track);
+    struct track_cursor c = tune_track_start(&t, track);
 
     memset(&l, 0, sizeof l);
     for (; l.at < n && c.at; l.at += 800) {
         struct tune_run run = { &t, track, c, t.tempo, 0, 800, 0 };
         struct tune_played e;
-        while (tune_next(&run, &e))
+        while (tune_next_event(&run, &e))
             write_down(&l, &e);
         c = run.at;
     }
@@ -604,10 +604,10 @@ static void test_sound(void **state)
     char err[256];
 
     (void)state;
-    assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_open(b.data, b.n, err, sizeof err));
+    assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_validate(b.data, b.n, err, sizeof err));
     struct tune t = tune_of(b.data);
-    assert_true(t.tracks == 1 && t.sides == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
-    assert_true(tune_recording(&t) && !tune_streams(&t) && !tune_endless(&t));
+    assert_true(t.tracks == 1 && t.channels == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
+    assert_true(tune_is_recording(&t) && !tune_is_stream(&t) && !tune_is_endless(&t));
     assert_string_equal(tune_title(&t), "Drum");
     assert_string_equal(events(b.data, 0, 48000), "0i0 0p64 0v127 0n15360 4800.0 ");
     free(b.data);
@@ -615,9 +615,10 @@ static void test_sound(void **state)
     assert_true(recording_prepare(&stereo, &(struct art_loop){ 0 }, err, sizeof err));
     for (int sides = 1; sides <= 2; sides++) {
         about.stereo = sides == 2;
-        assert_true(recording_sound(&stereo, &about, &b, err, sizeof err) && tune_open(b.data, b.n, err, sizeof err));
+        assert_true(recording_sound(&stereo, &about, &b, err, sizeof err) &&
+                    tune_validate(b.data, b.n, err, sizeof err));
         t = tune_of(b.data);
-        assert_true(t.tracks == sides && t.sides == sides && tune_endless(&t));
+        assert_true(t.tracks == sides && t.channels == sides && tune_is_endless(&t));
         free(b.data);
     }
     pcm_free(&stereo);
@@ -629,7 +630,7 @@ static void test_music(void **state)
     static const struct art_marker markers[] = { { "", 0 }, { "drop", 5 }, { "lead", 0 }, { "off", 12.5 } };
     struct art_sound about = { .volume = 255,
                                .limit = 1,
-                               .bar = 4,
+                               .beats_per_bar = 4,
                                .tempo = 12000,
                                .stereo = true,
                                .offset = 0.1,
@@ -644,9 +645,10 @@ static void test_music(void **state)
     for (int i = 0; i < 81; i++) /* 0.1 s and 16 beats */
         assert_true(pcm_add(&p, quiet, 4410));
     assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_open(tune.data, tune.n, err, sizeof err) && samples_open(wave.data, wave.n, 2));
+    assert_true(tune_validate(tune.data, tune.n, err, sizeof err) && samples_are_valid(wave.data, wave.n, 2));
     const struct tune t = tune_of(tune.data);
-    assert_true(t.tracks == 2 && t.sides == 2 && tune_streams(&t) && t.tempo == 12000 && t.lead == 4800 && t.rest == 0);
+    assert_true(t.tracks == 2 && t.channels == 2 && tune_is_stream(&t) && t.tempo == 12000 && t.lead == 4800 &&
+                t.loop_units == 0);
     assert_string_equal(events(tune.data, 1, 48000 * 9), "0i1 0p128 0v127 0n15360 100800v127 100800v127 388800v127 ");
     assert_string_equal(events(tune.data, -1, 48000 * 15),
                         "4800m1 124800t12000 124800m0 304800m2 412800m0 592800m2 700800m0 ");
@@ -656,7 +658,7 @@ static void test_music(void **state)
     about.offset = 0;
     about.first_marker = 1, about.n_markers = 1;
     assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_open(tune.data, tune.n, err, sizeof err));
+    assert_true(tune_validate(tune.data, tune.n, err, sizeof err));
     const char *all = events(tune.data, -1, 48000 * 200);
     for (int i = 0; i < 30; i++) {
         char expected[64];
@@ -681,7 +683,7 @@ static void test_music(void **state)
     free(wave.data);
     p.loop = p.n - 7; /* shorter than a tick */
     assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
-    assert_true(tune_open(tune.data, tune.n, err, sizeof err));
+    assert_true(tune_validate(tune.data, tune.n, err, sizeof err));
     free(tune.data);
     free(wave.data);
     p.tempo = 97.25; /* the file's own, where rom.lua says none */
@@ -708,7 +710,7 @@ static bool takes(const char *name, const uint8_t *data, size_t n)
         good = recording_prepare(&p, &(struct art_loop){ 0 }, err, sizeof err);
         if (good && p.n < 1 << 16) {
             assert_true(recording_sound(&p, &about, &b, err, sizeof err));
-            if (!tune_open(b.data, b.n, err, sizeof err))
+            if (!tune_validate(b.data, b.n, err, sizeof err))
                 fail_msg("%s: %s", name, err);
             free(b.data);
         }

@@ -56,7 +56,7 @@ static void test_random(void **state)
     for (int i = 0; i < 300; i++) {
         int w = 1 + below(12), h = 1 + below(12), to_w = 1 + below(30), to_h = 1 + below(30);
         draw(in, w, h);
-        turn_open(&t, in, w, h, w, w, h, scratch);
+        turn_init(&t, in, w, h, w, w, h, scratch);
         memset(out, 0xee, sizeof out);
         resize_paint(&t, out, to_w, to_h);
         for (int y = 0; y < to_h; y++)
@@ -82,7 +82,7 @@ static void test_back(void **state)
         for (int y = 0; y < h * by; y++)
             for (int x = 0; x < w * by; x++)
                 large[y * w * by + x] = in[y / by * w + x / by];
-        turn_open(&t, large, w * by, h * by, w * by, 0, 0, scratch);
+        turn_init(&t, large, w * by, h * by, w * by, 0, 0, scratch);
         resize_paint(&t, out, w, h);
         assert_memory_equal(in, out, (size_t)(w * h));
     }

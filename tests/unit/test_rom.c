@@ -105,8 +105,8 @@ static void test_round_trip(void **state)
     assert_int_equal(rom_find(&rom, "script/main"), -1);
     assert_int_equal(rom_find(&rom, ""), -1);
     assert_int_equal(rom_find(&rom, "zz"), -1);
-    assert_int_equal(rom_first(&rom, "gfx/"), 1);
-    assert_int_equal(rom_first(&rom, "zz"), 4);
+    assert_int_equal(rom_find_first(&rom, "gfx/"), 1);
+    assert_int_equal(rom_find_first(&rom, "zz"), 4);
     rom_lump(&rom, 3, &l);
     assert_string_equal(l.name, "z");
     assert_int_equal(l.size, 17);
@@ -162,8 +162,8 @@ static void test_names(void **state)
     char name[200];
 
     (void)state;
-    assert_true(rom_name_ok(letters(name, ROM_NAME - 1)));
-    assert_false(rom_name_ok(letters(name, ROM_NAME)));
+    assert_true(rom_name_ok(letters(name, ROM_MAX_NAME - 1)));
+    assert_false(rom_name_ok(letters(name, ROM_MAX_NAME)));
     assert_false(rom_name_ok(""));
     assert_false(rom_name_ok("a\tb"));
     assert_false(rom_name_ok("\xc3\xa4"));
@@ -309,7 +309,7 @@ enum { FULL = 7, GFX = 4 * 8 + CART_GFX_HEADER };
 struct full {
     struct manifest m;
     uint32_t manifest_size;
-    uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE], font[2 * CART_GLYPH], gfx[GFX];
+    uint8_t manifest[MANIFEST_BYTES], palette[CART_PALETTE_SIZE], font[2 * CART_GLYPH_SIZE], gfx[GFX];
     struct lump lumps[FULL];
 };
 
@@ -386,7 +386,7 @@ static void test_cart(void **state)
     b = make(f.lumps, FULL);
     opened(&rom, b);
     assert_true(cart_open(&cart, &rom, err, sizeof err));
-    assert_string_equal(cart.m.title, "Untitled");
+    assert_string_equal(cart.manifest.title, "Untitled");
     assert_int_equal(cart.sprites, 2);
     assert_int_equal(cart.palettes, 1);
     assert_int_equal(cart.n_glyphs, 2);
@@ -402,19 +402,19 @@ static void test_cart(void **state)
     assert_int_equal(s.ox, 2);
     assert_int_equal(s.oy, -1);
     assert_int_equal(s.frames, 2);
-    assert_int_equal(s.every, 6);
+    assert_int_equal(s.frame_ticks, 6);
     assert_int_equal(s.rotations, 1);
     assert_int_equal(s.bank, 3);
     assert_int_equal(s.pix[4], 0x3f);
     assert_int_equal(cart_palette(&cart, "main")[3], 0xaa);
     assert_null(cart_palette(&cart, "dusk"));
-    assert_true(cart_script(&cart, "main", &text, &size));
+    assert_true(cart_find_script(&cart, "main", &text, &size));
     assert_int_equal(size, 8);
     assert_memory_equal(text, "return 1", 8);
-    assert_false(cart_script(&cart, letters(name, 150), &text, &size));
-    assert_true(cart_text(&cart, "names.txt", &text, &size));
+    assert_false(cart_find_script(&cart, letters(name, 150), &text, &size));
+    assert_true(cart_find_text(&cart, "names.txt", &text, &size));
     assert_memory_equal(text, "Ann", 3);
-    assert_false(cart_text(&cart, "main", &text, &size));
+    assert_false(cart_find_text(&cart, "main", &text, &size));
     free(b.p);
 }
 
@@ -423,12 +423,12 @@ static bool open_blends(const struct full *f, int n, uint32_t size, struct cart 
                         char *err, size_t err_size)
 {
     static const char *const names[] = { "blend/a", "blend/b", "blend/c/d", "blend/e" };
-    static uint8_t tables[4][CART_BLEND];
+    static uint8_t tables[4][CART_BLEND_SIZE];
     struct lump lumps[4 + FULL];
 
     for (int i = 0; i < n; i++) {
         tables[i][65535] = (uint8_t)(i + 1);
-        lumps[i] = (struct lump){ names[i], tables[i], i == n - 1 ? size : CART_BLEND };
+        lumps[i] = (struct lump){ names[i], tables[i], i == n - 1 ? size : CART_BLEND_SIZE };
     }
     memcpy(lumps + n, f->lumps, sizeof f->lumps);
     *b = make(lumps, n + FULL);
@@ -450,10 +450,10 @@ static void test_cart_blends(void **state)
     assert_int_equal(cart.blends, 0);
     assert_int_equal(cart_find_blend(&cart, "a"), -1);
     free(b.p);
-    assert_true(open_blends(&f, 3, CART_BLEND, &cart, &rom, &b, err, sizeof err));
+    assert_true(open_blends(&f, 3, CART_BLEND_SIZE, &cart, &rom, &b, err, sizeof err));
     assert_int_equal(cart.blends, 3);
     for (int i = 0; i < 3; i++) {
-        assert_int_equal(cart.main.blend[i][65535], i + 1);
+        assert_int_equal(cart.main_look.blend[i][65535], i + 1);
         assert_int_equal(cart_find_blend(&cart, cart_blend_name(&cart, i)), i);
     }
     assert_string_equal(cart_blend_name(&cart, 2), "c/d");
@@ -462,10 +462,10 @@ static void test_cart_blends(void **state)
     assert_int_equal(cart_find_blend(&cart, letters(name, 150)), -1);
     assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
     free(b.p);
-    assert_false(open_blends(&f, 4, CART_BLEND, &cart, &rom, &b, err, sizeof err));
+    assert_false(open_blends(&f, 4, CART_BLEND_SIZE, &cart, &rom, &b, err, sizeof err));
     assert_string_equal(err, "4 lumps named \"blend/...\", expected at most 3");
     free(b.p);
-    assert_false(open_blends(&f, 2, CART_BLEND - 1, &cart, &rom, &b, err, sizeof err));
+    assert_false(open_blends(&f, 2, CART_BLEND_SIZE - 1, &cart, &rom, &b, err, sizeof err));
     assert_string_equal(err, "lump \"blend/b\": 65535 bytes long, expected 65536");
     free(b.p);
 }
@@ -473,7 +473,7 @@ static void test_cart_blends(void **state)
 /* Tables of shades may be missing, as in older ROMs; those that are there are whole. */
 static void test_cart_shades(void **state)
 {
-    static uint8_t tables[CART_SHADES + 1];
+    static uint8_t tables[CART_SHADES_SIZE + 1];
     struct lump lumps[1 + FULL];
     struct full f;
     struct cart cart;
@@ -483,16 +483,16 @@ static void test_cart_shades(void **state)
 
     (void)state;
     full_init(&f);
-    tables[CART_SHADES - 1] = 77;
+    tables[CART_SHADES_SIZE - 1] = 77;
     memcpy(lumps, f.lumps, sizeof f.lumps);
-    for (int size = 0; size <= CART_SHADES + 1; size++) {
-        const bool there = size > 0, good = !there || size == CART_SHADES;
+    for (int size = 0; size <= CART_SHADES_SIZE + 1; size++) {
+        const bool there = size > 0, good = !there || size == CART_SHADES_SIZE;
         lumps[FULL] = (struct lump){ "shades", tables, (uint32_t)size };
         b = make(lumps, there ? FULL + 1 : FULL);
         opened(&rom, b);
         assert_int_equal(cart_open(&cart, &rom, err, sizeof err), good);
-        assert_true(!good || (cart.main.shades != NULL) == there);
-        assert_true(!good || !there || cart.main.shades[CART_SHADES - 1] == 77);
+        assert_true(!good || (cart.main_look.shades != NULL) == there);
+        assert_true(!good || !there || cart.main_look.shades[CART_SHADES_SIZE - 1] == 77);
         free(b.p);
     }
     assert_string_equal(err, "lump \"shades\": 769 bytes long, expected 768");
@@ -501,7 +501,7 @@ static void test_cart_shades(void **state)
 /* Opens a cart with the hit shape for the sprite of that name, in `size` bytes. */
 static bool open_hit(const struct cart_hit *hit, const char *name, uint32_t size, char *err, size_t err_size)
 {
-    uint8_t lump[CART_HIT + 1] = { 0 };
+    uint8_t lump[CART_HIT_SIZE + 1] = { 0 };
     struct lump lumps[FULL + 1];
     struct full f;
     struct cart cart;
@@ -509,7 +509,7 @@ static bool open_hit(const struct cart_hit *hit, const char *name, uint32_t size
     struct rom rom;
 
     full_init(&f);
-    cart_hit_pack(hit, lump);
+    cart_pack_hit(hit, lump);
     for (int i = 0, n = 0; i < FULL; i++) {
         lumps[n++] = f.lumps[i];
         if (strcmp(f.lumps[i].name, "gfx/orb") == 0)
@@ -566,12 +566,12 @@ static void test_cart_hits(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
-        assert_true(open_hit(&good[i], "hit/orb", CART_HIT, err, sizeof err));
+        assert_true(open_hit(&good[i], "hit/orb", CART_HIT_SIZE, err, sizeof err));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        hit_refused(wrong[i], "hit/orb", CART_HIT, bad);
-    hit_refused(good[0], "hit/orb", CART_HIT - 1, bad);
-    hit_refused(good[0], "hit/orb", CART_HIT + 1, bad);
-    hit_refused(good[0], "hit/other", CART_HIT, "lump \"hit/other\": no sprite has this name");
+        hit_refused(wrong[i], "hit/orb", CART_HIT_SIZE, bad);
+    hit_refused(good[0], "hit/orb", CART_HIT_SIZE - 1, bad);
+    hit_refused(good[0], "hit/orb", CART_HIT_SIZE + 1, bad);
+    hit_refused(good[0], "hit/other", CART_HIT_SIZE, "lump \"hit/other\": no sprite has this name");
 }
 
 static void test_cart_without_font(void **state)

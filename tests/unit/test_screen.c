@@ -202,7 +202,7 @@ static void tap_pad(struct bed *b, uint16_t pad)
     rest(b);
 }
 
-static void tap_switch(struct bed *b, int which, enum plat_switch s)
+static void tap_switch(struct bed *b, int which, enum plat_button s)
 {
     struct plat_input in = { .mouse_x = -1, .mouse_y = -1 };
 
@@ -289,7 +289,7 @@ static void what_was_held_before_means_nothing(void **state)
     lay(&b->l, "  ");
     screens_open(&b->s, &all, &b->l);
     show(b);
-    in.mouse = 1;
+    in.mouse_buttons = 1;
     in.mouse_x = b->s.list.x + 9;
     in.mouse_y = b->s.list.y + screen_row_height() + 2;
     for (int i = 0; i < 100; i++)
@@ -497,7 +497,7 @@ static void point(struct bed *b, int at, uint8_t buttons, int wheel)
     poll(b,
          &(struct plat_input){ .mouse_x = b->s.list.x + 20,
                                .mouse_y = b->s.list.y + at * screen_row_height() + screen_row_height() / 2,
-                               .mouse = buttons,
+                               .mouse_buttons = buttons,
                                .wheel = wheel },
          0);
 }
@@ -739,10 +739,10 @@ static void whatever_happens(void **state)
         screens_open(&b->s, defs[rng_below(&r, 4)], &b->l);
         for (int frame = 0; frame < 60; frame++) {
             struct plat_input in = holding((int)(75 + rng_below(&r, 8)));
-            in.controllers[0] = rng_below(&r, 4) == 0 ? 1u << rng_below(&r, PLAT_SWITCHES) : 0;
+            in.controllers[0] = rng_below(&r, 4) == 0 ? 1u << rng_below(&r, PLAT_BUTTONS) : 0;
             in.mouse_x = (int)rng_below(&r, 400) - 8;
             in.mouse_y = (int)rng_below(&r, 460) - 8;
-            in.mouse = rng_below(&r, 4) == 0;
+            in.mouse_buttons = rng_below(&r, 4) == 0;
             in.wheel = (int)rng_below(&r, 3) - 1;
             poll(b, &in, rng_below(&r, 8) == 0 ? (uint16_t)(1u << rng_below(&r, 16)) : 0);
             if (rng_below(&r, 6) == 0 && b->l.n > 0)

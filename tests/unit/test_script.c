@@ -255,14 +255,14 @@ static void test_all(void **state)
 
     (void)state;
     for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
-        assert_false(script_scan_on(text, sizeof text - 1, &place, &line, &what));
+        assert_false(script_scan_from(text, sizeof text - 1, &place, &line, &what));
         assert_int_equal(line, want[i].line);
         assert_string_equal(what, want[i].what);
     }
-    assert_true(script_scan_on(text, sizeof text - 1, &place, &line, &what));
+    assert_true(script_scan_from(text, sizeof text - 1, &place, &line, &what));
 }
 
-/* All that script_next_read gives, with blanks between. */
+/* All that script_next_global gives, with blanks between. */
 static void gives(const char *text, const char *want)
 {
     char got[256] = "";
@@ -271,7 +271,7 @@ static void gives(const char *text, const char *want)
     const char *word;
 
     memcpy(copy, text, n);
-    while (script_next_read(copy, n, &at, &word, &size))
+    while (script_next_global(copy, n, &at, &word, &size))
         snprintf(got + strlen(got), sizeof got - strlen(got), "%s%.*s", got[0] ? " " : "", (int)size, word);
     free(copy);
     assert_string_equal(got, want);
@@ -305,39 +305,42 @@ static void test_modules(void **state)
     (void)state;
     for (int i = 1; i < STD_MODULES; i++) {
         char text[64];
-        int n = snprintf(text, sizeof text, "x = %s.y", std_module(i));
-        if (std_adds_to(i)) {
-            assert_int_equal(std_of(std_module(i)), -1);
+        int n = snprintf(text, sizeof text, "x = %s.y", std_module_name(i));
+        if (std_extended_table(i)) {
+            assert_int_equal(std_module_of_global(std_module_name(i)), -1);
             continue;
         }
-        assert_int_equal(std_of(std_module(i)), i);
-        assert_true(std_named(text, (size_t)n) == (uint64_t)1 << i);
-        n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_module(i), std_module(i), std_module(i),
-                     std_module(i));
-        assert_true(std_named(text, (size_t)n) == 0);
+        assert_int_equal(std_module_of_global(std_module_name(i)), i);
+        assert_true(std_modules_used(text, (size_t)n) == (uint64_t)1 << i);
+        n = snprintf(text, sizeof text, "x.%s = '%s' -- %s\n%sx()", std_module_name(i), std_module_name(i),
+                     std_module_name(i), std_module_name(i));
+        assert_true(std_modules_used(text, (size_t)n) == 0);
     }
-    assert_int_equal(std_module_of("boss"), -1);
-    assert_int_equal(std_module_of("bosses/cast"), -1);
-    assert_int_equal(std_module_of("bos/cast"), -1);
-    assert_int_equal(std_module_of("/cast"), -1);
-    assert_int_equal(std_module_of("boss/cast"), std_of("boss"));
-    assert_int_equal(std_module_of("screens/title"), std_of("boot"));
-    assert_string_equal(std_module(0), "prelude");
-    assert_int_equal(std_of("prelude"), -1);
-    assert_int_equal(std_of("wait_for"), 0);
-    assert_int_equal(std_of("wait"), -1);
-    assert_int_equal(std_of(""), -1);
-    assert_int_equal(std_of(" pattern "), -1);
-    assert_true(std_named("wait_until(f)", 13) == 1);
-    assert_true(std_named("boss.def(hud)", 13) == (1u << std_of("boss") | 1u << std_of("hud")));
+    assert_int_equal(std_module_of_piece("boss"), -1);
+    assert_int_equal(std_module_of_piece("bosses/cast"), -1);
+    assert_int_equal(std_module_of_piece("bos/cast"), -1);
+    assert_int_equal(std_module_of_piece("/cast"), -1);
+    assert_int_equal(std_module_of_piece("boss/cast"), std_module_of_global("boss"));
+    assert_int_equal(std_module_of_piece("screens/title"), std_module_of_global("boot"));
+    assert_string_equal(std_module_name(0), "prelude");
+    assert_int_equal(std_module_of_global("prelude"), -1);
+    assert_int_equal(std_module_of_global("wait_for"), 0);
+    assert_int_equal(std_module_of_global("wait"), -1);
+    assert_int_equal(std_module_of_global(""), -1);
+    assert_int_equal(std_module_of_global(" pattern "), -1);
+    assert_true(std_modules_used("wait_until(f)", 13) == 1);
+    assert_true(std_modules_used("boss.def(hud)", 13) ==
+                (1u << std_module_of_global("boss") | 1u << std_module_of_global("hud")));
     assert_int_equal(std_module_of_field("pattern", "star"), 2);
     assert_int_equal(std_module_of_field("pattern", "ring"), -1);
     assert_int_equal(std_module_of_field("bullet", "star"), -1);
-    assert_true(std_named("pattern.star", 12) == (1 << 1 | 1 << 2) && std_named("f(pattern)", 10) == (1 << 1 | 1 << 2));
-    assert_true(std_named("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
-    assert_true(std_needed(1, "return pattern", 14) == 1 << 1);
-    assert_true(std_named("_G[k]", 5) == all && std_named("_ENV[k]", 7) == all && std_named("load(k)", 7) == all);
-    assert_true(std_named("stages._G = s:load()", 20) == 0);
+    assert_true(std_modules_used("pattern.star", 12) == (1 << 1 | 1 << 2) &&
+                std_modules_used("f(pattern)", 10) == (1 << 1 | 1 << 2));
+    assert_true(std_modules_used("x(pattern..star)", 16) == (1 << 1 | 1 << 2));
+    assert_true(std_modules_needed(1, "return pattern", 14) == 1 << 1);
+    assert_true(std_modules_used("_G[k]", 5) == all && std_modules_used("_ENV[k]", 7) == all &&
+                std_modules_used("load(k)", 7) == all);
+    assert_true(std_modules_used("stages._G = s:load()", 20) == 0);
 }
 
 int main(void)

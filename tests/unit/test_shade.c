@@ -38,7 +38,7 @@ static int wanted(const uint8_t *rgb, int entry, int dim, int before)
 
 static void check(const uint8_t *rgb)
 {
-    uint8_t tables[CART_SHADES];
+    uint8_t tables[CART_SHADES_SIZE];
 
     memset(tables, 0xaa, sizeof tables);
     shade_make(rgb, tables);
@@ -55,7 +55,7 @@ static void check(const uint8_t *rgb)
 
 static void test_tables(void **state)
 {
-    uint8_t rgb[CART_PALETTE];
+    uint8_t rgb[CART_PALETTE_SIZE];
     struct rng r;
 
     (void)state;
@@ -63,10 +63,10 @@ static void test_tables(void **state)
     check(rgb);
     rng_seed(&r, 8);
     for (int round = 0; round < 12; round++) {
-        for (int i = 0; i < CART_PALETTE; i++)
+        for (int i = 0; i < CART_PALETTE_SIZE; i++)
             rgb[i] = (uint8_t)(rng_next(&r) >> (round % 3 ? 56 : 59)); /* or all in one corner */
         if (round > 8)
-            memset(rgb, round == 9 ? 0 : 255, CART_PALETTE / 2);
+            memset(rgb, round == 9 ? 0 : 255, CART_PALETTE_SIZE / 2);
         check(rgb);
     }
 }
@@ -74,7 +74,7 @@ static void test_tables(void **state)
 /* On the default palette, which is made of ramps, shades are about as dark as they should be. */
 static void test_dark(void **state)
 {
-    uint8_t rgb[CART_PALETTE], tables[CART_SHADES];
+    uint8_t rgb[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
 
     (void)state;
     art_default_palette(rgb);
@@ -92,8 +92,8 @@ static void test_dark(void **state)
 /* A ROM without the lump gets tables, made once a palette; one that has it none. */
 static void test_kept(void **state)
 {
-    static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[CART_SHADES];
-    uint8_t rgb[CART_PALETTE];
+    static uint8_t manifest[MANIFEST_BYTES], bytes[8192], want[CART_SHADES_SIZE];
+    uint8_t rgb[CART_PALETTE_SIZE];
     struct shade_kept kept = { 0 };
     struct cart cart;
     struct manifest m;
@@ -108,18 +108,18 @@ static void test_kept(void **state)
         struct lump lumps[] = { { "manifest", manifest, manifest_size },
                                 { "palette/main", rgb, sizeof rgb },
                                 { "script/main.lua", (const uint8_t *)"", 0 },
-                                { "shades", want, CART_SHADES } };
+                                { "shades", want, CART_SHADES_SIZE } };
         rgb[33] ^= (uint8_t)(with == 1);
         const int n = with == 2 ? 4 : 3;
         assert_true(rom_write_size(lumps, n) <= sizeof bytes);
         rom_write(bytes, lumps, n);
         assert_true(rom_open(&rom, bytes, rom_write_size(lumps, n), err, sizeof err));
         assert_true(cart_open(&cart, &rom, err, sizeof err));
-        assert_int_equal(cart.main.shades != NULL, with == 2);
+        assert_int_equal(cart.main_look.shades != NULL, with == 2);
         const uint8_t *got = shade_for(&kept, &cart);
         assert_ptr_equal(got, with == 2 ? NULL : kept.tables);
         shade_make(rgb, want);
-        assert_true(with == 2 || memcmp(got, want, CART_SHADES) == 0);
+        assert_true(with == 2 || memcmp(got, want, CART_SHADES_SIZE) == 0);
         kept.tables[5] ^= (uint8_t)(with == 0);
         assert_true(with > 0 || shade_for(&kept, &cart)[5] == (want[5] ^ 1)); /* not made again */
     }

@@ -31,7 +31,7 @@ static int make_tables(void **state)
 static void test_pitch(void **state)
 {
     (void)state;
-    for (int32_t p = 0; p <= PITCH_MOST; p += 997) {
+    for (int32_t p = 0; p <= PITCH_MAX; p += 997) {
         const long double hz = 440 * exp2l(((long double)p / PITCH_ONE - 69) / 12), step = hz / SND_RATE * 0x1p56l;
         assert_true(fabsl(1200 * log2l((long double)pitch_step(p) / step)) < 0.0001l);
     }
@@ -39,7 +39,7 @@ static void test_pitch(void **state)
         const long double ratio = exp2l((long double)p / PITCH_ONE / 12) * 0x1p32l;
         assert_true(fabsl(1200 * log2l((long double)pitch_ratio(p) / ratio)) < 0.0002l);
     }
-    assert_true(pitch_step(-5) == pitch_step(0) && pitch_step(INT32_MAX) == pitch_step(PITCH_MOST));
+    assert_true(pitch_step(-5) == pitch_step(0) && pitch_step(INT32_MAX) == pitch_step(PITCH_MAX));
     assert_true(pitch_ratio(0) == (uint64_t)1 << 32 && pitch_ratio(12 * PITCH_ONE) == (uint64_t)2 << 32);
 }
 
@@ -110,7 +110,7 @@ static void test_alias(void **state)
     (void)state;
     for (int cycles = 37; cycles < 700; cycles += 83) { /* so many whole turns in N samples */
         const uint64_t step = (uint64_t)cycles << 44;
-        struct wave_at at = { 0, step, 0, 0, 0, 0, NULL };
+        struct wave_params at = { 0, step, 0, 0, 0, 0, NULL };
         double loud = 0, foul = 0;
         at.mip0 = at.mip1 = snd_mip(&tables, (uint32_t)(step >> 24));
         for (int i = 0; i < N; i += SND_BLOCK, at.phase += SND_BLOCK * step) {
@@ -163,7 +163,7 @@ static void test_level(void **state)
     assert_int_equal(wave_level(&i, 480, NOTE_HELD), 32767);
     assert_true(abs(wave_level(&i, 1480, NOTE_HELD) - (int)(lrint((8000 + 24767 / 2) * exp2(-1000.0 / 48000)))) <= 3);
     assert_true(abs(wave_level(&i, 22000, 20000) * 2 - wave_level(&i, 20000, 20000)) <= 2);
-    assert_true(wave_over(&i, 20000 + 16 * 2000, 20000) && !wave_over(&i, 20000, NOTE_HELD));
+    assert_true(wave_is_silent(&i, 20000 + 16 * 2000, 20000) && !wave_is_silent(&i, 20000, NOTE_HELD));
 }
 
 /* What is read does not depend on where reading begins, nor on loops that are read at once or piece by piece. */
@@ -181,7 +181,7 @@ static void test_adpcm(void **state)
         in[i] = (int16_t)(12000 * sin(i * 0.05) + 4000 * sin(i * 0.31));
     for (int looped = 0; looped < 2; looped++) {
         double wrong = 0, loud = 0;
-        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_ENDS, SAMPLE_PACKED);
+        encode_sample(bytes, in, N, 44100, looped ? 700 : SAMPLE_NO_LOOP, SAMPLE_PACKED);
         assert_true(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
         sample_read(&s, 0, 4 * N, all);
         for (int i = 0; i < N; i++) {
@@ -198,7 +198,7 @@ static void test_adpcm(void **state)
                 assert_int_equal(part[i], from + i < 0 ? 0 : all[from + i]);
         }
     }
-    bytes[SAMPLE_HEADER + 2] = 89;
+    bytes[SAMPLE_HEADER_SIZE + 2] = 89;
     assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED), &s));
     assert_false(sample_open(bytes, sample_size(N, SAMPLE_PACKED) - 1, &s));
     free(bytes);
@@ -235,7 +235,7 @@ static void test_sines(void **state)
     }
 }
 
-static int16_t x[4 * SND_BLOCK + 2 * LOW_TAPS];
+static int16_t x[4 * SND_BLOCK + 2 * LOW_PASS_TAPS];
 
 static int64_t in16(int64_t v)
 {
@@ -248,12 +248,12 @@ static void same_sample(int round)
     const uint32_t phase = (uint32_t)rng_next(&chance) | (round % 4 ? 0 : 0xfff00000u);
     int16_t out[SND_BLOCK];
 
-    wave_sample(&tables, x + LOW_TAPS, phase, step, out);
+    wave_sample(&tables, x + LOW_PASS_TAPS, phase, step, out);
     for (int n = 0; n < SND_BLOCK; n++) {
         const uint64_t at = phase + (uint64_t)n * step, place = ((at & 0xffffffff) + (1 << 21)) >> 22;
         int64_t sum = 1 << 14;
         for (int j = 0; j < SINC_TAPS; j++)
-            sum += (int64_t)x[LOW_TAPS + (int)(at >> 32) + j - 3] * tables.sinc[place][j];
+            sum += (int64_t)x[LOW_PASS_TAPS + (int)(at >> 32) + j - 3] * tables.sinc[place][j];
         assert_int_equal(out[n], in16(sum >> 15));
     }
 }
@@ -262,19 +262,19 @@ static int64_t passed(int row, int n)
 {
     int64_t sum = 1 << 13;
 
-    for (int j = 0; row >= 0 && j < LOW_TAPS; j++)
-        sum += (int64_t)x[LOW_TAPS / 2 + n + j] * tables.low[row][j];
-    return row < 0 ? x[LOW_TAPS + n] : in16(sum >> 14);
+    for (int j = 0; row >= 0 && j < LOW_PASS_TAPS; j++)
+        sum += (int64_t)x[LOW_PASS_TAPS / 2 + n + j] * tables.low_pass[row][j];
+    return row < 0 ? x[LOW_PASS_TAPS + n] : in16(sum >> 14);
 }
 
 static void same_low(int round)
 {
     const uint64_t step0 = (uint64_t)(4 + 3 * (round % 4)) << 30, step1 = (uint64_t)(4 + 2 * (round % 5)) << 30;
-    const int many = SND_BLOCK - round % 7, row0 = snd_low(step0), row1 = snd_low(step1);
+    const int many = SND_BLOCK - round % 7, row0 = snd_low_pass_row(step0), row1 = snd_low_pass_row(step1);
     int16_t out[SND_BLOCK + 1];
 
     out[many] = 12345;
-    wave_low(&tables, x + LOW_TAPS, many, step0, step1, out);
+    wave_low_pass(&tables, x + LOW_PASS_TAPS, many, step0, step1, out);
     for (int n = 0; n < many; n++) {
         const int64_t a = passed(row0, n), b = passed(row1, n);
         assert_int_equal(out[n], row0 == row1 ? a : a + (b - a) * n / many);
@@ -289,7 +289,7 @@ static int32_t between(int32_t from, int32_t to, int n)
 
 static void same_mix(void)
 {
-    const struct wave_sides from = { any16() & 32767, any16() & 32767 }, to = { any16() & 32767, any16() & 32767 };
+    const struct wave_gains from = { any16() & 32767, any16() & 32767 }, to = { any16() & 32767, any16() & 32767 };
     int16_t wave[SND_BLOCK], level[SND_BLOCK];
     int32_t left[SND_BLOCK], right[SND_BLOCK], was[SND_BLOCK];
 
@@ -330,7 +330,7 @@ static void test_operators(void **state)
     rng_seed(&chance, 9);
     for (int round = 0; round < 4000; round++) {
         const int algorithm = round % FM_ALGORITHMS, ops = round % 5 ? 4 : 2;
-        const unsigned heard = inst_heard(ops, algorithm);
+        const unsigned heard = inst_audible(ops, algorithm);
         int n_heard = 0;
         for (int k = 0; k < ops; k++)
             n_heard += heard >> k & 1 ? 1 : 0;
@@ -341,7 +341,8 @@ static void test_operators(void **state)
             for (int n = 0; n < FM_BLOCK; n++)
                 op[k].gain[n] = (int16_t)(heard >> k & 1 ? (round % 7 ? 32767 / n_heard : 0) : any16() & 32767);
         }
-        const int32_t top = (FEEDBACK_ROWS - 1) * FEEDBACK_ROW, rows[2] = { round % 3 ? top : 0, round % 2 ? top : 0 };
+        const int32_t top = (FEEDBACK_ROWS - 1) * FEEDBACK_ROW_UNITS,
+                      rows[2] = { round % 3 ? top : 0, round % 2 ? top : 0 };
         fm_block(&tables, ops, algorithm, op, rows, out);
         for (int n = 0; n < FM_BLOCK; n++) {
             int32_t sum = 0; /* each operator alone can be no louder than its gain */
@@ -374,13 +375,13 @@ static void note_down(struct played *d, const struct tune_played *p)
 
 static void run_in(const struct tune *t, uint32_t tempo, int piece, int64_t samples, struct played *d)
 {
-    struct track_cursor c = tune_begin(t, 0);
+    struct track_cursor c = tune_track_start(t, 0);
 
     d->n = 0;
     for (d->base = 0; d->base < samples; d->base += piece) {
         struct tune_run run = { t, 0, c, tempo, 0, (int)(samples - d->base < piece ? samples - d->base : piece), 0 };
         struct tune_played e;
-        while (tune_next(&run, &e))
+        while (tune_next_event(&run, &e))
             note_down(d, &e);
         c = run.at;
     }
@@ -420,12 +421,12 @@ static void test_time(void **state)
 static struct voices *make_voices(uint8_t **block)
 {
     static struct voices v;
-    uint8_t *next = *block = calloc(1, (size_t)slots_size(&voices_chip, VOICE_ROOM, 0) + 64);
+    uint8_t *next = *block = calloc(1, (size_t)slots_size(&voices_chip, VOICE_CAPACITY, 0) + 64);
 
     memset(&v, 0, sizeof v);
-    slots_layout(&voices_chip, &v, VOICE_ROOM, 0, &next);
+    slots_layout(&voices_chip, &v, VOICE_CAPACITY, 0, &next);
     v.s.live = v.s.cap;
-    v.gain0 = v.gain1 = VOICE_GAIN;
+    v.gain0 = v.gain1 = VOICE_FULL_GAIN;
     return &v;
 }
 
@@ -447,9 +448,9 @@ static struct voices *played(const char *settings, int frames, int16_t out[2 * S
     const uint32_t inst = (uint32_t)(tune_inst(&t, 0) - *rom);
     for (int f = 0; f < frames; f++) {
         voices_step(v, *rom);
-        v->gain1 = VOICE_GAIN;
+        v->gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(v, *rom, 0, &(struct voice_note){ inst, 0, 60 * PITCH_ONE, 16000, 64 }, 0);
+            voices_start_note(v, *rom, 0, &(struct voice_note){ inst, 0, 60 * PITCH_ONE, 16000, 64 }, 0);
     }
     voices_mix(v, *rom, &tables, out);
     return v;
@@ -529,15 +530,15 @@ static void test_borders(void **state)
     inst_write(rom + 16, &inst, NULL, "");
     for (int f = 0; f < 30; f++) {
         voices_step(v, rom);
-        v->gain1 = VOICE_GAIN;
+        v->gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(v, rom, 3, &(struct voice_note){ 16, 0, 57 * PITCH_ONE, 20000, 40 }, 123);
+            voices_start_note(v, rom, 3, &(struct voice_note){ 16, 0, 57 * PITCH_ONE, 20000, 40 }, 123);
         if (f == 5)
             voices_glide(v, 3, 69 * PITCH_ONE, 9);
         if (f == 17)
-            voices_note(v, rom, 3, &(struct voice_note){ 16, 0, 60 * PITCH_ONE, 20000, 90 }, 700);
+            voices_start_note(v, rom, 3, &(struct voice_note){ 16, 0, 60 * PITCH_ONE, 20000, 90 }, 700);
         if (f == 22)
-            voices_off(v, 3, 10);
+            voices_release(v, 3, 10);
         voices_mix(v, rom, &tables, out + 2 * SND_FRAME * f);
     }
     for (int i = 1; i < 30 * SND_FRAME - 1; i++) {

@@ -37,7 +37,7 @@ static int out_of_folder(void **state)
 
 static void fits(int picture_w, int picture_h, int scale, bool any, int room_w, int room_h, int want_w, int want_h)
 {
-    const struct plat_want want = { .w = picture_w, .h = picture_h, .scale = scale, .any = any };
+    const struct plat_config want = { .w = picture_w, .h = picture_h, .scale = scale, .fractional = any };
     int w, h;
 
     plat_fit(&want, room_w, room_h, &w, &h);
@@ -60,7 +60,7 @@ static void windows_fit(void **state)
         for (int h = 64; h <= 1024; h += 56)
             for (int room = 200; room < 4400; room += 301)
                 for (int any = 0; any < 2; any++) {
-                    const struct plat_want want = { .w = w, .h = h, .any = any };
+                    const struct plat_config want = { .w = w, .h = h, .fractional = any };
                     const int room_h = room * 9 / 16, step = any ? 1 : 4;
                     int ww, wh;
                     plat_fit(&want, room, room_h, &ww, &wh);
@@ -249,9 +249,9 @@ static void programs(void **state)
     assert_true(plat_program(own, sizeof own) && plat_size(own) > 1000);
     assert_false(plat_program(own, 3));
     assert_true(plat_save("tool", "x", 1) && chmod("tool", 0640) == 0);
-    assert_true(plat_runnable("tool") && stat("tool", &st) == 0);
+    assert_true(plat_make_executable("tool") && stat("tool", &st) == 0);
     assert_int_equal(st.st_mode & 0777, 0750);
-    assert_false(plat_runnable("none"));
+    assert_false(plat_make_executable("none"));
 }
 
 /* By whatever name, and only what is there and is a file. */
@@ -259,8 +259,9 @@ static void same_files(void **state)
 {
     (void)state;
     assert_true(plat_save("one", "x", 1) && plat_save("two", "x", 1) && symlink("one", "also") == 0);
-    assert_true(plat_same("one", "one") && plat_same("one", "./one") && plat_same("also", "one"));
-    assert_false(plat_same("one", "two") || plat_same("one", "none") || plat_same("/dev/null", "/dev/null"));
+    assert_true(plat_same_file("one", "one") && plat_same_file("one", "./one") && plat_same_file("also", "one"));
+    assert_false(plat_same_file("one", "two") || plat_same_file("one", "none") ||
+                 plat_same_file("/dev/null", "/dev/null"));
 }
 
 /* Of files that are not there yet: the same one by another way, a link that leads to it, another case. */
@@ -269,10 +270,12 @@ static void same_files_to_be(void **state)
     (void)state;
     assert_true(plat_save("to/be/x", "", 0) && symlink("to/be", "to_be") == 0 &&
                 symlink("to/be/none", "none_yet") == 0);
-    assert_true(plat_same("none", "none") && plat_same("none", "./NONE") && plat_same("to_be/none", "to/be/none"));
-    assert_true(plat_same("none_yet", "to_be/none"));
-    assert_false(plat_same("none", "to/be/none") || plat_same("none", "nine") || plat_same("none", "none.x"));
-    assert_false(plat_same("no/folder", "no/folder"));
+    assert_true(plat_same_file("none", "none") && plat_same_file("none", "./NONE") &&
+                plat_same_file("to_be/none", "to/be/none"));
+    assert_true(plat_same_file("none_yet", "to_be/none"));
+    assert_false(plat_same_file("none", "to/be/none") || plat_same_file("none", "nine") ||
+                 plat_same_file("none", "none.x"));
+    assert_false(plat_same_file("no/folder", "no/folder"));
 }
 
 /* The file that a save goes by way of is a new one: another's of that name stays. */
@@ -439,8 +442,8 @@ static void count(void *user, const struct plat_file *file)
 {
     int *seen = user;
     assert_true(file->time > 0);
-    seen[0] += strcmp(file->name, "one") == 0 && !file->folder;
-    seen[1] += strcmp(file->name, "sub") == 0 && file->folder;
+    seen[0] += strcmp(file->name, "one") == 0 && !file->is_folder;
+    seen[1] += strcmp(file->name, "sub") == 0 && file->is_folder;
 }
 
 static void listing(void **state)

@@ -97,7 +97,7 @@ static void test_coverage(void **state)
         const int n = random_line(&rng, c, round % 2 ? 2 : 5);
         const double width = 4 + (double)rng_below(&rng, 160) / 16, half = width / 2;
         const struct strip s = { .image = &img, .bank = 2, .width = (int32_t)(width * 65536) };
-        fb_clip(&fb, 8, 8, W - 20, H - 16);
+        fb_set_clip(&fb, 8, 8, W - 20, H - 16);
         fb_fill(&fb, 0);
         strip_draw(&fb, &s, c, n);
         for (int y = 0; y < H; y++)
@@ -133,7 +133,7 @@ static void test_once(void **state)
 
     (void)state;
     rng_seed(&rng, 10);
-    fb_clip_all(&fb);
+    fb_reset_clip(&fb);
     for (int round = 0; round < 300; round++) {
         const struct image img = { tall, 1, ROWS, 8 };
         struct strip_corner c[6];
@@ -169,7 +169,7 @@ static void test_along(void **state)
     (void)state;
     for (int i = 0; i < 32; i++)
         wide[i] = (uint8_t)(i % 8 < 5 ? 1 + i % 8 + 16 * (i / 8) : 0);
-    fb_clip_all(&fb);
+    fb_reset_clip(&fb);
     fb_fill(&fb, 0);
     strip_draw(&fb, &s, right, 2);
     strip_draw(&fb, &s, up, 2);
@@ -189,7 +189,7 @@ static void test_extremes(void **state)
 
     (void)state;
     rng_seed(&rng, 11);
-    fb_clip(&fb, 30, 30, 40, 40);
+    fb_set_clip(&fb, 30, 30, 40, 40);
     fb_fill(&fb, 0);
     for (int round = 0; round < 3000; round++) {
         const struct image img = { tall, 1, ROWS, 8 };

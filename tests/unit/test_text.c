@@ -100,16 +100,16 @@ static void every_code(void **state)
 {
     struct bed *b = *state;
 
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     static const uint32_t more[] = { 0x3000, 0x5f3e, 0x10ffff, UINT32_MAX };
 
     for (uint32_t i = 0; i < 260; i++) {
         uint32_t c = i < 256 ? i : more[i - 256];
         bed_reset(b, 3);
         paint(b, 11, 9, c, (uint8_t)(c % 16));
-        text_glyph(&b->fb, &b->font, 11, 9, c, (uint8_t)(c % 16));
+        text_draw_glyph(&b->fb, &b->font, 11, 9, c, (uint8_t)(c % 16));
         expect(b);
-        assert_int_equal(text_has(&b->font, c), c >= FIRST && c < FIRST + COUNT && c != EMPTY);
+        assert_int_equal(text_has_glyph(&b->font, c), c >= FIRST && c < FIRST + COUNT && c != EMPTY);
     }
 }
 
@@ -133,9 +133,9 @@ static void any_string_anywhere(void **state)
             s[i] = (char)(rng_below(&b->r, 8) == 0 ? '\n' : (int)(1 + rng_below(&b->r, 255)));
         s[n] = '\0';
         if (k % 2)
-            fb_clip(&b->fb, (int)rng_below(&b->r, W), (int)rng_below(&b->r, H), 1 + (int)rng_below(&b->r, W), 20);
+            fb_set_clip(&b->fb, (int)rng_below(&b->r, W), (int)rng_below(&b->r, H), 1 + (int)rng_below(&b->r, W), 20);
         else
-            fb_clip_all(&b->fb);
+            fb_reset_clip(&b->fb);
         bed_reset(b, 200);
         for (int i = 0; i < n; i++) {
             if (s[i] != '\n')
@@ -157,7 +157,7 @@ static void long_text_from_far_left(void **state)
     assert_non_null(s);
     memset(s, 'x', SAFE);
     strcpy(s + SAFE, "AB");
-    fb_clip_all(&b->fb);
+    fb_reset_clip(&b->fb);
     bed_reset(b, 1);
     for (int i = -1; i < 7; i++)
         paint(b, 5 + 8 * i, 4, i < 4 ? 'x' : i == 4 ? 'A' : i == 5 ? 'B' : ' ', 2);
@@ -175,16 +175,16 @@ static void any_rim_anywhere(void **state)
         const uint32_t code = FIRST - 2 + (uint32_t)rng_below(&b->r, COUNT + 4);
         const int x = (int)rng_below(&b->r, W + 24) - 12, y = (int)rng_below(&b->r, H + 24) - 12;
         const uint8_t rim = (uint8_t)rng_below(&b->r, 256);
-        const bool has = text_has(&b->font, code) && !text_blank(code);
+        const bool has = text_has_glyph(&b->font, code) && !text_is_blank(code);
         bed_reset(b, (uint8_t)rng_below(&b->r, 256));
-        fb_clip(&b->fb, (int)rng_below(&b->r, 9), (int)rng_below(&b->r, 9), W - 12, H - 12);
+        fb_set_clip(&b->fb, (int)rng_below(&b->r, 9), (int)rng_below(&b->r, 9), W - 12, H - 12);
         for (int at = 0; has && at < 64; at++)
             for (int k = 0; k < 9 && b->glyphs[(code - FIRST) * 64 + (uint32_t)at]; k++)
                 dot(b, x + at % 8 + k % 3 - 1, y + at / 8 + k / 3 - 1, rim);
-        text_rim(&b->fb, &b->font, x, y, code, rim);
+        text_draw_rim(&b->fb, &b->font, x, y, code, rim);
         for (int row = 0; row < H; row++)
             assert_memory_equal(b->fb.pix + row * b->fb.pitch, b->want[row], W);
-        fb_clip_all(&b->fb);
+        fb_reset_clip(&b->fb);
     }
 }
 

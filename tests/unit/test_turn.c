@@ -70,13 +70,13 @@ static void random_image(struct bed *b, int w, int h)
 static void rotate(uint8_t *out, int out_w, int out_h, int out_pitch, const uint8_t *in, int w, int h, int pitch,
                    ang turn, int ox, int oy)
 {
-    size_t size = turn_scratch(w, h);
+    size_t size = turn_scratch_size(w, h);
     void *scratch = malloc(size);
     struct turn t;
 
     assert_non_null(scratch);
     memset(scratch, 0x55, size);
-    turn_open(&t, in, w, h, pitch, ox, oy, scratch);
+    turn_init(&t, in, w, h, pitch, ox, oy, scratch);
     turn_paint(&t, turn, out, out_w, out_h, out_pitch);
     free(scratch);
 }

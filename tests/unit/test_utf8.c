@@ -14,7 +14,7 @@ static void test_all(void **state)
 {
     (void)state;
     for (uint32_t code = 0; code <= UTF8_MAX; code++) {
-        char s[UTF8_BYTES + 1];
+        char s[UTF8_MAX_BYTES + 1];
         const char *at = s;
         if (code >= 0xd800 && code <= 0xdfff)
             continue;
@@ -61,7 +61,7 @@ static void judge(const uint8_t *p, size_t n)
     const char *at = (const char *)p;
     size_t want = by_table(p, n);
     uint32_t code = utf8_next(&at, (const char *)p + n);
-    char again[UTF8_BYTES];
+    char again[UTF8_MAX_BYTES];
 
     assert_int_equal((const uint8_t *)at - p, want ? want : 1);
     if (want) {

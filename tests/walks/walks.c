@@ -85,18 +85,18 @@ QUIET static void print_walk(const char *name)
 /* Some frames of a game, as pictures and sounds too. */
 QUIET static void play(bool with, struct rig_game *g, uint16_t held, int frames)
 {
-    static int16_t samples[2 * BOARD_SOUND];
-    void *tables = malloc(board_sound_tables());
+    static int16_t samples[2 * BOARD_SOUND_FRAMES];
+    void *tables = malloc(board_sound_tables_size());
     struct rig r;
 
-    board_sound_open(tables);
+    board_sound_init_tables(tables);
     rig_power(&r, g, NULL);
     rig_run(&r, 1);
     recording = with ? WITH : WITHOUT;
     for (int f = 0; f < frames; f++) {
         rig_tick(&r, (uint16_t[PADS]){ f % 60 < 30 ? held : 0 });
         rig_picture_by(&r, NULL);
-        board_sound(r.b, tables, samples);
+        board_mix_sound(r.b, tables, samples);
     }
     recording = OFF;
     free(tables);

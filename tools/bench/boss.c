@@ -69,7 +69,7 @@ static void frame(struct fight *f, bool counts)
         sum += f->laps.ns[l];
     }
     samples_add(&f->frame, sum);
-    f->live += board_live(f->scene.b, "bullets");
+    f->live += board_live_count(f->scene.b, "bullets");
 }
 
 static void print_row(struct fight *f)

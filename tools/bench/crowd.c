@@ -17,15 +17,15 @@ static void take_picture(uint8_t *out, const struct sprite *s, uint8_t bank)
 
 static bool fits(const struct board *b, int w, int h)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
 
     for (uint32_t i = 0; i < b->bullets.s.live; i++) /* nothing is free among them */
         if (!(b->bullets.s.used[i / 64] >> (i & 63) & 1))
             return false;
-    if (b->bullet_kinds.s.live != CROWD_KINDS || m->field_w != w || m->field_h != h || !b->player.in[0])
+    if (b->bullet_kinds.s.live != CROWD_KINDS || m->field_w != w || m->field_h != h || !b->player.in_game[0])
         return false;
     for (int k = 0; k < CROWD_KINDS; k++) {
-        const struct sprite *s = &b->pictures[b->bullet_kinds.sprite[k]];
+        const struct sprite *s = &b->sprite_images[b->bullet_kinds.sprite[k]];
         if (s->w != CROWD_SIDE || s->h != CROWD_SIDE || s->frames * s->rotations != 1)
             return false;
     }
@@ -38,17 +38,17 @@ bool crowd_take(struct crowd *c, const struct scene *s)
     struct crowd_bullet *out;
 
     *c = (struct crowd){ .n = (int)b->bullets.s.live };
-    board_screen(b, &c->w, &c->h);
+    board_screen_size(b, &c->w, &c->h);
     if (!fits(b, c->w, c->h) || !(out = malloc((size_t)c->n * sizeof *out)))
         return false;
     c->bullets = out;
-    c->margin = b->cart.m.margin;
+    c->margin = b->cart.manifest.margin;
     c->radius = b->bullet_kinds.a[0];
     c->player_radius = b->player_kinds.radius[b->player.kind[0]];
     c->player_graze = b->player_kinds.graze_radius[b->player.kind[0]];
-    take_picture(c->ship, &b->pictures[b->player_kinds.sprite[b->player.kind[0]]], 0);
+    take_picture(c->ship, &b->sprite_images[b->player_kinds.sprite[b->player.kind[0]]], 0);
     for (int k = 0; k < CROWD_KINDS; k++)
-        take_picture(c->pix[k], &b->pictures[b->bullet_kinds.sprite[k]], b->bullet_kinds.bank[k]);
+        take_picture(c->pix[k], &b->sprite_images[b->bullet_kinds.sprite[k]], b->bullet_kinds.bank[k]);
     for (uint32_t i = 0; i < (uint32_t)c->n; i++)
         out[i] = (struct crowd_bullet){ .x = b->bullets.x[i],
                                         .y = b->bullets.y[i],
@@ -65,7 +65,7 @@ struct crowd_player crowd_player(const struct scene *s)
 {
     const struct player *p = &s->b->player;
 
-    return (struct crowd_player){ p->x[0], p->y[0], p->was_x[0], p->was_y[0] };
+    return (struct crowd_player){ p->x[0], p->y[0], p->prev_x[0], p->prev_y[0] };
 }
 
 void crowd_count(struct crowd_counts *sum, const struct scene *s, bool drawn)

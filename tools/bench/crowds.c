@@ -54,7 +54,7 @@ struct arena {
 static void open_arena(struct arena *a, int n)
 {
     bench_scene(&a->scene, &(struct scene_want){ .does = "crowd", .n = n, .bullets = n, .seed = 1 + (uint64_t)n });
-    while (board_live(a->scene.b, "bullets") < n) /* the largest crowds take more than a frame to fire */
+    while (board_live_count(a->scene.b, "bullets") < n) /* the largest crowds take more than a frame to fire */
         bench_tick(&a->scene);
     if (!crowd_take(&a->crowd, &a->scene) || a->crowd.n != n)
         report_fail("the crowd is not what it should be");
@@ -200,7 +200,7 @@ static struct size *run(int n)
     bench_own_clock(n >= OWN_CLOCK);
     for (int round = -1; round < rounds; round++) /* the first warms up */
         slice(&a, s, frames, round >= 0);
-    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_OVERDRAW).hidden;
+    s->hidden = video_draw(a.scene.b, NULL, &a.scene.fb, a.scene.rgb, a.scene.scratch, VIDEO_OVERDRAW).hidden_count;
     bench_own_clock(false);
     check(&a, s);
     close_arena(&a);

@@ -29,11 +29,11 @@ static void piano_open(struct player_piano *p, const struct rom *rom, const stru
     if (!board_size(rom, &size, err, sizeof err))
         report_fail(err);
     p->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    if (!p->ram || !(p->b = board_power(p->ram, size, rom, &demo->start, err, sizeof err)))
+    if (!p->ram || !(p->b = board_power_on(p->ram, size, rom, &demo->start, err, sizeof err)))
         report_fail(p->ram ? err : "out of memory");
-    board_screen(p->b, &w, &h);
+    board_screen_size(p->b, &w, &h);
     p->mem = malloc(fb_size(w, h));
-    p->scratch = malloc(board_scratch(p->b));
+    p->scratch = malloc(board_scratch_size(p->b));
     if (!p->mem || !p->scratch)
         report_fail("out of memory");
     fb_init(&p->fb, p->mem, w, h);
@@ -54,7 +54,7 @@ static double piano_frame(struct player_piano *p, bool draw)
 
     demo_pads(p->demo, board_frame(p->b), pads);
     if (board_tick(p->b, pads)->fault)
-        report_fail(board_last(p->b)->fault->message);
+        report_fail(board_last_output(p->b)->fault->message);
     if (draw)
         board_draw(p->b, NULL, &p->fb, p->rgb, p->scratch);
     return bench_since(from);
@@ -65,7 +65,7 @@ static void piano_check(const struct player_piano *p)
 {
     const struct demo *d = p->demo;
     uint64_t hashes[MAX_PARTS];
-    const uint64_t *row = d->track + (size_t)(d->seconds - 1) * (size_t)d->parts;
+    const uint64_t *row = d->rows + (size_t)(d->n_rows - 1) * (size_t)d->parts;
 
     board_hashes(p->b, hashes);
     bench_claim(d->parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->parts * sizeof *row)

@@ -51,7 +51,7 @@ static void time_dearest(const struct dearest *d, struct took *t)
         t->work = s.b->vm.work > t->work ? s.b->vm.work : t->work;
     }
     if (!fine)
-        snprintf(t->end, sizeof t->end, "%.60s...", board_last(s.b)->fault->message);
+        snprintf(t->end, sizeof t->end, "%.60s...", board_last_output(s.b)->fault->message);
     scene_close(&s);
 }
 

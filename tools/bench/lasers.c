@@ -55,7 +55,7 @@ void section_lasers(void)
     for (int i = 0; i < COUNT; i++) {
         bench_scene(&s, &(struct scene_want){ .does = "lasers", .picture = WAYS[i].dip, .n = CURVES, .bullets = 64 });
         measure(&s, &tick[i], &draw[i]);
-        bench_claim(board_live(s.b, "lasers") == CURVES ? NULL : "some curves are gone", "the lasers");
+        bench_claim(board_live_count(s.b, "lasers") == CURVES ? NULL : "some curves are gone", "the lasers");
         scene_close(&s);
         const double t = (samples_median(&tick[i]) - samples_median(&still)) / 1e3,
                      d = (samples_median(&draw[i]) - samples_median(&empty)) / 1e3;

@@ -109,7 +109,7 @@ void bench_scene(struct scene *s, const struct scene_want *want)
 void bench_tick(struct scene *s)
 {
     if (!scene_tick(s))
-        report_fail(board_last(s->b)->fault->message);
+        report_fail(board_last_output(s->b)->fault->message);
 }
 
 void bench_target(const char *what, const char *goal, const char *measured, bool met)

@@ -182,7 +182,7 @@ static void print_others(const struct price *prices, int n, const char *columns)
 /* What of it is C: the chip's own function, without a script, its arguments or its digest. */
 static void fire_in_c(void)
 {
-    struct bullet_shape shape = { .x = 128 << 16, .y = 8 << 16, .speed = 66 };
+    struct bullet_spec shape = { .x = 128 << 16, .y = 8 << 16, .speed = 66 };
     struct samples ns = { 0 };
     struct scene s;
 

@@ -46,7 +46,7 @@ static void power(struct past_run *r, const struct rom *rom)
 static void tick(struct board *b, const uint16_t pads[PADS])
 {
     if (board_tick(b, pads)->fault)
-        report_fail(board_last(b)->fault->message);
+        report_fail(board_last_output(b)->fault->message);
 }
 
 /* The minute of the run with the most bullets. */
@@ -62,7 +62,7 @@ static void find_densest(struct past_run *r, const struct rom *rom)
         uint16_t pads[PADS];
         demo_pads(r->demo, f, pads);
         tick(r->guard.board, pads);
-        sum += live[f] = (uint32_t)board_live(r->guard.board, "bullets");
+        sum += live[f] = (uint32_t)board_live_count(r->guard.board, "bullets");
         sum -= f >= MINUTE ? live[f - MINUTE] : 0;
         if (f + 1 >= MINUTE && sum > most) {
             most = sum;
@@ -119,8 +119,8 @@ static void play(struct past_run *r, const struct rom *rom)
 
     power(r, rom);
     guard_remember(&r->guard, REWIND_BYTES);
-    board_screen(r->guard.board, &w, &h);
-    uint8_t *mem = aligned_bytes(fb_size(w, h)), *scratch = aligned_bytes(board_scratch(r->guard.board));
+    board_screen_size(r->guard.board, &w, &h);
+    uint8_t *mem = aligned_bytes(fb_size(w, h)), *scratch = aligned_bytes(board_scratch_size(r->guard.board));
     fb_init(&fb, mem, w, h);
     r->hash = calloc(r->end + 1, sizeof *r->hash);
     if (!r->hash)

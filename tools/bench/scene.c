@@ -93,13 +93,13 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
         rom_lump(rom, (int)i, l);
         bool kind = !strncmp(l->name, "gfx/kind", 8);
         if (!strcmp(l->name, "manifest")) {
-            cart.m.bullets = want->bullets ? want->bullets : cart.m.bullets;
-            cart.m.sparks = want->sparks;
-            cart.m.bg = want->scenery;
-            cart.m.hp = cart.m.around = cart.m.frozen = cart.m.bullet_values = want->groups;
+            cart.manifest.bullets = want->bullets ? want->bullets : cart.manifest.bullets;
+            cart.manifest.sparks = want->sparks;
+            cart.manifest.bg = want->scenery;
+            cart.manifest.hp = cart.manifest.around = cart.manifest.frozen = cart.manifest.bullet_values = want->groups;
             if (want->manifest)
-                want->manifest(&cart.m);
-            l->size = manifest_pack(&cart.m, manifest);
+                want->manifest(&cart.manifest);
+            l->size = manifest_pack(&cart.manifest, manifest);
             l->data = manifest;
         } else if (want->script && !strcmp(l->name, "script/main.lua")) {
             l->data = (const uint8_t *)want->script;
@@ -134,7 +134,7 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
 /* The number of a DIP's named value; -1: it has no such value. */
 static int value_of(const struct dip *d, const char *name)
 {
-    for (int i = 0; i < d->values; i++)
+    for (int i = 0; i < d->n_values; i++)
         if (!strcmp(d->value_name[i], name))
             return i;
     return -1;
@@ -163,7 +163,7 @@ static void set_dips(struct board_start *start, const struct manifest *m, const 
     for (int i = 0; i < m->n_dips; i++)
         start->dip[i] = !strcmp(m->dips[i].name, "n")        ? want->n % 65536
                         : !strcmp(m->dips[i].name, "n_high") ? want->n / 65536
-                                                             : m->dips[i].value;
+                                                             : m->dips[i].default_value;
     for (int k = 0; k < 3; k++) {
         int i = values[k] ? dip_with(m, names[k], values[k]) : -1;
         if (i >= 0)
@@ -179,20 +179,20 @@ static bool power(struct scene *s, const struct scene_want *want, char *err, siz
 
     if (!cart_open(&cart, &s->image.rom, err, err_size) || !board_size(&s->image.rom, &s->ram_size, err, err_size))
         return false;
-    set_dips(&start, &cart.m, want);
+    set_dips(&start, &cart.manifest, want);
     s->ram = aligned_alloc(RAM_ALIGN, (s->ram_size + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN);
     if (!s->ram)
         return false;
-    s->b = board_power(s->ram, s->ram_size, &s->image.rom, &start, err, err_size);
+    s->b = board_power_on(s->ram, s->ram_size, &s->image.rom, &start, err, err_size);
     if (!s->b)
         return false;
-    if (board_last(s->b)->fault) {
-        snprintf(err, err_size, "%s", board_last(s->b)->fault->message);
+    if (board_last_output(s->b)->fault) {
+        snprintf(err, err_size, "%s", board_last_output(s->b)->fault->message);
         return false;
     }
-    board_screen(s->b, &w, &h);
+    board_screen_size(s->b, &w, &h);
     s->mem = malloc(fb_size(w, h));
-    s->scratch = malloc(board_scratch(s->b));
+    s->scratch = malloc(board_scratch_size(s->b));
     if (!s->mem || !s->scratch)
         return false;
     fb_init(&s->fb, s->mem, w, h);
@@ -212,7 +212,7 @@ bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want 
         return false;
     if (scene_tick(s))
         return true;
-    snprintf(err, err_size, "%s", board_last(s->b)->fault->message);
+    snprintf(err, err_size, "%s", board_last_output(s->b)->fault->message);
     return false;
 }
 

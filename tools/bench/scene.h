@@ -45,7 +45,7 @@ bool scene_open(struct scene *s, const struct rom *rom, const struct scene_want 
 bool scene_power(struct scene *s, const struct rom *rom, const struct scene_want *want, char *err, size_t err_size);
 void scene_close(struct scene *s);
 
-/* A frame of the game, in which the player wanders over the whole field; false: a fault, see board_last. */
+/* A frame of the game, in which the player wanders over the whole field; false: a fault, see board_last_output. */
 bool scene_tick(struct scene *s);
 
 /* The picture. */

@@ -41,14 +41,14 @@ static void stand_open(struct stand *s)
     if (!rom_image_load("examples/sandbox", false, &s->image, err, sizeof err) ||
         !cart_open(&cart, &s->image.rom, err, sizeof err) || !board_size(&s->image.rom, &size, err, sizeof err))
         report_fail(err);
-    for (int i = 0; i < cart.m.n_dips; i++)
-        start.dip[i] = cart.m.dips[i].value;
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        start.dip[i] = cart.manifest.dips[i].default_value;
     s->ram = aligned_alloc(64, (size + 63) / 64 * 64);
-    if (!s->ram || !(s->b = board_power(s->ram, size, &s->image.rom, &start, err, sizeof err)))
+    if (!s->ram || !(s->b = board_power_on(s->ram, size, &s->image.rom, &start, err, sizeof err)))
         report_fail(s->ram ? err : "out of memory");
-    board_screen(s->b, &w, &h);
+    board_screen_size(s->b, &w, &h);
     s->mem = malloc(fb_size(w, h));
-    s->scratch = malloc(board_scratch(s->b));
+    s->scratch = malloc(board_scratch_size(s->b));
     if (!s->mem || !s->scratch)
         report_fail("out of memory");
     fb_init(&s->fb, s->mem, w, h);
@@ -69,7 +69,7 @@ static void show(struct board *b, const struct landscape *v)
         g->vx[i] = 9999 * (i + 1);
         g->vy[i] = 65536;
         g->wave[i] = v->lines ? 5 << 16 : 0;
-        g->every[i] = 64 << 16;
+        g->wave_period[i] = 64 << 16;
         g->flags[i] |= v->blend ? BG_BLEND_ONE : 0;
     }
     g->map[BG_PLANE] = map_named(b, v->plane);
@@ -77,16 +77,16 @@ static void show(struct board *b, const struct landscape *v)
     g->height[BG_PLANE] = 24 << 16;
     if (v->lines && v->plane) {
         b->bg_shades.s.live = b->bg_shades.s.cap;
-        bg_shade(b->bg_shades.to + BG_FOG_TABLES, cart_palette(&b->cart, "main"), 0x3c4c88);
+        bg_fill_shades(b->bg_shades.table + BG_FOG_TABLES, cart_palette(&b->cart, "main"), 0x3c4c88);
         g->fog[BG_PLANE] = 0x3c4c88;
-        g->far[BG_PLANE] = 900 << 16;
+        g->fog_end[BG_PLANE] = 900 << 16;
     }
 }
 
 static void nothing(struct board *b)
 {
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
-    screen_empty(&b->screen);
+    screen_reset(&b->screen);
     show(b, &VIEWS[0]);
 }
 
@@ -96,7 +96,7 @@ static void write_rows(struct board *b, uint8_t bank)
 {
     nothing(b);
     for (int row = 0; row < 4; row++)
-        fix_put(&b->fix, 2, 1 + row, "QWERTYUIOPASDFGHJKLZXCVBN", LETTERS / 4, bank, 0);
+        fix_write(&b->fix, 2, 1 + row, "QWERTYUIOPASDFGHJKLZXCVBN", LETTERS / 4, bank, 0);
 }
 
 static void letters(struct board *b)
@@ -112,17 +112,17 @@ static void rims(struct board *b)
 static void flash(struct board *b)
 {
     nothing(b);
-    b->screen.flash = 0xffffff;
-    b->screen.flash_over = 60;
+    b->screen.flash_colour = 0xffffff;
+    b->screen.flash_frames = 60;
     b->screen.flash_share = FX_ONE;
-    b->screen.flash_at = b->core.clock;
+    b->screen.flash_start = b->core.clock;
 }
 
 static void shaken(struct board *b)
 {
     b->screen.shake = 8;
-    b->screen.shake_over = 60;
-    b->screen.shake_at = b->core.clock - 1;
+    b->screen.shake_frames = 60;
+    b->screen.shake_start = b->core.clock - 1;
     b->screen.shake_aimed = 1;
     b->screen.shake_dir = 1 << 29;
 }

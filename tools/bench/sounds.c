@@ -82,13 +82,13 @@ static void open_band(struct band *b)
         report_fail("out of memory");
     slots_layout(&voices_chip, &b->v.s, VOICE_SLOTS, 0, &next);
     b->v.s.live = b->v.s.cap;
-    b->v.gain0 = b->v.gain1 = VOICE_GAIN;
+    b->v.gain0 = b->v.gain1 = VOICE_FULL_GAIN;
     for (int i = 0; i < b->recorded + b->notes; i++) {
         const bool recorded = i < b->recorded;
         const enum inst_number k = recorded ? SAMPLE : b->of[(i - b->recorded) % b->kinds];
         const struct voice_note n = { rom.insts + INST_BYTES * (uint32_t)k, recorded ? *b->recording : 0,
                                       (60 + b->higher + i % 7) * PITCH_ONE, 1200, (uint8_t)(5 * i) };
-        voices_note(&b->v, rom.bytes, i, &n, 33 * i);
+        voices_start_note(&b->v, rom.bytes, i, &n, 33 * i);
     }
 }
 
@@ -103,7 +103,7 @@ static void run_band(struct band *b, bool counted)
         from = bench_now();
         voices_step(&b->v, rom.bytes);
         const double stepped = bench_since(from);
-        b->v.gain1 = VOICE_GAIN;
+        b->v.gain1 = VOICE_FULL_GAIN;
         if (!counted)
             continue;
         samples_add(&b->mix, mixed);
@@ -154,11 +154,11 @@ static void play(struct voices *v, int voice, const struct tune_played *p)
                                   900, 64 };
 
     if (p->event == TUNE_NOTE)
-        voices_note(v, rom.bytes, voice, &n, p->sample);
+        voices_start_note(v, rom.bytes, voice, &n, p->sample);
     else if (p->event == TUNE_OFF)
-        voices_off(v, voice, p->sample);
+        voices_release(v, voice, p->sample);
     else if (p->event == TUNE_VOLUME)
-        voices_set(v, voice, 900, 64);
+        voices_set_volume_and_pan(v, voice, 900, 64);
 }
 
 /* The tick of a piece of 16 tracks: its sequencer, and the voices that it plays. */

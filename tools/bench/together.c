@@ -58,7 +58,7 @@ static void check(const struct board *b)
     } there[] = { { "bullets", BULLETS }, { "lasers", LASERS }, { "items", ITEMS }, { "sparks", SPARKS } };
 
     for (int i = 0; i < (int)(sizeof there / sizeof *there); i++)
-        bench_claim(board_live(b, there[i].what) == there[i].n ? NULL : "some are gone", there[i].what);
+        bench_claim(board_live_count(b, there[i].what) == there[i].n ? NULL : "some are gone", there[i].what);
     bench_claim(b->bg.map[0] && b->bg.map[1] && b->bg.map[2] && b->bg.map[BG_PLANE] ? NULL : "it is gone",
                 "the background");
 }

@@ -131,7 +131,7 @@ uint64_t worst_run(struct board *b, const struct worst *w, const char **fault)
     lua_State *L = b->vm.L;
 
     running = w;
-    vm_begin(b, WORST_LIMIT);
+    vm_reset_work(b, WORST_LIMIT);
     *fault = vm_call(b, run) ? NULL : b->output->fault.message;
     lua_rawgetp(L, LUA_REGISTRYINDEX, &times_key);
     lua_getfield(L, -1, "n");

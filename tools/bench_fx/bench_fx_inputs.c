@@ -87,7 +87,7 @@ static struct board *power(const struct rom *rom, const struct board_start *star
     if (!board_size(rom, &size, err, sizeof err))
         fail(err);
     void *ram = malloc(size);
-    struct board *b = ram ? board_power(ram, size, rom, start, err, sizeof err) : NULL;
+    struct board *b = ram ? board_power_on(ram, size, rom, start, err, sizeof err) : NULL;
     if (!b)
         fail(ram ? err : "out of memory");
     return b;

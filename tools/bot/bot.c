@@ -99,7 +99,7 @@ static int take(struct wanted *w, char **argv, const char *more)
     else if (!strcmp(word, "--players"))
         w->wish.players = atoi(more);
     else if (!strcmp(word, "--prints"))
-        w->prints = index_of(more, demo_prints_words);
+        w->prints = index_of(more, demo_checksum_rate_names);
     else if (!strcmp(word, "--ship") && w->ships < PADS)
         snprintf(w->ship[w->ships++], sizeof w->ship[0], "%s", more);
     else
@@ -131,7 +131,7 @@ static void take_nvram(struct run *r, const struct rom *rom, const char *path)
     char err[512];
     size_t size;
 
-    if (!demo_load(&d, path, err, sizeof err) || !demo_fits(&d, r->cart, err, sizeof err) ||
+    if (!demo_load(&d, path, err, sizeof err) || !demo_check_cart(&d, r->cart, err, sizeof err) ||
         !trial_open(&t, rom, &d.start, err, sizeof err))
         bot_fail(err);
     for (uint32_t f = 0; f < d.frames; f++)
@@ -156,13 +156,13 @@ static void record(struct run *r, const char *path, int prints, struct tally *t)
     if (!trial_again(&r->t, err, sizeof err))
         bot_fail(err);
     struct board *b = r->t.b;
-    if (!demo_begin(&w, path, r->cart, b, &r->start, 0) || !demo_prints(&w, (enum demo_prints)prints))
+    if (!demo_begin(&w, path, r->cart, b, &r->start, 0) || !demo_set_checksum_rate(&w, (enum demo_checksum_rate)prints))
         bot_fail(w.err);
     while (board_frame(b) < r->limit) {
         const uint16_t *pads = r->pads[board_frame(b)];
         tally_before(t, b);
         const struct board_out *out = board_tick(b, pads);
-        if (!demo_frame(&w, b, pads))
+        if (!demo_record_frame(&w, b, pads))
             bot_fail(w.err);
         if (out->log_size && !r->quiet)
             printf("%6u  %.*s", board_frame(b), (int)out->log_size, out->log);
@@ -204,12 +204,12 @@ int main(int argc, char **argv)
         i += take(&w, argv + i, i + 1 < argc ? argv[i + 1] : NULL);
     if (!rom_image_load(argv[1], false, &image, err, sizeof err) || !cart_open(&cart, &image.rom, err, sizeof err))
         bot_fail(err);
-    wish(&w, &cart.m);
+    wish(&w, &cart.manifest);
     r.start = (struct board_start){ .difficulty = w.stage ? w.wish.difficulty : -1, .seed = w.seed };
     if (w.stage)
         snprintf(r.start.practice.section, sizeof r.start.practice.section, "%s", w.stage);
-    for (int i = 0; i < cart.m.n_dips; i++)
-        r.start.dip[i] = cart.m.dips[i].value;
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        r.start.dip[i] = cart.manifest.dips[i].default_value;
     r.cart = &cart;
     if (w.after)
         take_nvram(&r, &image.rom, w.after);

@@ -80,7 +80,7 @@ static uint64_t shown(const struct board *b)
     board_hashes(b, hashes);
     for (int i = 0; i < board_parts(b); i++)
         for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-            if (!strcmp(board_part(b, i), parts[k]))
+            if (!strcmp(board_part_name(b, i), parts[k]))
                 sum = (sum ^ hashes[i]) * 0x9e3779b97f4a7c15u;
     return sum;
 }
@@ -101,7 +101,7 @@ static void read_page(const struct board *b, uint32_t *cell)
         const int64_t row = (b->lines.y[i] + b->lines.dy[i]) / (8 * FX_ONE);
         for (int64_t n = 0; n < b->lines.length[i]; n++)
             if (row >= 0 && row < b->fix.rows && col + n >= 0 && col + n < b->fix.cols)
-                cell[row * b->fix.cols + col + n] = b->lines.code[i * LINE_TEXT + n];
+                cell[row * b->fix.cols + col + n] = b->lines.code[i * LINE_MAX_TEXT + n];
     }
 }
 
@@ -154,8 +154,8 @@ static bool is_wished(const struct menus *m)
     const struct menus_wish *w = m->wish;
 
     return m->stage[0] && (!w->first || !strcmp(m->stage, w->first)) && is_ship(b, 0, w->ship[0]) &&
-           (w->difficulty < 0 || board_difficulty_now(b) == w->difficulty) && !!b->player.in[1] == (w->players > 1) &&
-           (w->players < 2 || is_ship(b, 1, w->ship[1]));
+           (w->difficulty < 0 || board_difficulty_now(b) == w->difficulty) &&
+           !!b->player.in_game[1] == (w->players > 1) && (w->players < 2 || is_ship(b, 1, w->ship[1]));
 }
 
 static bool is_known(struct menus *m, uint64_t now)
@@ -172,7 +172,7 @@ static bool is_known(struct menus *m, uint64_t now)
 /* What the last tick said of a game. */
 static void hear(struct menus *m)
 {
-    const struct board_out *out = board_last(m->r->t.b);
+    const struct board_out *out = board_last_output(m->r->t.b);
 
     for (int i = 0; i < out->markers; i++) {
         const struct board_marker *marker = &out->marker[i];
@@ -199,7 +199,7 @@ static bool make(struct menus *m, const struct move way[PADS], bool noted)
             m->asked = shown(r->t.b);
         const enum trial_end end = noted ? run_tick(r, pads) : trial_tick(&r->t, pads);
         if (end == TRIAL_FAULT)
-            bot_fail(board_last(r->t.b)->fault->message);
+            bot_fail(board_last_output(r->t.b)->fault->message);
         hear(m);
     }
     return m->began;

@@ -53,8 +53,8 @@ static bool steers(const struct board *b, int p)
 {
     struct danger_ship ship;
 
-    danger_ship(b, p, &ship);
-    return ship.in && ship.steers;
+    danger_get_ship(b, p, &ship);
+    return ship.in_game && ship.can_steer;
 }
 
 static int64_t score(const struct board *b)
@@ -65,7 +65,7 @@ static int64_t score(const struct board *b)
 /* Was one of them hit in the last tick? */
 static bool was_hit(const struct board *b)
 {
-    const struct board_out *out = board_last(b);
+    const struct board_out *out = board_last_output(b);
 
     for (int i = 0; i < out->markers; i++)
         if (out->marker[i].kind == MARKER_DEATH)
@@ -79,7 +79,7 @@ static uint16_t press(const struct work *w, int p)
     const struct board *b = w->t->b;
     const uint32_t frame = board_frame(b);
 
-    if (b->player.in[p] && !b->core.frozen) /* it is talked; start would pause that */
+    if (b->player.in_game[p] && !b->core.frozen) /* it is talked; start would pause that */
         return frame % 75 == 60 ? PAD_FIRE : 0;
     if (w->p->lose) /* start would go on */
         return frame % 75 == 60 ? PAD_FIRE : 0;
@@ -93,7 +93,7 @@ static void held(const struct work *w, const uint16_t steer[PADS], uint16_t extr
 
     for (int p = 0; p < PADS; p++) {
         pads[p] = steers(b, p) ? (uint16_t)(steer[p] | PAD_FIRE | extra) : press(w, p);
-        if (p && !b->player.in[1] && !b->core.frozen)
+        if (p && !b->player.in_game[1] && !b->core.frozen)
             pads[p] = 0;
     }
 }
@@ -111,7 +111,7 @@ static void foresee(struct work *w, uint32_t frames, uint16_t extra)
 
     forecast_clear(&w->forecast, board_frame(w->t->b));
     w->t->into = &w->forecast;
-    danger_spare(w->t->b, true);
+    danger_set_invincible(w->t->b, true);
     for (uint32_t f = 0; f < frames && end != TRIAL_FAULT && !w->forecast.full; f++) {
         held(w, f < AHEAD ? w->guess[f] : none, extra_at(extra, f), pads);
         end = trial_tick(w->t, pads);
@@ -128,14 +128,14 @@ static void plan_for(struct work *w, int p, const struct trial_mark *at, uint32_
 
     w->t->who = p;
     trial_restore(w->t, at);
-    danger_ship(w->t->b, p, &ship);
+    danger_get_ship(w->t->b, p, &ship);
     w->t->ship = ship;
     foresee(w, frames, extra);
     for (uint32_t f = 0; f < AHEAD; f++)
         w->guess[f][p] = 0;
-    if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, ship.way.x, ship.way.y)) {
+    if (reach_open(&r, &w->forecast, 2 * FX_ONE, 0, ship.path.x, ship.path.y)) {
         reach_back(&r);
-        plan_make(&plan, &r, ship.way.x, ship.way.y, WAYS, w->taste, w->eager ? 2 : 1);
+        plan_make(&plan, &r, ship.path.x, ship.path.y, WAYS, w->taste, w->eager ? 2 : 1);
         for (uint32_t f = 0; f < plan.frames && f < AHEAD; f++)
             w->guess[f][p] = plan.pads[f];
     }
@@ -152,7 +152,7 @@ static void fly(struct work *w, const struct trial_mark *at, uint32_t frames, ui
         held(w, w->guess[out->n], extra_at(extra, out->n), out->pads[out->n]);
         const enum trial_end end = trial_tick(w->t, out->pads[out->n]);
         if (end == TRIAL_FAULT)
-            bot_fail(board_last(w->t->b)->fault->message);
+            bot_fail(board_last_output(w->t->b)->fault->message);
         if (was_hit(w->t->b))
             return;
     }
@@ -183,7 +183,7 @@ static void look(struct work *w, const struct trial_mark *at, uint32_t frames, u
 
 static bool entered(const struct board *b)
 {
-    const struct board_out *out = board_last(b);
+    const struct board_out *out = board_last_output(b);
 
     for (int i = 0; i < out->markers; i++)
         if (out->marker[i].kind == MARKER_ROW)
@@ -196,7 +196,7 @@ static void go(struct work *w, const uint16_t pads[PADS])
     struct run *r = w->p->r;
 
     if (run_tick(r, pads) == TRIAL_FAULT)
-        bot_fail(board_last(w->t->b)->fault->message);
+        bot_fail(board_last_output(w->t->b)->fault->message);
     if (w->p->finish && entered(w->t->b) && board_frame(w->t->b) + 120 < r->limit)
         r->limit = board_frame(w->t->b) + 120;
     if (!r->quiet && board_frame(w->t->b) % 3600 == 0)
@@ -304,14 +304,15 @@ static void go_to_be_hit(struct work *w)
     uint16_t pads[PADS] = { 0 };
 
     for (int p = 0; p < PADS; p++) {
-        const uint16_t up = board_frame(b) % 8 < 4 && b->player.y[p] > b->cart.m.field_h * (FX_ONE / 4) ? PAD_UP : 0;
+        const uint16_t up =
+            board_frame(b) % 8 < 4 && b->player.y[p] > b->cart.manifest.field_h * (FX_ONE / 4) ? PAD_UP : 0;
         const uint16_t side = board_frame(b) / 90 % 2 ? PAD_LEFT : PAD_RIGHT;
-        pads[p] = steers(b, p) ? (uint16_t)(PAD_FIRE | up | side) : b->player.in[p] || p == 0 ? press(w, p) : 0;
+        pads[p] = steers(b, p) ? (uint16_t)(PAD_FIRE | up | side) : b->player.in_game[p] || p == 0 ? press(w, p) : 0;
     }
     const uint32_t hits = (uint32_t)w->p->deaths;
     go(w, pads);
-    for (int i = 0; i < board_last(w->t->b)->markers; i++)
-        if (board_last(w->t->b)->marker[i].kind == MARKER_DEATH)
+    for (int i = 0; i < board_last_output(w->t->b)->markers; i++)
+        if (board_last_output(w->t->b)->marker[i].kind == MARKER_DEATH)
             w->p->hits++;
     w->p->deaths = hits > w->p->hits ? (int)hits : 0;
     w->places = 0;

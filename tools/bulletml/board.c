@@ -144,11 +144,11 @@ static bool power(struct board_game *g, char *err, size_t err_size)
         snprintf(err, err_size, "no memory");
         return false;
     }
-    g->b = board_power(g->ram, size, &g->image.rom, &start, err, err_size);
+    g->b = board_power_on(g->ram, size, &g->image.rom, &start, err, err_size);
     if (!g->b)
         return false;
-    if (board_last(g->b)->fault) {
-        snprintf(err, err_size, "%.190s", board_last(g->b)->fault->message);
+    if (board_last_output(g->b)->fault) {
+        snprintf(err, err_size, "%.190s", board_last_output(g->b)->fault->message);
         return false;
     }
     player_join(&g->b->player, &g->b->player_kinds, 0, 0, fx_int(MIDDLE_X), fx_int(MIDDLE_Y));
@@ -176,7 +176,7 @@ bool board_game_tick(struct board_game *g, int32_t player_x, int32_t player_y, c
 {
     const uint16_t pads[PADS] = { 0 };
 
-    player_place(&g->b->player, 0, fx_int(player_x + MIDDLE_X), fx_int(player_y + MIDDLE_Y));
+    player_set_position(&g->b->player, 0, fx_int(player_x + MIDDLE_X), fx_int(player_y + MIDDLE_Y));
     const struct board_out *after = board_tick(g->b, pads);
     if (after->fault)
         snprintf(err, err_size, "%.190s", after->fault->message);

@@ -121,7 +121,7 @@ static bool put_cell(struct fb *sheet, int cell, const char *path, int frame, ui
     if (!open_game(&g, path))
         return false;
     void *pix = malloc(fb_size(2 * CELL_W, 2 * CELL_H));
-    const size_t room = (board_scratch(g.b) + RAM_ALIGN) / RAM_ALIGN * RAM_ALIGN;
+    const size_t room = (board_scratch_size(g.b) + RAM_ALIGN) / RAM_ALIGN * RAM_ALIGN;
     void *scratch = aligned_alloc(RAM_ALIGN, room);
     for (int f = 0; f <= frame; f++)
         board_game_tick(&g, side_player_x(f), side_player_y(f), err, sizeof err);

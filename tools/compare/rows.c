@@ -146,9 +146,9 @@ static void add_all(void)
     add("the clock", "alone", (struct scene_want){ 0 })->of = CLOCK;
     add("the game", section[0] ? section : "title", (struct scene_want){ 0 })->of = GAME;
     add_crowds();
-    for (int i = 0; i < cart.m.n_dips; i++)
-        for (int k = 0; k < cart.m.dips[i].values; k++)
-            add_value(cart.m.dips[i].name, cart.m.dips[i].value_name[k]);
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        for (int k = 0; k < cart.manifest.dips[i].n_values; k++)
+            add_value(cart.manifest.dips[i].name, cart.manifest.dips[i].value_name[k]);
     add("item", "falls", (struct scene_want){ .does = "items", .price = "straight", .n = 512, .bullets = 64 });
     add("item", "home", (struct scene_want){ .does = "items", .price = "home", .n = 512, .bullets = 64 });
 }
@@ -174,17 +174,17 @@ static bool open_game(struct scene *s, char *err, size_t err_size)
     *s = (struct scene){ 0 };
     if (!cart_open(&cart, &game.rom, err, err_size) || !board_size(&game.rom, &s->ram_size, err, err_size))
         return false;
-    for (int i = 0; i < cart.m.n_dips; i++)
-        start.dip[i] = cart.m.dips[i].value;
+    for (int i = 0; i < cart.manifest.n_dips; i++)
+        start.dip[i] = cart.manifest.dips[i].default_value;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     start.practice.invincible = section[0] != 0;
     s->ram = room_for(s->ram_size);
-    s->b = board_power(s->ram, s->ram_size, &game.rom, &start, err, err_size);
+    s->b = board_power_on(s->ram, s->ram_size, &game.rom, &start, err, err_size);
     if (!s->b)
         return false;
-    board_screen(s->b, &w, &h);
+    board_screen_size(s->b, &w, &h);
     s->mem = room_for(fb_size(w, h));
-    s->scratch = room_for(board_scratch(s->b));
+    s->scratch = room_for(board_scratch_size(s->b));
     fb_init(&s->fb, s->mem, w, h);
     return true;
 }
@@ -207,8 +207,8 @@ static bool open_scene(const struct row *r, char *err, size_t err_size)
 
 static void check_fault(void)
 {
-    if (board_last(now.scene.b)->fault)
-        fail(board_last(now.scene.b)->fault->message);
+    if (board_last_output(now.scene.b)->fault)
+        fail(board_last_output(now.scene.b)->fault->message);
 }
 
 /* In the game fire is pressed now and then, which starts it, and then shoots. */

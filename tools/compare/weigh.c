@@ -72,8 +72,8 @@ static void open_rom(struct weigh *w, const char *path)
 
 static void check_fault(const struct board *b)
 {
-    if (board_last(b)->fault)
-        fail(board_last(b)->fault->message);
+    if (board_last_output(b)->fault)
+        fail(board_last_output(b)->fault->message);
 }
 
 /* The shortest of so many loads is printed: others were interrupted. */
@@ -85,7 +85,7 @@ static struct board *load(struct weigh *w, int loads)
 
     for (int i = 0; i < loads; i++) {
         double from = now();
-        b = board_power(w->ram, w->ram_size, &w->rom, &w->start, err, sizeof err);
+        b = board_power_on(w->ram, w->ram_size, &w->rom, &w->start, err, sizeof err);
         double took = now() - from;
         if (!b)
             fail(err);
@@ -110,9 +110,9 @@ static void play(struct board *b, int frames)
     struct fb fb;
     uint32_t rgb[256];
 
-    board_screen(b, &w, &h);
+    board_screen_size(b, &w, &h);
     fb_init(&fb, room_for(fb_size(w, h)), w, h);
-    void *scratch = room_for(board_scratch(b));
+    void *scratch = room_for(board_scratch_size(b));
     double from = now();
     for (int i = 0; i < frames; i++) {
         const uint16_t pads[PADS] = { pads_at(i), 0 };
@@ -123,7 +123,7 @@ static void play(struct board *b, int frames)
     double took = now() - from;
     if (frames)
         printf("frame_ns %.0f\nheap_played %zu\nsnapshot %zu\nbullets %lld\n", took / frames, heap_used(b->vm.heap),
-               board_snapshot_size(b), (long long)board_live(b, "bullets"));
+               board_snapshot_size(b), (long long)board_live_count(b, "bullets"));
 }
 
 int main(int argc, char **argv)

@@ -63,7 +63,7 @@ static uint16_t hands(const struct board *b, long f)
 {
     uint16_t pads = PAD_FIRE;
 
-    if (!b->player.in[0] || b->player.kind[0] == 0)
+    if (!b->player.in_game[0] || b->player.kind[0] == 0)
         return 0;
     if (f / SWAY % 4 != 1)
         pads |= f / SWAY % 4 == 2 ? PAD_RIGHT : f / SWAY % 4 == 0 ? PAD_LEFT : 0;
@@ -78,11 +78,11 @@ static void strip_open(struct strip *s, const struct cookbook *c, const struct b
 {
     int w, h;
 
-    board_screen(b, &w, &h);
-    s->w = PICTURES * (c->cart.m.field_w + GAP) - GAP;
-    s->pix = calloc((size_t)s->w, (size_t)c->cart.m.field_h);
+    board_screen_size(b, &w, &h);
+    s->w = PICTURES * (c->cart.manifest.field_w + GAP) - GAP;
+    s->pix = calloc((size_t)s->w, (size_t)c->cart.manifest.field_h);
     s->screen = malloc(fb_size(w, h));
-    s->scratch = malloc(board_scratch(b));
+    s->scratch = malloc(board_scratch_size(b));
     s->rgb[s->colours++] = GREY; /* the gaps */
     if (!s->pix || !s->screen || !s->scratch)
         fail("out of memory");
@@ -118,7 +118,7 @@ static int strip_colour(struct strip *s, uint32_t rgb)
 /* Adds the current field, without the text next to it. */
 static void strip_add(struct strip *s, const struct cookbook *c, const struct board *b)
 {
-    const struct manifest *m = &c->cart.m;
+    const struct manifest *m = &c->cart.manifest;
     int known[256], x0 = s->count++ * (m->field_w + GAP);
     uint32_t rgb[256];
 
@@ -141,7 +141,7 @@ static void strip_close(struct strip *s, const struct cookbook *c, const char *p
     char path[1024];
 
     snprintf(path, sizeof path, "%s/%s.png", c->dir, page);
-    if (!png_write(s->pix, s->w, s->w, c->cart.m.field_h, s->rgb, &bytes, &size))
+    if (!png_write(s->pix, s->w, s->w, c->cart.manifest.field_h, s->rgb, &bytes, &size))
         fail("out of memory");
     FILE *f = fopen(path, "wb");
     if (!f || fwrite(bytes, 1, size, f) != size || fclose(f))
@@ -170,7 +170,7 @@ static void count(struct tally *t, const struct board *b)
 /* False after a fault or a log line, which reports a full pool. */
 static bool sound(const char *page, const struct board *b)
 {
-    const struct board_out *out = board_last(b);
+    const struct board_out *out = board_last_output(b);
 
     if (out->log_size)
         fprintf(stderr, "%s: frame %u: %.*s", page, board_frame(b), (int)out->log_size, out->log);
@@ -187,7 +187,7 @@ static bool run(const struct cookbook *c, const char *page, long frame, long ste
     char err[512];
 
     snprintf(start.practice.section, sizeof start.practice.section, "%s", page);
-    struct board *b = board_power(c->ram, c->ram_size, &c->image.rom, &start, err, sizeof err);
+    struct board *b = board_power_on(c->ram, c->ram_size, &c->image.rom, &start, err, sizeof err);
     if (!b)
         fail(err);
     bool fine = sound(page, b);

@@ -11,10 +11,11 @@ out=$1 demo=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-sorted='if (k.texts || !k.ascending)'
+sorted='if (k.has_strings || !k.ascending)'
 [ "$(grep -cF "$sorted" src/script/lua/luatable.c)" = 1 ] ||
     { echo "unsorted.sh: src/script/lua/luatable.c has no line to change"; exit 1; }
-sed 's/if (k\.texts || !k\.ascending)/if (!k.texts \&\& !k.ascending)/' src/script/lua/luatable.c >"$scratch/luatable.c"
+sed 's/if (k\.has_strings || !k\.ascending)/if (!k.has_strings \&\& !k.ascending)/' src/script/lua/luatable.c \
+    >"$scratch/luatable.c"
 # shellcheck disable=SC2046
 ${CC:-cc} -std=c11 -fwrapv -ffp-contract=off -O2 -D_DEFAULT_SOURCE -iquote src/script/lua \
     $(pkg-config --cflags lua5.4) "$scratch/luatable.c" \

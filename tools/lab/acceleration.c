@@ -76,14 +76,14 @@ static void closed_form(const struct scene *s, double *way)
 
 static struct motion_step program(const struct scene *s, bool by_accel, bool fine)
 {
-    struct motion_step p = { .over = (uint32_t)s->frames };
+    struct motion_step p = { .duration = (uint32_t)s->frames };
     double units = fine ? 4294967296.0 : 65536.0, shift = fine ? 1 : 65536.0;
 
     if (by_accel) {
-        p.does = DOES_ACCEL;
+        p.actions = DOES_ACCEL;
         p.accel = (int64_t)(floor((s->to - s->from) / s->frames * units + 0.5) * shift);
     } else {
-        p.does = DOES_SPEED;
+        p.actions = DOES_SPEED;
         p.speed = (int64_t)(floor(s->to * units + 0.5) * shift);
     }
     return p;
@@ -92,7 +92,7 @@ static struct motion_step program(const struct scene *s, bool by_accel, bool fin
 static void fire(struct board *b, const struct scene *s, bool by_accel, bool fine, int n)
 {
     struct motion_step p = program(s, by_accel, fine);
-    struct bullet_shape shape = { .speed = PX(s->from), .fine = fine };
+    struct bullet_spec shape = { .speed = PX(s->from), .fine = fine };
 
     shape.motion = engine_motion(b, &p, 1, fine);
     for (int i = 0; i < n; i++)
@@ -107,7 +107,7 @@ static void engine_flight(const struct scene *s, double *way, bool by_accel, boo
     for (int t = 1; t <= s->frames; t++) {
         int64_t x, y;
         engine_move(b, &ENGINE_EVERYWHERE);
-        bullets_place(&b->bullets, 0, &x, &y);
+        bullets_position(&b->bullets, 0, &x, &y);
         way[t] = (double)x / 4294967296.0;
     }
     engine_free(b);

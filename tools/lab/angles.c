@@ -62,8 +62,8 @@ static void run_engine(void)
     int frame = 0;
 
     for (int i = 0; i < STEPS; i++) {
-        struct motion_step turn = { .does = DOES_TURN, .over = (uint32_t)SPAN[SPANS - 1] + 1 };
-        struct bullet_shape shape = { .x = 0 };
+        struct motion_step turn = { .actions = DOES_TURN, .duration = (uint32_t)SPAN[SPANS - 1] + 1 };
+        struct bullet_spec shape = { .x = 0 };
         trig_turn_from_degrees(step[i], &turn.turn);
         shape.motion = engine_motion(b, &turn, 1, false);
         bullets_fire(&b->bullets, &shape, 0);

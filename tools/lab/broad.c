@@ -371,7 +371,8 @@ static void crowd_engine(void *data)
 static void meet(struct crowd *c, uint32_t i, uint32_t k)
 {
     const struct bullets *s = &c->b->shots;
-    uint64_t apart = fx_square(s->x[i] - s->vx[i] - c->b->enemies.x[k], s->y[i] - s->vy[i] - c->b->enemies.y[k]);
+    uint64_t apart =
+        fx_length_squared(s->x[i] - s->vx[i] - c->b->enemies.x[k], s->y[i] - s->vy[i] - c->b->enemies.y[k]);
 
     if (apart < c->best && shot_touches(c, i, k)) {
         c->best = apart;

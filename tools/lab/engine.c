@@ -52,7 +52,7 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
     for (int i = 0; i < COUNT; i++)
         slots_layout(places[i].chip, places[i].self, places[i].cap, 0, &next);
     const uint32_t events = 2 * bullets + shots + 16;
-    events_layout(&b->events, events, room_for(events_size(events)));
+    events_init(&b->events, events, room_for(events_size(events)));
     b->output = room_for(sizeof *b->output);
     return b;
 }
@@ -104,12 +104,12 @@ uint16_t engine_motion(struct board *b, const struct motion_step *steps, uint32_
 
 uint32_t engine_bullet(struct bullets *s, uint16_t kind, fx x, fx y, fx vx, fx vy)
 {
-    const struct bullet_shape shape = { .x = x, .y = y, .kind = kind };
+    const struct bullet_spec shape = { .x = x, .y = y, .kind = kind };
     uint32_t i = (uint32_t)bullets_fire(s, &shape, 0);
 
     s->vx[i] = vx;
     s->vy[i] = vy;
-    s->fastest = fx_max(s->fastest, fx_max(fx_abs(vx), fx_abs(vy)));
+    s->speed_bound = fx_max(s->speed_bound, fx_max(fx_abs(vx), fx_abs(vy)));
     return i;
 }
 
@@ -117,13 +117,13 @@ void engine_player(struct board *b, fx radius, fx x, fx y, fx mx, fx my)
 {
     b->player_kinds.radius[0] = radius;
     b->player_kinds.graze_radius[0] = radius;
-    b->player.in[0] = 1;
+    b->player.in_game[0] = 1;
     b->player.gen[0] = 1;
     b->player.kind[0] = 0;
     b->player.x[0] = x;
     b->player.y[0] = y;
-    b->player.was_x[0] = x - mx;
-    b->player.was_y[0] = y - my;
+    b->player.prev_x[0] = x - mx;
+    b->player.prev_y[0] = y - my;
 }
 
 void engine_move(struct board *b, const struct box *keep)
@@ -146,9 +146,9 @@ static void begin_frame(struct board *b)
 uint32_t engine_board_frame(struct board *b, const struct box *keep)
 {
     begin_frame(b);
-    b->keep = *keep;
+    b->keep_box = *keep;
     b->area = ENGINE_EVERYWHERE;
-    board_move(b);
+    board_move_entities(b);
     hit_run(b);
     b->core.clock++;
     bullets_release_all(&b->bullets); /* their events stay to be read */
@@ -160,7 +160,7 @@ uint32_t engine_hits(struct board *b)
     struct bullets_query query[PADS];
 
     begin_frame(b);
-    hit_queries(b, query);
+    hit_get_queries(b, query);
     for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++) /* all are asked */
         b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
     b->bullets.holds_all = true;
@@ -170,7 +170,7 @@ uint32_t engine_hits(struct board *b)
 
 const char *engine_default(const char *entry, const char *argument)
 {
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         for (int k = 0; k < e->count && !strcmp(e->name, entry); k++)
             if (!strcmp(e->params[k].name, argument) && e->params[k].def)

@@ -26,7 +26,7 @@ uint16_t engine_enemy(struct board *b, fx half_w, fx half_h);
 /* What an entry of the Lua API takes an argument for when it is not given, as Lua spells it; "" if there is no such. */
 const char *engine_default(const char *entry, const char *argument);
 
-/* A motion program of these steps: its number for bullet_shape. */
+/* A motion program of these steps: its number for bullet_spec. */
 uint16_t engine_motion(struct board *b, const struct motion_step *steps, uint32_t n, bool fine);
 
 /* A bullet with the given velocity in a new slot; returns the slot. */

@@ -112,16 +112,16 @@ struct flight {
 
 #define LOOP(...)                                                                                                      \
     {                                                                                                                  \
-        { .does = DOES_LOOP, .count = MOTION_FOREVER, .jump = 3 }, __VA_ARGS__,                                        \
+        { .actions = DOES_LOOP, .count = MOTION_FOREVER, .jump = 3 }, __VA_ARGS__,                                     \
         {                                                                                                              \
-            .does = DOES_NEXT, .jump = 1                                                                               \
+            .actions = DOES_LOOP_END, .jump = 1                                                                        \
         }                                                                                                              \
     }
 
 static const struct flight FLIGHTS[] = {
     { "straight", "position and velocity to 16 fractional bits", "nearly all bullets", { { 0 } }, 0, false, false },
     { "a program: `turn`, `speed`", "the same", "curves",
-      LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
+      LOOP({ .actions = DOES_TURN | DOES_SPEED, .duration = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
       false },
     { "`fine = true`, straight",
       "position, velocity and direction of travel to 32 fractional bits",
@@ -133,7 +133,7 @@ static const struct flight FLIGHTS[] = {
     { "`fine = true`, `turn`, `speed`",
       "32 fractional bits; a speed change ends exactly where the closed form puts the bullet",
       "curves that last for minutes",
-      LOOP({ .does = DOES_TURN | DOES_SPEED, .over = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
+      LOOP({ .actions = DOES_TURN | DOES_SPEED, .duration = 60, .turn = 11930465, .speed = (int64_t)1 << 24 }), 3, true,
       true },
 };
 enum { N_FLIGHTS = sizeof FLIGHTS / sizeof *FLIGHTS };
@@ -142,7 +142,7 @@ enum { N_FLIGHTS = sizeof FLIGHTS / sizeof *FLIGHTS };
 static struct board *flying_crowd(const struct flight *f, int n, double speed)
 {
     struct board *b = engine_power((uint32_t)n, 0, 0);
-    struct bullet_shape s = { .kind = engine_circle(&b->bullet_kinds, 0, true), .fine = f->fine };
+    struct bullet_spec s = { .kind = engine_circle(&b->bullet_kinds, 0, true), .fine = f->fine };
 
     if (f->program)
         s.motion = (uint16_t)(motion_define(&b->motions, &b->steps, f->steps, (uint32_t)f->n, f->fine) + 1);
@@ -173,7 +173,7 @@ static double drift(const struct flight *f, int frames)
         double c, s;
         int64_t x, y;
         lab_direction(b->bullets.dir[i] / 4294967296.0, &c, &s);
-        bullets_place(&b->bullets, i, &x, &y);
+        bullets_position(&b->bullets, i, &x, &y);
         double ex = (double)x / 4294967296.0 - speed * frames * c, ey = (double)y / 4294967296.0 - speed * frames * s;
         double e = sqrt(ex * ex + ey * ey);
         worst = e > worst ? e : worst;

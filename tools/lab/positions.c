@@ -180,12 +180,12 @@ static void fire(struct board *b, uint16_t motion, bool is_fine)
 {
     clear(b);
     for (int i = 0; i < lanes.n; i++) {
-        const struct bullet_shape shape = { .x = PX(lanes.x[i]),
-                                            .y = PX(lanes.y[i]),
-                                            .speed = lanes.speed[i],
-                                            .dir = lanes.dir[i],
-                                            .motion = motion,
-                                            .fine = is_fine };
+        const struct bullet_spec shape = { .x = PX(lanes.x[i]),
+                                           .y = PX(lanes.y[i]),
+                                           .speed = lanes.speed[i],
+                                           .dir = lanes.dir[i],
+                                           .motion = motion,
+                                           .fine = is_fine };
         bullets_fire(&b->bullets, &shape, 0);
     }
 }
@@ -208,7 +208,7 @@ static double engine_lane(int i, int axis)
 /* Fine bullets need a program that says so; this one does nothing. */
 static void fine_start(void)
 {
-    const struct motion_step wait = { .does = DOES_WAIT, .over = 1 };
+    const struct motion_step wait = { .actions = DOES_WAIT, .duration = 1 };
 
     fire(fine, engine_motion(fine, &wait, 1, true), true);
 }
@@ -234,7 +234,7 @@ static double fine_lane(int i, int axis)
 {
     int64_t place[2];
 
-    bullets_place(&fine->bullets, (uint32_t)i, &place[0], &place[1]);
+    bullets_position(&fine->bullets, (uint32_t)i, &place[0], &place[1]);
     return (double)place[axis] / 4294967296.0;
 }
 
@@ -550,6 +550,6 @@ void section_positions(void)
                                report_figure(d->worst[AT_600]), report_figure(d->worst[AT_36000])),
                  "use `motion.def{ fine = true }` for slow bullets that live for minutes",
                  d->worst[AT_600] < 0.01 && drifts[FINE].worst[AT_MILLION] < 1e-6 && differ[FINE] == 0 &&
-                     differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD < 32768 &&
-                     WORLD + MAX_SPEED < 32768 && (lab_exact() || rivals[FINE].ratio > 2));
+                     differ[me] == 0 && drifts[Q8].worst[AT_600] > 1 && differ[FLOAT] > 0 && WORLD_EDGE < 32768 &&
+                     WORLD_EDGE + MAX_SPEED < 32768 && (lab_exact() || rivals[FINE].ratio > 2));
 }

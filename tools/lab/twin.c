@@ -16,7 +16,7 @@
 #define trig_from_degrees      twin_from_degrees
 #define trig_turn_from_degrees twin_turn_from_degrees
 #define trig_to_degrees        twin_to_degrees
-#define trig_direction         twin_direction
+#define trig_cos_sin40         twin_direction
 #include "../../src/base/trig.c"
 #include "rivals.h"
 

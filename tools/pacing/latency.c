@@ -61,7 +61,7 @@ static void next_press(void)
 
 /* ---- the port ---- */
 
-bool plat_open(const struct plat_want *want)
+bool plat_open(const struct plat_config *want)
 {
     (void)want;
     return true;
@@ -74,7 +74,7 @@ void plat_close(void)
 void plat_poll(struct plat_input *in)
 {
     memset(in, 0, sizeof *in);
-    in->focus = true;
+    in->has_focus = true;
     in->mouse_x = in->mouse_y = -1;
     in->quit = port.presses == PRESSES;
     const bool down = port.now >= port.press;

@@ -28,7 +28,7 @@ struct need {
     size_t ram_size;
     struct fb fb;
     uint32_t rgb[256], frame;
-    int16_t lr[2 * BOARD_SOUND];
+    int16_t lr[2 * BOARD_SOUND_FRAMES];
     uint8_t *stack[STACKS];
 };
 
@@ -54,7 +54,7 @@ static void *power(void *of)
     struct need *n = of;
     char err[512];
 
-    n->board = board_power(n->ram, n->ram_size, &n->image.rom, &n->start, err, sizeof err);
+    n->board = board_power_on(n->ram, n->ram_size, &n->image.rom, &n->start, err, sizeof err);
     if (!n->board)
         fail(err);
     return NULL;
@@ -82,7 +82,7 @@ static void *sound(void *of)
 {
     struct need *n = of;
 
-    board_sound(n->board, n->tables, n->lr);
+    board_mix_sound(n->board, n->tables, n->lr);
     return NULL;
 }
 
@@ -125,13 +125,14 @@ static void open_game(struct need *n, const char *path)
         !board_size(&n->image.rom, &n->ram_size, err, sizeof err))
         fail(err);
     n->start = (struct board_start){ .difficulty = -1 };
-    for (int i = 0; i < n->cart.m.n_dips; i++)
-        n->start.dip[i] = n->cart.m.dips[i].value;
+    for (int i = 0; i < n->cart.manifest.n_dips; i++)
+        n->start.dip[i] = n->cart.manifest.dips[i].default_value;
     const int at = rom_find(&n->image.rom, "demo/attract");
     if (at < 0)
         return;
     rom_lump(&n->image.rom, at, &lump);
-    if (demo_read(&n->demo, lump.data, lump.size, err, sizeof err) && demo_fits(&n->demo, &n->cart, err, sizeof err))
+    if (demo_read(&n->demo, lump.data, lump.size, err, sizeof err) &&
+        demo_check_cart(&n->demo, &n->cart, err, sizeof err))
         n->start = n->demo.start;
 }
 
@@ -154,7 +155,7 @@ static int32_t *number(struct manifest *m, int i)
 
 static bool is_capacity(int i)
 {
-    return strncmp(manifest_numbers[i].name, "board.", 6) == 0 && !manifest_numbers[i].flag &&
+    return strncmp(manifest_numbers[i].name, "board.", 6) == 0 && !manifest_numbers[i].is_flag &&
            strcmp(manifest_numbers[i].name, "board.lua_kib") != 0 &&
            strcmp(manifest_numbers[i].name, "board.nvram") != 0;
 }
@@ -163,10 +164,10 @@ static bool is_capacity(int i)
 static double each(const struct need *n, int i)
 {
     struct cart cart = n->cart;
-    const uint64_t before = board_room(&cart);
+    const uint64_t before = board_ram_needed(&cart);
 
-    *number(&cart.m, i) += MANY;
-    return (double)(board_room(&cart) - before) / MANY;
+    *number(&cart.manifest, i) += MANY;
+    return (double)(board_ram_needed(&cart) - before) / MANY;
 }
 
 static void print_slots(const struct need *n)
@@ -174,7 +175,8 @@ static void print_slots(const struct need *n)
     printf("| capacity | bytes of RAM per unit |\n|---|---|\n");
     for (int i = 0; i < MANIFEST_NUMBERS; i++)
         if (is_capacity(i) && strncmp(manifest_numbers[i].name, "board.values.", 13) != 0 &&
-            (*number((struct manifest *)&n->cart.m, i) > 0 || strcmp(manifest_numbers[i].name, "board.bulletml") != 0))
+            (*number((struct manifest *)&n->cart.manifest, i) > 0 ||
+             strcmp(manifest_numbers[i].name, "board.bulletml") != 0))
             printf("| `%s` | %.0f |\n", manifest_numbers[i].name, each(n, i));
     printf("\n");
 }
@@ -185,15 +187,15 @@ static void print_game(const char *path)
     struct need *n = &need;
 
     open_game(n, path);
-    const struct manifest *m = &n->cart.m;
+    const struct manifest *m = &n->cart.manifest;
     double slots = 0;
     for (int i = 0; i < MANIFEST_NUMBERS; i++)
         if (is_capacity(i))
             slots += *number((struct manifest *)m, i) * each(n, i);
     n->ram = room_for(n->ram_size);
-    n->scratch = room_for(board_scratch_of(&n->cart));
-    n->tables = room_for(board_sound_tables());
-    board_sound_open(n->tables);
+    n->scratch = room_for(board_scratch_size_for(&n->cart));
+    n->tables = room_for(board_sound_tables_size());
+    board_sound_init_tables(n->tables);
     uint8_t *pixels = room_for(fb_size(m->screen_w, m->screen_h));
     fb_init(&n->fb, pixels, m->screen_w, m->screen_h);
     for (int i = 0; i < STACKS; i++) {
@@ -206,8 +208,8 @@ static void print_game(const char *path)
     const uint32_t frames = n->demo.frames ? n->demo.frames : FRAMES;
     for (n->frame = 0; n->frame < frames; n->frame++) {
         run(n, S_TICK, tick);
-        if (board_last(n->board)->fault)
-            fail(board_last(n->board)->fault->message);
+        if (board_last_output(n->board)->fault)
+            fail(board_last_output(n->board)->fault->message);
         run(n, S_DRAW, draw);
         if (m->sound)
             run(n, S_SOUND, sound);
@@ -215,8 +217,8 @@ static void print_game(const char *path)
     printf("| %s | %zu | %d | %.0f | %.0f | %zu | %zu | %zu |", m->title, (n->ram_size + 1023) >> 10, m->lua_kib,
            slots / 1024, ((double)n->ram_size - slots) / 1024 - m->lua_kib,
            (board_snapshot_size(n->board) + 1023) >> 10,
-           (fb_size(m->screen_w, m->screen_h) + board_scratch_of(&n->cart) + 1023) >> 10,
-           m->sound ? (board_sound_tables() + 1023) >> 10 : 0);
+           (fb_size(m->screen_w, m->screen_h) + board_scratch_size_for(&n->cart) + 1023) >> 10,
+           m->sound ? (board_sound_tables_size() + 1023) >> 10 : 0);
     for (int i = 0; i < STACKS; i++)
         printf(" %.1f |", (double)(used(n->stack[i]) - thread) / 1024);
     printf("\n");

@@ -81,7 +81,7 @@ struct own {
     void *scratch, *tables;
     struct fb fb;
     uint32_t rgb[256];
-    int16_t lr[2 * BOARD_SOUND];
+    int16_t lr[2 * BOARD_SOUND_FRAMES];
 };
 
 static void open_own(struct own *o, const void *rom, size_t size, const char *section)
@@ -92,17 +92,17 @@ static void open_own(struct own *o, const void *rom, size_t size, const char *se
     if (!rom_open(&o->rom, rom, size, err, sizeof err) || !cart_open(&o->cart, &o->rom, err, sizeof err) ||
         !board_size(&o->rom, &ram, err, sizeof err))
         fail(err);
-    const struct manifest *m = &o->cart.m;
+    const struct manifest *m = &o->cart.manifest;
     for (int i = 0; i < m->n_dips; i++)
-        start.dip[i] = m->dips[i].value;
+        start.dip[i] = m->dips[i].default_value;
     snprintf(start.practice.section, sizeof start.practice.section, "%s", section);
     start.practice.invincible = true;
-    o->b = board_power(room_for(ram), ram, &o->rom, &start, err, sizeof err);
+    o->b = board_power_on(room_for(ram), ram, &o->rom, &start, err, sizeof err);
     if (!o->b)
         fail(err);
-    o->scratch = room_for(board_scratch(o->b));
-    o->tables = room_for(board_sound_tables());
-    board_sound_open(o->tables);
+    o->scratch = room_for(board_scratch_size(o->b));
+    o->tables = room_for(board_sound_tables_size());
+    board_sound_init_tables(o->tables);
     fb_init(&o->fb, room_for(fb_size(m->screen_w, m->screen_h)), m->screen_w, m->screen_h);
 }
 
@@ -114,21 +114,21 @@ static double own_frames(struct own *o)
     for (int i = 0; i < FRAMES; i++) {
         board_tick(o->b, pads);
         board_draw(o->b, NULL, &o->fb, o->rgb, o->scratch);
-        board_sound(o->b, o->tables, o->lr);
+        board_mix_sound(o->b, o->tables, o->lr);
     }
     return now() - from;
 }
 
 static double library_frames(struct curtain *c)
 {
-    static int16_t lr[2 * BOARD_SOUND];
+    static int16_t lr[2 * BOARD_SOUND_FRAMES];
     const uint16_t pads[CURTAIN_PADS] = { CURTAIN_FIRE };
     const double from = now();
 
     for (int i = 0; i < FRAMES; i++) {
         curtain_frame(c, pads);
         curtain_picture(c);
-        curtain_sound(c, lr, BOARD_SOUND);
+        curtain_sound(c, lr, BOARD_SOUND_FRAMES);
     }
     return now() - from;
 }
@@ -191,7 +191,7 @@ int main(int argc, char **argv)
     if (argc != 3)
         fail("expected ROM SECTION");
     const void *rom = read_file(argv[1], &size);
-    if (!compressed_is(rom, size) || (plain_size = curtain_plain(rom, size, NULL, 0, err, sizeof err)) == 0)
+    if (!compressed_detect(rom, size) || (plain_size = curtain_plain(rom, size, NULL, 0, err, sizeof err)) == 0)
         fail("expected a compressed ROM");
     void *plain = room_for(plain_size);
     if (curtain_plain(rom, size, plain, plain_size, err, sizeof err) == 0)

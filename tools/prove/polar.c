@@ -241,7 +241,7 @@ static void check_guess(struct tally *t, ang dir, u128 cosine, u128 sine)
     uint32_t q = dir >> 30;
     double c, s, off;
 
-    trig_circle_guess(dir, &c, &s);
+    trig_cos_sin_guess(dir, &c, &s);
     off = fmax(guess_error(c, q & 1 ? sine : cosine, q == 1 || q == 2), guess_error(s, q & 1 ? cosine : sine, q >= 2));
     if (off + 0x1p-13 < 1.0 / 3)
         tally_right(t, 0.5 - off, dir, 0);

@@ -31,7 +31,7 @@ static double packed(const double *hertz, int n, enum sample_coding coding)
             right[i] += 24000.0 / n * tone(i, hertz[k]);
         in[i] = (int16_t)lrint(right[i]);
     }
-    encode_sample(bytes, in, N, SND_RATE, SAMPLE_ENDS, coding);
+    encode_sample(bytes, in, N, SND_RATE, SAMPLE_NO_LOOP, coding);
     const struct sample s = sample_of(bytes);
     sample_read(&s, 0, N, out);
     for (int i = 0; i < N; i++)
@@ -61,27 +61,27 @@ static int loop_apart(void)
     return apart;
 }
 
-enum { BLOCKS = 60, DECODED = BLOCKS * ADPCM_SAMPLES };
+enum { BLOCKS = 60, DECODED = BLOCKS * ADPCM_BLOCK_SAMPLES };
 
 /* Blocks of any beginning, step and codes, the same that tests/unit/test_record.c gives to ffmpeg. Their digest. */
 static uint64_t decoded(void)
 {
-    static uint8_t bytes[SAMPLE_HEADER + BLOCKS * ADPCM_BYTES];
+    static uint8_t bytes[SAMPLE_HEADER_SIZE + BLOCKS * ADPCM_BLOCK_BYTES];
     static int16_t out[DECODED];
-    uint8_t *blocks = bytes + SAMPLE_HEADER;
+    uint8_t *blocks = bytes + SAMPLE_HEADER_SIZE;
     uint64_t h = HASH_START;
     struct rng r;
 
     rng_seed(&r, 31);
-    for (int i = 0; i < BLOCKS * ADPCM_BYTES; i++)
+    for (int i = 0; i < BLOCKS * ADPCM_BLOCK_BYTES; i++)
         blocks[i] = (uint8_t)rng_next(&r);
     for (int b = 0; b < BLOCKS; b++) {
-        blocks[b * ADPCM_BYTES + 2] %= ADPCM_STEPS;
-        blocks[b * ADPCM_BYTES + 3] = 0;
+        blocks[b * ADPCM_BLOCK_BYTES + 2] %= ADPCM_STEPS;
+        blocks[b * ADPCM_BLOCK_BYTES + 3] = 0;
     }
     bytes_put32(bytes, SND_RATE);
     bytes_put32(bytes + 4, DECODED);
-    bytes_put32(bytes + 8, SAMPLE_ENDS);
+    bytes_put32(bytes + 8, SAMPLE_NO_LOOP);
     const struct sample s = sample_of(bytes);
     sample_read(&s, 0, DECODED, out);
     for (int i = 0; i < DECODED; i++)
@@ -108,7 +108,7 @@ void section_adpcm(void)
                 "decoded independently. A difference is decoded as `(2n + 1) * step >> 3`. In a test with blocks of "
                 "random data, %s of\n"
                 "the %s values differ from ffmpeg's.",
-                (int)ADPCM_SAMPLES, equal ? "none" : "some", report_count(DECODED));
+                (int)ADPCM_BLOCK_SAMPLES, equal ? "none" : "some", report_count(DECODED));
     report_table(NULL, "sound|ADPCM, SNR, dB>|16 bits, SNR, dB>");
     for (size_t k = 0; k < sizeof TONES / sizeof *TONES; k++)
         report_row(1, TONES[k].what, ear_db(packed(TONES[k].hertz, TONES[k].n, SAMPLE_PACKED)),

@@ -28,13 +28,14 @@ static void sway(int *border, int *elsewhere)
     ear_open(&e);
     for (int f = 0; f < FRAMES; f++) {
         voices_step(&e.v, inst.rom);
-        e.v.gain1 = VOICE_GAIN;
+        e.v.gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, LOUD, 64 }, 0);
+            voices_start_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, LOUD, 64 }, 0);
         if (f % 20 == 5)
             voices_glide(&e.v, 0, (f % 40 < 20 ? 64 : 57) * PITCH_ONE, 10);
         if (f % 7 == 3)
-            voices_set(&e.v, 0, (uint16_t)(f % 14 == 3 ? LOUD / 2 : LOUD), (uint8_t)(f % 21 == 3 ? 20 : 64));
+            voices_set_volume_and_pan(&e.v, 0, (uint16_t)(f % 14 == 3 ? LOUD / 2 : LOUD),
+                                      (uint8_t)(f % 21 == 3 ? 20 : 64));
         voices_mix(&e.v, inst.rom, &ear_tables, out + 2 * SND_FRAME * f);
     }
     for (int i = 300; i < N - 1; i++) {
@@ -56,11 +57,11 @@ static int taken(bool tail)
     ear_open(&e);
     for (int f = 0; f < 5; f++) {
         voices_step(&e.v, inst.rom);
-        e.v.gain1 = VOICE_GAIN;
+        e.v.gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, LOUD, 64 }, 0);
+            voices_start_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, LOUD, 64 }, 0);
         if (f == 2) {
-            voices_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, 0, 64 }, 0);
+            voices_start_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 57 * PITCH_ONE, 0, 64 }, 0);
             e.v.inst[VOICES] = tail ? e.v.inst[VOICES] : 0;
         }
         voices_mix(&e.v, inst.rom, &ear_tables, out + 2 * SND_FRAME * f);
@@ -82,9 +83,9 @@ static void begun_at(const struct ear_inst *inst, int at, int16_t *out)
     ear_open(&e);
     for (int f = 0; f < 6; f++) {
         voices_step(&e.v, inst->rom);
-        e.v.gain1 = VOICE_GAIN;
+        e.v.gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(&e.v, inst->rom, 0, &(struct voice_note){ inst->at, 0, 60 * PITCH_ONE, LOUD, 64 }, at);
+            voices_start_note(&e.v, inst->rom, 0, &(struct voice_note){ inst->at, 0, 60 * PITCH_ONE, LOUD, 64 }, at);
         voices_mix(&e.v, inst->rom, &ear_tables, out + 2 * SND_FRAME * f);
     }
     free(e.block);

@@ -24,7 +24,7 @@ static double two_ops(double index, uint64_t step)
 {
     static double right[SAMPLES], heard[SAMPLES];
     struct ear_inst inst = ear_inst(report_string("fm ratio=1 depth=%g", index));
-    const double depth = inst_op(inst.rom + inst.at, 0).level / 4096.0;
+    const double depth = inst_read_op(inst.rom + inst.at, 0).level / 4096.0;
 
     ear_wave(&inst, step, heard, SAMPLES);
     for (int n = 0; n < SAMPLES; n++)
@@ -40,7 +40,7 @@ static double four_ops(uint64_t step)
     double depth[3];
 
     for (int k = 0; k < 3; k++)
-        depth[k] = inst_op(inst.rom + inst.at, k).level / 4096.0;
+        depth[k] = inst_read_op(inst.rom + inst.at, k).level / 4096.0;
     ear_wave(&inst, step, heard, SAMPLES);
     for (int n = 0; n < SAMPLES; n++) {
         const double p = turns_at(step, n);

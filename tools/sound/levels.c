@@ -44,9 +44,9 @@ static double worst(const char *settings)
     ear_open(&e);
     for (int f = 0; f < FRAMES; f++) {
         voices_step(&e.v, inst.rom);
-        e.v.gain1 = VOICE_GAIN;
+        e.v.gain1 = VOICE_FULL_GAIN;
         if (f == 0)
-            voices_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, pitch, VOL, 64 }, AT);
+            voices_start_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, pitch, VOL, 64 }, AT);
         voices_mix(&e.v, inst.rom, &ear_tables, out);
         for (int n = 0; n < SND_FRAME; n++) {
             const int age = f * SND_FRAME + n - AT;

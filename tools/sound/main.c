@@ -92,7 +92,7 @@ struct ear_inst ear_inst(const char *settings)
         report_fail(err);
     const struct tune t = tune_of(i.rom);
     i.at = (uint32_t)(tune_inst(&t, 0) - i.rom);
-    i.inst = inst_of(i.rom + i.at);
+    i.inst = inst_read(i.rom + i.at);
     return i;
 }
 
@@ -100,13 +100,13 @@ void ear_wave(const struct ear_inst *i, uint64_t step, double *out, int n)
 {
     const uint8_t *bytes = i->rom + i->at;
     const int mip = snd_mip(&ear_tables, (uint32_t)(step >> 24));
-    struct wave_at at = { 0, step, mip, mip, 0, 0, bytes + i->inst.wave };
+    struct wave_params at = { 0, step, mip, mip, 0, 0, bytes + i->inst.wave };
     struct fm_note fm;
     int16_t block[SND_BLOCK];
 
     fm_begin(&fm, &i->inst, bytes);
     for (int from = 0; from < n; from += SND_BLOCK, at.phase += SND_BLOCK * step) {
-        if (inst_ops(i->inst.kind))
+        if (inst_op_count(i->inst.kind))
             fm_play(&fm, &ear_tables, from, NOTE_HELD, at.phase, step, block);
         else
             wave_block(&ear_tables, &i->inst, &at, block);
@@ -124,7 +124,7 @@ void ear_open(struct ear_voices *e)
     memset(&e->v, 0, sizeof e->v);
     slots_layout(&voices_chip, &e->v.s, VOICE_SLOTS, 0, &next);
     e->v.s.live = e->v.s.cap;
-    e->v.gain0 = e->v.gain1 = VOICE_GAIN;
+    e->v.gain0 = e->v.gain1 = VOICE_FULL_GAIN;
 }
 
 /* ---- the page ---- */

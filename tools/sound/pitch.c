@@ -47,7 +47,7 @@ static int steps_apart(void)
     ear_open(&e);
     rng_seed(&r, 17);
     for (int f = 0; f < FRAMES; f++) {
-        voices_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 60 * PITCH_ONE, 0, 64 }, 0);
+        voices_start_note(&e.v, inst.rom, 0, &(struct voice_note){ inst.at, 0, 60 * PITCH_ONE, 0, 64 }, 0);
         uint64_t sum = e.v.phase[0] = rng_next(&r);
         e.v.step0[0] = rng_next(&r) >> 12;
         e.v.step1[0] = rng_next(&r) >> 12;

@@ -22,7 +22,7 @@ static void read_at(uint64_t step, bool pass, double *out, int n)
     static int16_t passed[ROOM];
 
     if (pass)
-        wave_low(&ear_tables, in + EDGE - 8, ROOM - 2 * EDGE + 8, step, step, passed);
+        wave_low_pass(&ear_tables, in + EDGE - 8, ROOM - 2 * EDGE + 8, step, step, passed);
     else
         memcpy(passed, in + EDGE - 8, (ROOM - 2 * EDGE) * sizeof *in);
     for (int k = 0; k < n; k += SND_BLOCK) {
@@ -160,7 +160,7 @@ static void faster(void)
                 "octave. The table shows the level of tones that alias below 20 kHz, with and without the filter, and "
                 "the gain of tones\n"
                 "that are heard at 10 and 15 kHz:",
-                (int)LOW_TAPS);
+                (int)LOW_PASS_TAPS);
     report_table(NULL, "speed|aliases, dB>|without filter, dB>|10 kHz, dB>|15 kHz, dB>");
     for (size_t k = 0; k < sizeof RATIOS / sizeof *RATIOS; k++) {
         const double db = folded(RATIOS[k], true);

@@ -35,9 +35,9 @@ static bool in_use(const struct atlas_shapes *shapes, const char *sprite)
 }
 
 /* A shape that was drawn with a sprite and belongs to no kind yet. */
-static struct inspect_shape_of drawn_shape(const struct cart_hit *h, const char *sprite)
+static struct inspect_kind_shape drawn_shape(const struct cart_hit *h, const char *sprite)
 {
-    struct inspect_shape_of s = { .of = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
+    struct inspect_kind_shape s = { .entity = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
 
     s.shape = h->shape == SHAPE_BOX       ? INSPECT_BOX
               : h->shape == SHAPE_CAPSULE ? INSPECT_CAPSULE
@@ -63,7 +63,7 @@ static void add_drawn(struct art_game *g)
         struct cart_hit hit;
         if (!cart_find_hit(&g->cart, name, &hit) || in_use(&g->shapes, name))
             continue;
-        const struct inspect_shape_of shape = drawn_shape(&hit, name);
+        const struct inspect_kind_shape shape = drawn_shape(&hit, name);
         atlas_shapes_add(&g->shapes, &shape);
     }
 }
@@ -75,19 +75,19 @@ static enum result find_shapes(struct art_game *g, const char *path)
     enum result result = RESULT_DONE;
     char err[512];
 
-    for (int i = 0; i < g->cart.m.n_dips; i++)
-        start.dip[i] = g->cart.m.dips[i].value;
+    for (int i = 0; i < g->cart.manifest.n_dips; i++)
+        start.dip[i] = g->cart.manifest.dips[i].default_value;
     g->powered = guard_power(&g->guard, &g->image.rom, &start, err, sizeof err);
     if (!g->powered)
         return report_line(RESULT_REFUSED, "%s: %s", path, err);
-    const struct board_fault *fault = board_last(g->guard.board)->fault;
+    const struct board_fault *fault = board_last_output(g->guard.board)->fault;
     if (fault)
         result =
             report_line(RESULT_REFUSED, "hitboxes are missing because the scripts failed to load: %s", fault->message);
     else
         inspect_kinds(g->guard.board, atlas_shapes_add, &g->shapes);
     add_drawn(g);
-    return g->shapes.failed ? report_line(RESULT_HOST, "out of memory") : result;
+    return g->shapes.failed ? report_line(RESULT_HOST_FAILED, "out of memory") : result;
 }
 
 /* ---- the list ---- */
@@ -111,7 +111,7 @@ static void print_sprites(const struct art_game *g)
         cart_sprite(&g->cart, i, &s);
         report_print("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
         if (s.frames > 1)
-            report_print(", %d frames, every = %d", s.frames, s.every);
+            report_print(", %d frames, every = %d", s.frames, s.frame_ticks);
         if (s.rotations > 1)
             report_print(", %d rotations", s.rotations);
         print_shapes(g, cart_sprite_name(&g->cart, i));
@@ -136,10 +136,10 @@ static enum result write_atlas(const struct art_game *g, const char *file)
     const bool packed = made && png_write_rgb(rgb, w, h, &png, &size);
     free(rgb);
     if (!packed)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     const bool saved = files_save(file, png, size, err, sizeof err);
     free(png);
-    return saved ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 enum result art_run(const char *path, bool nearest, const char *atlas)

@@ -52,13 +52,13 @@ static const struct colour_of colours[] = {
     { "player", 0x5fe3ff }, { "bullet", 0xff6a7a }, { "shot", 0x7dff8a }, { "enemy", 0xffd24a }
 };
 
-void atlas_shapes_add(void *shapes, const struct inspect_shape_of *kind)
+void atlas_shapes_add(void *shapes, const struct inspect_kind_shape *kind)
 {
     struct atlas_shapes *s = shapes;
 
     if (s->n == s->room) {
         const int room = s->room ? 2 * s->room : 32;
-        struct inspect_shape_of *more = realloc(s->list, (size_t)room * sizeof *more);
+        struct inspect_kind_shape *more = realloc(s->list, (size_t)room * sizeof *more);
         if (!more) {
             s->failed = true;
             return;
@@ -86,21 +86,21 @@ static double told(double v)
     return floor(v * 100 + 0.5) / 100;
 }
 
-void atlas_shape_words(const struct inspect_shape_of *s, char *out, size_t size)
+void atlas_shape_words(const struct inspect_kind_shape *s, char *out, size_t size)
 {
     switch (s->shape) {
     case INSPECT_BOX:
-        snprintf(out, size, "%s %s: box %g x %g", s->of, s->name, told(px(s->x1) * 2), told(px(s->y1) * 2));
+        snprintf(out, size, "%s %s: box %g x %g", s->entity, s->name, told(px(s->x1) * 2), told(px(s->y1) * 2));
         break;
     case INSPECT_CAPSULE:
-        snprintf(out, size, "%s %s: capsule %g, %g", s->of, s->name, told(2 * hypot(px(s->bar_x), px(s->bar_y))),
+        snprintf(out, size, "%s %s: capsule %g, %g", s->entity, s->name, told(2 * hypot(px(s->bar_x), px(s->bar_y))),
                  told(px(s->r)));
         break;
     case INSPECT_CIRCLES:
-        snprintf(out, size, "%s %s: %d circle%s", s->of, s->name, s->n, s->n == 1 ? "" : "s");
+        snprintf(out, size, "%s %s: %d circle%s", s->entity, s->name, s->n, s->n == 1 ? "" : "s");
         break;
     default:
-        snprintf(out, size, "%s %s: circle %g", s->of, s->name, told(px(s->r)));
+        snprintf(out, size, "%s %s: circle %g", s->entity, s->name, told(px(s->r)));
     }
 }
 
@@ -180,7 +180,7 @@ static double from_bar(double x, double y, double bar_x, double bar_y)
 }
 
 /* How far outside of the shape a point is, px; below 0 inside. */
-static double outside(const struct inspect_shape_of *s, double x, double y)
+static double outside(const struct inspect_kind_shape *s, double x, double y)
 {
     double least = 1e9;
 
@@ -202,16 +202,16 @@ static double outside(const struct inspect_shape_of *s, double x, double y)
     }
 }
 
-static uint32_t colour_for(const struct inspect_shape_of *s)
+static uint32_t colour_for(const struct inspect_kind_shape *s)
 {
     for (size_t i = 0; i < sizeof colours / sizeof *colours; i++)
-        if (strcmp(colours[i].of, s->of) == 0)
+        if (strcmp(colours[i].of, s->entity) == 0)
             return colours[i].rgb;
     return INK;
 }
 
 /* The outline round (ox, oy), with a dark rim, inside the sprite's cell. */
-static void outline(const struct atlas *a, const struct inspect_shape_of *s, int x, int y, int w, int h, double ox,
+static void outline(const struct atlas *a, const struct inspect_kind_shape *s, int x, int y, int w, int h, double ox,
                     double oy)
 {
     for (int rim = 1; rim >= 0; rim--)
@@ -270,11 +270,11 @@ static void describe(const struct atlas *a, int i, const struct sprite *s, struc
         snprintf(text + strlen(text), sizeof text - strlen(text), ", %d rotations", s->rotations);
     add_words(out, FAINT, text);
     if (s->frames > 1) {
-        snprintf(text, sizeof text, "%d frames, every = %d", s->frames, s->every);
+        snprintf(text, sizeof text, "%d frames, every = %d", s->frames, s->frame_ticks);
         add_words(out, FAINT, text);
     }
     for (int k = 0; k < a->shapes->n; k++) {
-        const struct inspect_shape_of *shape = &a->shapes->list[k];
+        const struct inspect_kind_shape *shape = &a->shapes->list[k];
         if (strcmp(shape->sprite, name) != 0)
             continue;
         atlas_shape_words(shape, text, sizeof text);

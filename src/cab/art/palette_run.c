@@ -15,11 +15,11 @@
 
 static bool is_list(const char *path)
 {
-    return files_ends(path, ".hex") || files_ends(path, ".gpl");
+    return files_has_suffix(path, ".hex") || files_has_suffix(path, ".gpl");
 }
 
 /* The palette in a PNG; false and one sentence. */
-static bool load_palette(const char *path, uint8_t rgb[CART_PALETTE], char *err, size_t err_size)
+static bool load_palette(const char *path, uint8_t rgb[CART_PALETTE_SIZE], char *err, size_t err_size)
 {
     struct art_picture picture = { 0 };
     uint8_t *data;
@@ -37,7 +37,7 @@ static bool load_palette(const char *path, uint8_t rgb[CART_PALETTE], char *err,
     return good;
 }
 
-static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE])
+static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE_SIZE])
 {
     uint8_t pix[256], *png;
     uint32_t colours[256];
@@ -49,23 +49,23 @@ static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE
         colours[i] = (uint32_t)rgb[3 * i] << 16 | (uint32_t)rgb[3 * i + 1] << 8 | rgb[3 * i + 2];
     }
     if (!png_write(pix, 16, 16, 16, colours, &png, &size))
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     const bool saved = files_save(path, png, size, err, sizeof err);
     free(png);
-    return saved ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    return saved ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 /* A list into a palette: one that is there keeps its other banks. */
 static enum result import(const char *from, int bank, const char *out)
 {
-    uint8_t rgb[CART_PALETTE], *text;
+    uint8_t rgb[CART_PALETTE_SIZE], *text;
     struct swatch s;
     char err[FILES_ERR];
     size_t n;
 
     if (!files_read_text(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
         return report_error(err);
-    const bool good = swatch_read(&s, (const char *)text, n, from, files_ends(from, ".gpl"), err, sizeof err);
+    const bool good = swatch_read(&s, (const char *)text, n, from, files_has_suffix(from, ".gpl"), err, sizeof err);
     free(text);
     if (!good)
         return report_line(RESULT_REFUSED, "%s", err);
@@ -88,11 +88,11 @@ static enum result import(const char *from, int bank, const char *out)
 
 /* A bank of a palette into a list. */
 static enum result export(const char *from, int bank, const char *out) {
-    uint8_t rgb[CART_PALETTE]; char text[SWATCH_TEXT], err[FILES_ERR];
+    uint8_t rgb[CART_PALETTE_SIZE]; char text[SWATCH_TEXT], err[FILES_ERR];
 
     if (!load_palette(from, rgb, err, sizeof err)) return report_error(err);
-    const size_t n = swatch_write(rgb, bank, files_ends(out, ".gpl"), text);
-    return files_save(out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    const size_t n = swatch_write(rgb, bank, files_has_suffix(out, ".gpl"), text);
+    return files_save(out, text, n, err, sizeof err) ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 enum result art_run_palette(const char *from, int bank, const char *out)
@@ -102,9 +102,9 @@ enum result art_run_palette(const char *from, int bank, const char *out)
                                            "-o FILE.hex to export one of its banks");
     if (bank < 0)
         return report_line(RESULT_REFUSED, "palette: expected --bank N, 0 to 15");
-    if (is_list(from) && files_ends(out, ".png"))
+    if (is_list(from) && files_has_suffix(out, ".png"))
         return import(from, bank, out);
-    if (files_ends(from, ".png") && is_list(out))
+    if (files_has_suffix(from, ".png") && is_list(out))
         return export(from, bank, out);
     return report_line(RESULT_REFUSED, "palette: expected a .hex or .gpl file and -o FILE.png, or a .png file and "
                                        "-o FILE.gpl or -o FILE.hex");

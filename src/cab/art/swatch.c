@@ -101,7 +101,7 @@ bool swatch_read(struct swatch *s, const char *text, size_t n, const char *file,
     return s->n > 0 || err_set(err, err_size, "%s: no colours", file);
 }
 
-int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE])
+int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE_SIZE])
 {
     const int last = bank + (s->n - 1) / SWATCH_BANK;
 
@@ -114,7 +114,7 @@ int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE])
     return last;
 }
 
-size_t swatch_write(const uint8_t rgb[CART_PALETTE], int bank, bool gpl, char out[SWATCH_TEXT])
+size_t swatch_write(const uint8_t rgb[CART_PALETTE_SIZE], int bank, bool gpl, char out[SWATCH_TEXT])
 {
     size_t n = 0;
 

@@ -25,10 +25,10 @@ bool swatch_read(struct swatch *s, const char *text, size_t n, const char *file,
 
 /* Puts the colours into columns 1 to 15 of the bank, and of the banks behind it while there are more; what is left of
  * the last one becomes black. Returns the last bank; above 15: there was no room, and nothing was done. */
-int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE]);
+int swatch_put(const struct swatch *s, int bank, uint8_t rgb[CART_PALETTE_SIZE]);
 
 /* Writes columns 1 to 15 of a bank as such a list, a text of at most SWATCH_TEXT bytes; returns how many. */
 enum { SWATCH_TEXT = 1024 };
-size_t swatch_write(const uint8_t rgb[CART_PALETTE], int bank, bool gpl, char out[SWATCH_TEXT]);
+size_t swatch_write(const uint8_t rgb[CART_PALETTE_SIZE], int bank, bool gpl, char out[SWATCH_TEXT]);
 
 #endif

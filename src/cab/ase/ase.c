@@ -128,7 +128,7 @@ static void *more(void *list, int n, size_t size)
 
 static bool no_memory(struct reader *r)
 {
-    result_is_why();
+    result_set_host_failed();
     return refuse(r, "out of memory");
 }
 

@@ -144,7 +144,7 @@ static enum result print_lua(const struct document *d, const char *file)
     char *script = as_lua(d, file);
 
     if (!script)
-        return report_line(RESULT_HOST, "%s: out of memory", file);
+        return report_line(RESULT_HOST_FAILED, "%s: out of memory", file);
     fputs(script, stdout);
     free(script);
     return RESULT_DONE;
@@ -158,7 +158,7 @@ static enum result look_at(const char *file, bool lua)
     size_t size;
 
     if (files_size(file) < 0)
-        return report_line(RESULT_REFUSED, "%s", files_absent(file, "file", err, sizeof err));
+        return report_line(RESULT_REFUSED, "%s", files_set_missing_error(file, "file", err, sizeof err));
     if (!files_read(file, file, DOCUMENT_FILE, &text, &size, err, sizeof err))
         return report_error(err);
     enum result result = RESULT_DONE;

@@ -52,7 +52,7 @@ static void *grow(struct compiler *c, void *at, size_t n, size_t *room, size_t s
         return at;
     void *more = realloc(at, (*room ? 2 * *room : 256) * size);
     if (!more) {
-        result_is_why();
+        result_set_host_failed();
         fail(c, 0, "out of memory");
     } else
         *room = *room ? 2 * *room : 256;
@@ -80,7 +80,7 @@ static const struct document_node *node_of(const struct compiler *c, int32_t nod
 
 static void command(struct compiler *c, enum ml_op op, unsigned type, int32_t node)
 {
-    word(c, ml_command(op, type, node_of(c, node)->line));
+    word(c, ml_make_command(op, type, node_of(c, node)->line));
 }
 
 /* ---- values ---- */
@@ -173,7 +173,7 @@ static uint32_t value(struct compiler *c, int32_t node, bool negative)
     put(c, &c->step, STEP_DONE);
     if (c->step.n >= ML_MAX_WORDS)
         fail(c, node, "the program's expressions are too long");
-    return at | ML_WORKED_OUT;
+    return at | ML_COMPUTED;
 }
 
 static uint32_t value_of(struct compiler *c, int32_t node, enum document_element element)
@@ -217,7 +217,7 @@ static void lead(struct compiler *c, enum ml_op op, int32_t ref, int32_t node, e
     place(c, node, piece);
     for (int32_t k = node_of(c, ref)->first; k != DOCUMENT_NONE; k = node_of(c, k)->next)
         n += node_of(c, k)->element == NODE_PARAM;
-    if (n > ML_MOST_PARAMS)
+    if (n > ML_MAX_PARAMS)
         fail(c, ref, "more than 64 params");
     word(c, n);
     for (int32_t k = node_of(c, ref)->first; k != DOCUMENT_NONE; k = node_of(c, k)->next)
@@ -318,7 +318,7 @@ static void action(struct compiler *c, int32_t node, bool last)
     if (document_is_top(c->d, to))
         lead(c, ML_LEAVE, node, to, PIECE_TOP);
     else if (ref)
-        lead(c, last ? ML_GO : ML_CALL, node, to, PIECE_ACTION);
+        lead(c, last ? ML_TAIL_CALL : ML_CALL, node, to, PIECE_ACTION);
     else
         commands(c, node_of(c, node)->first, last);
 }
@@ -332,7 +332,7 @@ static void repeat(struct compiler *c, int32_t node)
     word(c, value_of(c, node, NODE_TIMES));
     const uint32_t body = (uint32_t)c->word.n;
     commands(c, times == DOCUMENT_NONE ? node_of(c, node)->first : node_of(c, times)->next, false);
-    command(c, ML_AGAIN, 0, node);
+    command(c, ML_END_REPEAT, 0, node);
     word(c, body);
 }
 
@@ -447,7 +447,7 @@ static void piece(struct compiler *c, int32_t node, enum piece piece)
         break;
     case PIECE_FIRE:
         fire(c, node);
-        command(c, ML_FIRED, 0, node);
+        command(c, ML_FIRE_RETURN, 0, node);
         break;
     case PIECE_BULLET:
         bullet(c, node, "");
@@ -504,7 +504,7 @@ static uint8_t *lump(struct compiler *c, const uint32_t *tops, uint32_t n, size_
     *size = ML_HEADER + 8 * c->numbers + 4 * (n + c->label.n + c->word.n + c->step.n) + c->bytes;
     uint8_t *out = malloc(*size), *to = out;
     if (!out) {
-        result_is_why();
+        result_set_host_failed();
         fail(c, 0, "out of memory");
         return NULL;
     }
@@ -528,7 +528,7 @@ bool bulletml_compile(const struct document *d, const char *file, uint8_t **out,
 
     *out = NULL;
     if (!c.place) {
-        result_is_why();
+        result_set_host_failed();
         fail(&c, 0, "out of memory");
     }
     const uint32_t n = c.failed ? 0 : compile(&c, tops);

@@ -77,7 +77,7 @@ void *document_keep(struct document_reader *r, const void *bytes, size_t n)
     struct piece *piece = malloc(sizeof *piece + n);
 
     if (!piece) {
-        result_is_why();
+        result_set_host_failed();
         document_bad(r, 1, 1, "out of memory");
         return NULL;
     }
@@ -106,7 +106,7 @@ int32_t document_add(struct document_reader *r, int32_t parent, enum document_el
     if (d->n == DOCUMENT_NODES)
         document_bad(r, line, column, "<%s>: more than %d elements", elements[element], (int)DOCUMENT_NODES);
     else if (d->n == d->room && !grow(d)) {
-        result_is_why();
+        result_set_host_failed();
         document_bad(r, line, column, "out of memory");
     }
     if (r->failed)

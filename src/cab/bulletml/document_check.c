@@ -185,7 +185,7 @@ static void check_labels(struct document_reader *r)
     int n = 0;
 
     if (!labels) {
-        result_is_why();
+        result_set_host_failed();
         document_bad(r, 1, 1, "out of memory");
         return;
     }

@@ -381,7 +381,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
     char why[128];
 
     if (!x) {
-        result_is_why();
+        result_set_host_failed();
         document_bad(r, 1, 1, "out of memory");
         return;
     }
@@ -391,7 +391,7 @@ void document_xml(struct document_reader *r, const char *bytes, size_t n)
         library_missing(LIBRARY_EXPAT, why, sizeof why);
         document_bad(r, 1, 1, "%s", why);
     } else if (!(x->parser = x->f.create(NULL))) {
-        result_is_why();
+        result_set_host_failed();
         document_bad(r, 1, 1, "out of memory");
     }
     if (x->parser) {

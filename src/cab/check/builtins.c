@@ -120,7 +120,7 @@ void builtins_open(struct name_set *s)
         name_set_add(s, NULL, others[i]);
     for (size_t i = 0; i < COUNT(rom_fields); i++)
         name_set_add(s, "rom", rom_fields[i]);
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         add_entry(s, api_entry(&api_table, i));
 }
 
@@ -135,9 +135,9 @@ void name_set_close(struct name_set *s)
 static bool adds_only(const char *script)
 {
     for (int i = 0; i < STD_MODULES; i++)
-        if (strcmp(script, std_module(i)) == 0)
-            return std_adds_to(i) != NULL;
-    return std_module_of(script) >= 0;
+        if (strcmp(script, std_module_name(i)) == 0)
+            return std_extended_table(i) != NULL;
+    return std_module_of_piece(script) >= 0;
 }
 
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)
@@ -179,7 +179,7 @@ bool builtins_global(const char *name)
     for (int i = 0; i < std_script_count; i++)
         if (strcmp(std_scripts[i].name, name) == 0 && !adds_only(name))
             return true;
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (strncmp(api_entry(&api_table, i)->name, name, n) == 0 &&
             strchr(".", api_entry(&api_table, i)->name[n]) != NULL)
             return true;

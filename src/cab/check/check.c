@@ -30,14 +30,14 @@ static void check_entry(struct check *c)
 static void check_manifest(struct check *c)
 {
     char folder[64], err[512] = "rom.lua: out of memory";
-    void *block, *work = tree_work(MANIFEST_WORK, &block);
+    void *block, *work = tree_work(MANIFEST_SCRATCH_SIZE, &block);
     size_t size;
 
     if (!check_load(c, "rom.lua", TREE_SCRIPT, &c->rom_text, &size)) {
         free(block);
         return;
     }
-    files_drop_mark(c->rom_text, &size);
+    files_strip_bom(c->rom_text, &size);
     tree_id(c->dir, folder);
     symbols_read(&c->rom, (const char *)c->rom_text, size, NULL);
     c->manifest = work != NULL && manifest_read((const char *)c->rom_text, size, "rom.lua", folder, &c->m, &c->art,
@@ -79,7 +79,7 @@ static bool open_folder(struct check *c, enum result *result)
     if (files_size(c->dir) >= 0)
         report_line(*result, "%s: expected a game's folder, got a file", c->dir);
     else if (plat_list(c->dir, ignore_file, NULL) < 0)
-        report_line(*result, "%s", files_absent(c->dir, "folder", err, sizeof err));
+        report_line(*result, "%s", files_set_missing_error(c->dir, "folder", err, sizeof err));
     else if (!tree_walk(c->dir, &c->files, err, sizeof err))
         *result = report_error(err);
     else if (!tree_has(&c->files, "rom.lua"))
@@ -176,7 +176,7 @@ static enum result check_all(struct check *c)
         check_run(c);
     progress_end();
     if (c->found.failed || c->builtins.failed || c->open.failed || c->changed.failed)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     return report(c);
 }
 
@@ -186,7 +186,7 @@ enum result check_game(const char *dir, bool nearest)
     enum result result;
 
     if (c == NULL)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     c->dir = dir;
     c->nearest = nearest;
     if (open_folder(c, &result))

@@ -43,7 +43,7 @@ static bool load_picture(struct check *c, const char *file, int line, bool by_in
     return good;
 }
 
-static bool load_palette(struct check *c, const char *file, int line, uint8_t rgb[CART_PALETTE])
+static bool load_palette(struct check *c, const char *file, int line, uint8_t rgb[CART_PALETTE_SIZE])
 {
     struct art_picture picture;
     char why[256];
@@ -59,7 +59,7 @@ static bool load_palette(struct check *c, const char *file, int line, uint8_t rg
 
 /* The colours of the palettes of rom.lua, in its order, and those of the first one. */
 struct colours {
-    uint8_t main[CART_PALETTE], other[MAX_ART_PALETTES][CART_PALETTE];
+    uint8_t main[CART_PALETTE_SIZE], other[MAX_ART_PALETTES][CART_PALETTE_SIZE];
     bool good, other_good[MAX_ART_PALETTES];
 };
 

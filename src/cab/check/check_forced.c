@@ -56,7 +56,7 @@ static uint16_t tap(uint32_t frame, uint32_t every, uint16_t button)
 
 static bool is_faulty(const struct run *r)
 {
-    return board_last(check_board(r))->fault != NULL;
+    return board_last_output(check_board(r))->fault != NULL;
 }
 
 /* ---- what is forced ---- */
@@ -161,14 +161,14 @@ static const char *first_stage(const struct sections *s)
 /* A game without difficulties has one all the same. */
 static int difficulties(const struct run *r)
 {
-    const int n = check_cart(r)->m.n_difficulties;
+    const int n = check_cart(r)->manifest.n_difficulties;
 
     return n > 0 ? n : 1;
 }
 
 static const char *difficulty_name(const struct run *r, int i)
 {
-    const struct manifest *m = &check_cart(r)->m;
+    const struct manifest *m = &check_cart(r)->manifest;
 
     return i < m->n_difficulties ? m->difficulties[i] : "";
 }
@@ -242,7 +242,7 @@ static uint16_t entry_pads(const struct tour *t, uint32_t frame)
 
 static bool anyone_in(const struct run *r)
 {
-    return force_in_game(check_board(r), 0) || force_in_game(check_board(r), 1);
+    return force_player_in_game(check_board(r), 0) || force_player_in_game(check_board(r), 1);
 }
 
 /* The first continue is taken and the second is not. */
@@ -270,7 +270,7 @@ static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint1
         ship_pads(r, age, pads);
     if (!t->playing || t->over || !anyone_in(r))
         pads[1] = t->kind == TOUR_TWO ? pads[0] : 0;
-    else if (!force_in_game(check_board(r), 1))
+    else if (!force_player_in_game(check_board(r), 1))
         pads[1] = tap(age, EVERY, PAD_START); /* who is out may come back while the other one flies */
 }
 
@@ -446,7 +446,7 @@ static void each_section(struct each *e)
 
     for (int d = 0; d <= last; d += last > 0 ? last : 1)
         for (int i = 0; i < s->n; i++)
-            if (d != check_cart(e->r)->m.difficulty && is_played(&s->section[i]) && next(e))
+            if (d != check_cart(e->r)->manifest.difficulty && is_played(&s->section[i]) && next(e))
                 play_section(e->r, i, d);
 }
 
@@ -456,14 +456,14 @@ static void each_game(struct each *e)
 
     for (int d = 0; d < difficulties(e->r); d++) {
         struct board_start start = check_start(e->r);
-        start.difficulty = check_cart(e->r)->m.n_difficulties > 0 ? d : -1;
+        start.difficulty = check_cart(e->r)->manifest.n_difficulties > 0 ? d : -1;
         const char *name = difficulty_name(e->r, d);
         snprintf(what, sizeof what, "a lost game%s%s", name[0] ? ", " : "", name);
         if (next(e))
             tour(e->r, what, TOUR_LOST, &start);
     }
     const struct board_start start = check_start(e->r);
-    if (check_cart(e->r)->m.players > 1 && next(e))
+    if (check_cart(e->r)->manifest.players > 1 && next(e))
         tour(e->r, "a two-player game", TOUR_TWO, &start);
     if (next(e))
         win(e->r);
@@ -486,16 +486,16 @@ static void each_language(struct each *e)
 /* Named values each; of a number the least and the most. */
 static void each_switch(struct each *e)
 {
-    const struct manifest *m = &check_cart(e->r)->m;
+    const struct manifest *m = &check_cart(e->r)->manifest;
     char what[128];
 
     for (int i = 0; i < m->n_dips; i++) {
         const struct dip *dip = &m->dips[i];
-        for (int k = 0; k < (dip->number ? 2 : dip->values); k++) {
+        for (int k = 0; k < (dip->is_number ? 2 : dip->n_values); k++) {
             struct board_start start = check_start(e->r);
-            start.dip[i] = dip->number ? (k ? dip->hi : dip->lo) : k;
+            start.dip[i] = dip->is_number ? (k ? dip->hi : dip->lo) : k;
             snprintf(what, sizeof what, "a game with switch %s", dip->name);
-            if (start.dip[i] != dip->value && next(e))
+            if (start.dip[i] != dip->default_value && next(e))
                 tour(e->r, what, TOUR_START, &start);
         }
     }

@@ -29,7 +29,7 @@ static void scan(struct check *c, const struct check_script *s, size_t size)
     const char *what;
     int line;
 
-    while (!script_scan_on((const char *)s->text, size, &place, &line, &what)) {
+    while (!script_scan_from((const char *)s->text, size, &place, &line, &what)) {
         diagnostics_add(&c->found, s->path, line, "%s", what);
         c->broken = true;
     }
@@ -71,7 +71,7 @@ static void read_script(struct check *c, const char *path)
     if (!check_load(c, path, TREE_SCRIPT, &s->text, &size))
         return;
     c->n_scripts++;
-    files_drop_mark(s->text, &size);
+    files_strip_bom(s->text, &size);
     snprintf(s->name, sizeof s->name, "%.*s", (int)(strlen(path) - strlen(".lua")), path);
     scan(c, s, size);
     compile(c, s, size);
@@ -107,7 +107,7 @@ void check_scripts(struct check *c)
         return;
     }
     for (int i = 0; i < c->files.n; i++)
-        if (files_ends(c->files.name[i], ".lua") && strcmp(c->files.name[i], "rom.lua") != 0)
+        if (files_has_suffix(c->files.name[i], ".lua") && strcmp(c->files.name[i], "rom.lua") != 0)
             read_script(c, c->files.name[i]);
     read_library(c);
 }
@@ -173,7 +173,7 @@ static void hint(char out[96], const char *word, const char *near, const char *l
 
 static void unknown_global(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = api_instead(NULL, g->name);
+    const char *instead = api_replacement(NULL, g->name);
     char meant[96];
 
     if (instead != NULL && g->use != USE_WRITE) {
@@ -182,9 +182,9 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
     }
     const char *near = g->use == USE_WRITE ? NULL : name_set_near(&c->builtins, NULL, g->name);
     hint(meant, g->name, near, g->local);
-    if (api_reserved("", '.', g->name) && g->use != USE_WRITE)
-        diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name, NOT_YET,
-                        g->local != NULL ? meant : "");
+    if (api_is_reserved("", '.', g->name) && g->use != USE_WRITE)
+        diagnostics_add(&c->found, path, g->line, "undeclared global \"%s\" (%s %s)%s", g->name, g->name,
+                        RESERVED_MESSAGE, g->local != NULL ? meant : "");
     else if (g->use == USE_WRITE && meant[0] == '\0')
         diagnostics_add(&c->found, path, g->line,
                         "undeclared global \"%s\" (scripts cannot create globals; write \"local %s\")", g->name,
@@ -195,14 +195,14 @@ static void unknown_global(struct check *c, const char *path, const struct symbo
 
 static void unknown_field(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *instead = api_instead(g->name, g->field);
+    const char *instead = api_replacement(g->name, g->field);
     char meant[96];
 
     hint(meant, g->field, name_set_near(&c->builtins, g->name, g->field), NULL);
     if (instead != NULL)
         diagnostics_add(&c->found, path, g->line, "%s.%s is not available (%s)", g->name, g->field, instead);
-    else if (api_reserved(g->name, '.', g->field))
-        diagnostics_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, NOT_YET);
+    else if (api_is_reserved(g->name, '.', g->field))
+        diagnostics_add(&c->found, path, g->line, "%s.%s %s", g->name, g->field, RESERVED_MESSAGE);
     else
         diagnostics_add(&c->found, path, g->line, "%s has no \"%s\"%s", g->name, g->field, meant);
 }
@@ -240,12 +240,12 @@ static bool is_open(const struct check *c, const char *space)
 
 static void judge_global(struct check *c, const char *path, const struct symbol_global *g)
 {
-    const char *line = c->manifest ? api_off(&c->m, g->name) : NULL;
+    const char *line = c->manifest ? api_disabled_reason(&c->m, g->name) : NULL;
 
     if (strcmp(g->name, "_G") == 0 || strcmp(g->name, "_ENV") == 0)
         return;
-    if (line && !api_reserved("", '.', g->name)) {
-        diagnostics_add(&c->found, path, g->line, "%s: " API_OFF, g->name, line);
+    if (line && !api_is_reserved("", '.', g->name)) {
+        diagnostics_add(&c->found, path, g->line, "%s: " API_DISABLED_FORMAT, g->name, line);
         return;
     }
     if (!name_set_has(&c->builtins, NULL, g->name)) {
@@ -316,14 +316,14 @@ static void judge_format(struct check *c, const struct check_script *s, const st
 static void judge_require(struct check *c, const struct check_script *s, const struct symbol_call *call)
 {
     const char *name = call->arg[0];
-    char path[TREE_PATH], there[TREE_PATH], meant[SCRIPT_NAME];
+    char path[TREE_PATH], there[TREE_PATH], meant[SCRIPT_NAME_BYTES];
 
     if (call->space != NULL || strcmp(call->name, "require") != 0 || name == NULL || name[0] == '@')
         return;
     snprintf(path, sizeof path, "%s.lua", name);
     if (tree_has(&c->files, path))
         return;
-    const bool other = script_name(name, meant);
+    const bool other = script_normalize_name(name, meant);
     snprintf(there, sizeof there, "%s.lua", other ? meant : name);
     if (other && tree_has(&c->files, there))
         diagnostics_add(&c->found, s->path, call->line, "require: no script %s in the game; write require \"%s\"", path,
@@ -425,7 +425,7 @@ static void judge_key(struct check *c, const struct check_script *s, const struc
         judge_name(c, s, k->line, sprites(c), k->value);
     else if (type == A_BLEND)
         judge_name(c, s, k->line, blends(c), k->value);
-    else if (type == A_FACE)
+    else if (type == A_FONT)
         judge_name(c, s, k->line, fonts(c), k->value);
     else if (same(t->space, "palette") && same(t->name, "fade") && same(k->name, "to"))
         judge_palette(c, s, k->line, k->value);

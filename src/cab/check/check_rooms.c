@@ -75,8 +75,8 @@ static unsigned long long saved(const struct cart *cart, const struct room *room
     const int32_t none = 0;
     struct cart without = *cart;
 
-    memcpy((char *)&without.m + room->at, &none, sizeof none);
-    return (board_room(cart) - board_room(&without) + 1023) / 1024;
+    memcpy((char *)&without.manifest + room->at, &none, sizeof none);
+    return (board_ram_needed(cart) - board_ram_needed(&without) + 1023) / 1024;
 }
 
 static bool all_whole(const struct check *c)

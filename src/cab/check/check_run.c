@@ -98,8 +98,8 @@ static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, 
 {
     struct sprite packed;
 
-    *w = art_resized(s->w, s->percent);
-    *h = art_resized(s->h, s->percent);
+    *w = art_resized(s->w, s->scale_percent);
+    *h = art_resized(s->h, s->scale_percent);
     if (s->w && s->h)
         return;
     cart_sprite(&r->cart, cart_find_sprite(&r->cart, s->name), &packed);
@@ -108,7 +108,7 @@ static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, 
 }
 
 /* A shape that reaches beyond what is seen is hardly meant. */
-static void note_large(void *context, const struct inspect_shape_of *kind)
+static void note_large(void *context, const struct inspect_kind_shape *kind)
 {
     static const char *const words[] = { [INSPECT_CIRCLE] = "hit circle",
                                          [INSPECT_BOX] = "hit box",
@@ -129,10 +129,10 @@ static void note_large(void *context, const struct inspect_shape_of *kind)
         bool any_way = kind->turns && kind->shape == INSPECT_BOX;
         if (w <= (int64_t)(any_way ? side : pic_w) << 16 && h <= (int64_t)(any_way ? side : pic_h) << 16)
             continue;
-        const char *file = declared(c, kind->of, kind->name, &line);
+        const char *file = declared(c, kind->entity, kind->name, &line);
         diagnostics_add(&c->found, file, line,
-                        "%s \"%s\": its %s (%.7g x %.7g px) %s larger than its sprite \"%s\" (%d x %d px)", kind->of,
-                        kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
+                        "%s \"%s\": its %s (%.7g x %.7g px) %s larger than its sprite \"%s\" (%d x %d px)",
+                        kind->entity, kind->name, words[kind->shape], (double)w / 65536, (double)h / 65536,
                         kind->shape == INSPECT_CIRCLES ? "are" : "is", s->name, pic_w, pic_h);
     }
 }
@@ -158,18 +158,18 @@ static int falls_at(const uint8_t *bank)
 }
 
 /* A blend of ramps mixes places in banks, so the kind's bank must be a ramp. */
-static void note_ramp(void *context, const struct inspect_shape_of *kind)
+static void note_ramp(void *context, const struct inspect_kind_shape *kind)
 {
     struct run *r = context;
     int line, at = kind->ramp ? falls_at(cart_palette(&r->cart, "main") + 3 * 16 * kind->bank) : 0;
 
     if (at == 0)
         return;
-    const char *file = declared(r->c, kind->of, kind->name, &line);
+    const char *file = declared(r->c, kind->entity, kind->name, &line);
     diagnostics_add(&r->c->found, file, line,
                     "%s \"%s\": its blend \"%s\" needs a dark-to-light bank, but colour %d in bank %d "
                     "is darker than colour %d",
-                    kind->of, kind->name, kind->ramp, at, kind->bank, at - 1);
+                    kind->entity, kind->name, kind->ramp, at, kind->bank, at - 1);
 }
 
 /* ---- a game that nobody can start ---- */
@@ -193,11 +193,11 @@ static const char *first_declared(const struct check *c, const char *space, bool
 static void judge_boot(struct run *r)
 {
     const struct board *b = r->guard.board;
-    const bool idle = board_live(b, "tasks") == 0;
+    const bool idle = board_live_count(b, "tasks") == 0;
     bool stages = false, ships = false;
     char entry[TREE_PATH];
 
-    if (board_has_boot_run(b) || board_last(b)->fault)
+    if (board_has_boot_run(b) || board_last_output(b)->fault)
         return;
     snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
     const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
@@ -261,9 +261,9 @@ static bool is_watched(const struct check *c, const char *part)
 /* Pools that are full for the first time. Sparks do not count: no script depends on one. */
 static void note_full(struct run *r, const struct board_out *out)
 {
-    for (int i = 0; i < out->fulls && !r->forced; i++)
-        if (strcmp(out->full[i].part, "sparks") != 0 && !is_watched(r->c, out->full[i].part))
-            diagnostics_add_sentence(&r->c->found, r->what, out->full[i].line);
+    for (int i = 0; i < out->full_pools && !r->forced; i++)
+        if (strcmp(out->full_pool[i].part, "sparks") != 0 && !is_watched(r->c, out->full_pool[i].part))
+            diagnostics_add_sentence(&r->c->found, r->what, out->full_pool[i].line);
 }
 
 static void note_shown(void *context, uint32_t code)
@@ -307,7 +307,7 @@ bool check_power(struct run *r, const char *what, const struct board_start *star
     r->forced = false;
     if (r->guard.ram != NULL ? guard_again(&r->guard, start, err, sizeof err)
                              : guard_power(&r->guard, &r->image.rom, start, err, sizeof err)) {
-        note_full(r, board_last(r->guard.board));
+        note_full(r, board_last_output(r->guard.board));
         if (!r->measured) {
             inspect_kinds(r->guard.board, note_large, r);
             inspect_kinds(r->guard.board, note_ramp, r);
@@ -325,7 +325,7 @@ bool check_power(struct run *r, const char *what, const struct board_start *star
 /* A loop without end may have filled the memory: how much the game needs is not known then. */
 void check_finish(struct run *r)
 {
-    const struct board_fault *fault = board_last(r->guard.board)->fault;
+    const struct board_fault *fault = board_last_output(r->guard.board)->fault;
     size_t most = board_lua_peak(r->guard.board);
 
     if (fault)
@@ -358,8 +358,8 @@ struct board_start check_start(const struct run *r)
 {
     struct board_start start = { .difficulty = -1 };
 
-    for (int i = 0; i < r->cart.m.n_dips; i++)
-        start.dip[i] = r->cart.m.dips[i].value;
+    for (int i = 0; i < r->cart.manifest.n_dips; i++)
+        start.dip[i] = r->cart.manifest.dips[i].default_value;
     return start;
 }
 
@@ -371,7 +371,7 @@ static void run_idle(struct run *r)
     if (!check_power(r, "600 frames without input", &start))
         return;
     listen_to(r);
-    for (uint32_t f = 0; f < IDLE_FRAMES && !board_last(r->guard.board)->fault; f++) {
+    for (uint32_t f = 0; f < IDLE_FRAMES && !board_last_output(r->guard.board)->fault; f++) {
         check_tell(r, f, IDLE_FRAMES);
         check_tick(r, nothing);
     }
@@ -391,9 +391,9 @@ static bool contrast_open(struct contrast *k, const struct board *b)
             k->look[n++] = k->look[i];
     k->n = n;
     k->samples = 0;
-    board_screen(b, &w, &h);
+    board_screen_size(b, &w, &h);
     k->pixels = malloc(fb_size(w, h));
-    k->scratch = malloc(board_scratch(b));
+    k->scratch = malloc(board_scratch_size(b));
     if (k->pixels == NULL || k->scratch == NULL)
         return false;
     fb_init(&k->fb, k->pixels, w, h);
@@ -445,7 +445,7 @@ static void contrast_look(struct run *r, uint32_t frame)
 {
     struct contrast *k = &r->contrast;
 
-    if (frame % SAMPLE_EVERY || k->samples == SAMPLES || board_last(r->guard.board)->fault)
+    if (frame % SAMPLE_EVERY || k->samples == SAMPLES || board_last_output(r->guard.board)->fault)
         return;
     k->frame = frame;
     k->samples++;
@@ -477,7 +477,7 @@ static void play_section(struct run *r, const struct section *section)
     uint16_t pads[PADS];
     bool over = false;
 
-    for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last(r->guard.board)->fault; f++) {
+    for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last_output(r->guard.board)->fault; f++) {
         check_tell(r, f, SWEEP_FRAMES);
         contrast_look(r, f);
         sweep_pads(f, pads);
@@ -525,13 +525,14 @@ static bool agrees(struct run *r, uint32_t frame)
     uint64_t hashes[MAX_PARTS];
 
     board_hashes_cached(r->guard.board, r->hash_cache, r->hashes);
-    return demo_order(&r->demo, r->guard.board, r->hashes, hashes) == 0 && demo_differs(&r->demo, frame, hashes) == 0;
+    return demo_reorder_hashes(&r->demo, r->guard.board, r->hashes, hashes) == 0 &&
+           demo_differing_parts(&r->demo, frame, hashes) == 0;
 }
 
 /* A demo that was recorded with a fault holds when that comes again, there and only there. */
 static bool is_as_recorded(struct run *r, uint32_t frame)
 {
-    const struct board_fault *fault = board_last(r->guard.board)->fault;
+    const struct board_fault *fault = board_last_output(r->guard.board)->fault;
     const struct demo *d = &r->demo;
 
     if (fault)
@@ -550,7 +551,7 @@ static uint32_t play(struct run *r)
             wrong = f;
         contrast_look(r, f);
         check_tell(r, f, last);
-        if (f == last || board_last(r->guard.board)->fault)
+        if (f == last || board_last_output(r->guard.board)->fault)
             return wrong;
         demo_pads(&r->demo, f, pads);
         check_tick(r, pads);
@@ -560,7 +561,7 @@ static uint32_t play(struct run *r)
 static void run_loaded(struct run *r)
 {
     char doubt[128];
-    bool doubted = demo_doubt(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
+    bool doubted = demo_replay_warning(&r->demo, &r->cart, doubt, sizeof doubt) != NULL;
 
     if (!check_power(r, r->what, &r->demo.start))
         return;
@@ -596,11 +597,11 @@ static void run_demo(struct run *r, const char *path)
         return;
     bool good = demo_read(&r->demo, data, size, err, sizeof err);
     free(data);
-    if (!good || !demo_fits(&r->demo, &r->cart, err, sizeof err))
+    if (!good || !demo_check_cart(&r->demo, &r->cart, err, sizeof err))
         diagnostics_add(&r->c->found, path, 0, "%s", err);
     else if (!r->demo.complete)
         diagnostics_add(&r->c->found, path, 0, "truncated: no end mark");
-    if (good && demo_fits(&r->demo, &r->cart, err, sizeof err))
+    if (good && demo_check_cart(&r->demo, &r->cart, err, sizeof err))
         run_loaded(r);
     demo_free(&r->demo);
 }
@@ -616,14 +617,14 @@ static bool is_demo(const char *path)
 
 static void judge_memory(struct run *r)
 {
-    size_t room = (size_t)r->cart.m.lua_kib * 1024;
+    size_t room = (size_t)r->cart.manifest.lua_kib * 1024;
 
     r->c->lua_most = r->most;
     if (r->most * 100 <= room * MOST_LUA || r->memory_fault)
         return;
     diagnostics_add(&r->c->found, "rom.lua", CHECK_LINE(r->c, "board", "lua_kib"),
-                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%", (int)r->cart.m.lua_kib, r->most_in,
-                    r->most / 1024, MOST_LUA);
+                    "board.lua_kib = %d: %s used %zu KiB of it, more than %d %%", (int)r->cart.manifest.lua_kib,
+                    r->most_in, r->most / 1024, MOST_LUA);
 }
 
 static void plan(struct run *r)

@@ -91,12 +91,12 @@ struct check_heard *check_heard_open(void)
 
     if (h == NULL)
         return NULL;
-    h->tables = malloc(board_sound_tables());
+    h->tables = malloc(board_sound_tables_size());
     if (h->tables == NULL) {
         free(h);
         return NULL;
     }
-    board_sound_open(h->tables);
+    board_sound_init_tables(h->tables);
     begin(h);
     return h;
 }
@@ -124,7 +124,7 @@ static void lose(struct check_heard *h, int i, uint32_t frame)
 static bool anew(const struct check_heard *h, const struct board_cue *cues, int n, int of, uint32_t frame)
 {
     for (int i = 0; i < n; i++)
-        if (cues[i].name && cues[i].began == frame && strcmp(cues[i].name, h->sound[of].name) == 0)
+        if (cues[i].name && cues[i].start_frame == frame && strcmp(cues[i].name, h->sound[of].name) == 0)
             return true;
     return false;
 }
@@ -134,19 +134,19 @@ static void note_slots(struct check_heard *h, const struct board_cue *cues, int 
 {
     for (int i = 0; i < n; i++) {
         const int was = h->slot[i];
-        const bool begins = cues[i].name && cues[i].began == frame;
+        const bool begins = cues[i].name && cues[i].start_frame == frame;
         const int is = cues[i].name ? index_of(h, cues[i].name) : -1;
-        h->slot[i] = cues[i].ends ? -1 : is; /* its last frame is no loss */
+        h->slot[i] = cues[i].ends_next ? -1 : is; /* its last frame is no loss */
         if (begins && was >= 0 && !anew(h, cues, n, was, frame))
             lose(h, was, frame);
-        if (begins && cues[i].first && is >= 0)
+        if (begins && cues[i].is_first_track && is >= 0)
             h->sound[is].began++;
     }
 }
 
 void check_heard_frame(struct check_heard *h, const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
     struct board_cue cues[SLOTS];
     bool over = false;
     int n = 0;
@@ -156,8 +156,8 @@ void check_heard_frame(struct check_heard *h, const struct board *b)
     while (n < SLOTS && board_cue(b, n, &cues[n]))
         n++;
     note_slots(h, cues, n, board_frame(b) - 1);
-    board_sound(b, h->tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++)
+    board_mix_sound(b, h->tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++)
         over = over || sound[i] > FULL || sound[i] < -FULL;
     if (over && h->over++ == 0)
         h->first = board_frame(b) - 1;

@@ -33,7 +33,7 @@ void check_shown(struct check *c, uint32_t code)
 /* Did a run show it? A cell that has no room for a code does not tell which one it is. */
 static bool was_shown(const struct check *c, uint32_t code)
 {
-    const bool other = !c->m.wide && code > 255 && c->shown[FIX_OTHER / 8] >> FIX_OTHER % 8 & 1;
+    const bool other = !c->m.wide && code > 255 && c->shown[FIX_UNKNOWN / 8] >> FIX_UNKNOWN % 8 & 1;
 
     return other || c->shown[code / 8] >> code % 8 & 1;
 }
@@ -69,7 +69,7 @@ static bool any_shown(const struct check *c, const struct cart *cart, const char
 static void judge(struct check *c, const struct cart *cart, const char *path, int line, const char *s,
                   struct place place)
 {
-    char bytes[UTF8_BYTES + 1] = "", more[48] = "", what[200];
+    char bytes[UTF8_MAX_BYTES + 1] = "", more[48] = "", what[200];
     int n;
     uint32_t code = first_missing(cart, s, place, &n);
 
@@ -215,7 +215,7 @@ static void read_tongues(struct check *c, struct tongues *t)
         one->path = c->files.name[i];
         if (!pack_is_lang(one->path) || !check_load(c, one->path, LANG_FILE, &text, &size))
             continue;
-        files_drop_mark(text, &size);
+        files_strip_bom(text, &size);
         t->n++;
         if (!lang_read(&one->lang, (const char *)text, size, one->path, err, sizeof err)) {
             diagnostics_add_sentence(&c->found, one->path, err);

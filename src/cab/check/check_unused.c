@@ -99,7 +99,7 @@ static bool in_manifest(const struct check *c, const char *name)
         if (strcmp(c->m.difficulties[i], name) == 0)
             return true;
     for (int i = 0; i < c->m.n_dips; i++)
-        for (int k = 0; k < c->m.dips[i].values; k++)
+        for (int k = 0; k < c->m.dips[i].n_values; k++)
             if (strcmp(c->m.dips[i].value_name[k], name) == 0)
                 return true;
     return false;

@@ -76,7 +76,7 @@ static bool long_string(struct lex *l, int level)
     l->n = 0;
     if (cursor_peek(&l->at, 0) == '\n' || cursor_peek(&l->at, 0) == '\r')
         cursor_step(&l->at);
-    while (l->at.p < l->at.end && !cursor_closes(&l->at, level)) {
+    while (l->at.p < l->at.end && !cursor_at_long_close(&l->at, level)) {
         keep(l, *l->at.p == '\r' ? '\n' : (unsigned char)*l->at.p);
         cursor_step(&l->at);
     }
@@ -103,10 +103,10 @@ static bool escape_unicode(struct lex *l)
     uint32_t v = 0;
 
     l->at.p++;
-    if (cursor_peek(&l->at, 0) != '{' || cursor_hex(cursor_peek(&l->at, 1)) < 0)
+    if (cursor_peek(&l->at, 0) != '{' || cursor_hex_value(cursor_peek(&l->at, 1)) < 0)
         return false;
-    for (l->at.p++; cursor_hex(cursor_peek(&l->at, 0)) >= 0; l->at.p++)
-        v = v >> 27 ? v : v * 16 + (uint32_t)cursor_hex(*l->at.p);
+    for (l->at.p++; cursor_hex_value(cursor_peek(&l->at, 0)) >= 0; l->at.p++)
+        v = v >> 27 ? v : v * 16 + (uint32_t)cursor_hex_value(*l->at.p);
     keep_utf8(l, v);
     return cursor_peek(&l->at, 0) == '}' ? l->at.p++, true : false;
 }
@@ -115,7 +115,7 @@ static bool escape_decimal(struct lex *l)
 {
     unsigned v = 0;
 
-    for (int i = 0; i < 3 && cursor_digit(cursor_peek(&l->at, 0)); i++)
+    for (int i = 0; i < 3 && cursor_is_digit(cursor_peek(&l->at, 0)); i++)
         v = v * 10 + (unsigned)(*l->at.p++ - '0');
     keep(l, v);
     return v < 256;
@@ -123,7 +123,7 @@ static bool escape_decimal(struct lex *l)
 
 static bool escape_hex(struct lex *l)
 {
-    int high = cursor_hex(cursor_peek(&l->at, 1)), low = cursor_hex(cursor_peek(&l->at, 2));
+    int high = cursor_hex_value(cursor_peek(&l->at, 1)), low = cursor_hex_value(cursor_peek(&l->at, 2));
 
     if (high < 0 || low < 0)
         return false;
@@ -151,7 +151,7 @@ static bool escape(struct lex *l)
 
     if (l->at.p == l->at.end)
         return false;
-    if (cursor_digit(c))
+    if (cursor_is_digit(c))
         return escape_decimal(l);
     if (c == 'x')
         return escape_hex(l);
@@ -164,7 +164,7 @@ static bool escape(struct lex *l)
     }
     if (c != 'z')
         return escape_letter(l);
-    for (l->at.p++; l->at.p < l->at.end && cursor_blank(*l->at.p);)
+    for (l->at.p++; l->at.p < l->at.end && cursor_is_blank(*l->at.p);)
         cursor_step(&l->at);
     return true;
 }
@@ -217,11 +217,11 @@ static int number(struct lex *l, struct token *t)
         bool exponent = is_hex ? c == 'p' || c == 'P' : c == 'e' || c == 'E';
         if (exponent && (cursor_peek(&l->at, 1) == '+' || cursor_peek(&l->at, 1) == '-'))
             l->at.p++;
-        else if (!exponent && cursor_hex(c) < 0 && c != '.')
+        else if (!exponent && cursor_hex_value(c) < 0 && c != '.')
             break;
     }
     t->zero = is_zero(from, (size_t)(l->at.p - from));
-    return cursor_letter(cursor_peek(&l->at, 0)) ? T_BAD : T_NUMBER;
+    return cursor_is_letter(cursor_peek(&l->at, 0)) ? T_BAD : T_NUMBER;
 }
 
 static int name(struct lex *l, struct token *t)
@@ -231,7 +231,7 @@ static int name(struct lex *l, struct token *t)
                                             "repeat",   "return", "then", "true", "until",  "while" };
 
     t->s = l->at.p;
-    while (cursor_letter(cursor_peek(&l->at, 0)) || cursor_digit(cursor_peek(&l->at, 0)))
+    while (cursor_is_letter(cursor_peek(&l->at, 0)) || cursor_is_digit(cursor_peek(&l->at, 0)))
         l->at.p++;
     t->n = (size_t)(l->at.p - t->s);
     for (size_t i = 0; i < sizeof reserved / sizeof reserved[0]; i++)
@@ -263,7 +263,7 @@ static int sign(struct lex *l)
 static bool skip(struct lex *l)
 {
     while (l->at.p < l->at.end) {
-        if (cursor_blank(*l->at.p)) {
+        if (cursor_is_blank(*l->at.p)) {
             cursor_step(&l->at);
         } else if (*l->at.p == '-' && cursor_peek(&l->at, 1) == '-') {
             l->at.p += 2;
@@ -289,9 +289,9 @@ static void read_token(struct lex *l, struct token *t)
         t->type = T_BAD;
     else if (l->at.p == l->at.end)
         t->type = T_END;
-    else if (cursor_letter(c))
+    else if (cursor_is_letter(c))
         t->type = name(l, t);
-    else if (cursor_digit(c) || (c == '.' && cursor_digit(cursor_peek(&l->at, 1))))
+    else if (cursor_is_digit(c) || (c == '.' && cursor_is_digit(cursor_peek(&l->at, 1))))
         t->type = number(l, t);
     else if (c == '"' || c == '\'')
         t->type = string(l, t, quoted(l));

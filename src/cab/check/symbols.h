@@ -56,7 +56,7 @@ enum { SYMBOL_FIRST = 1, SYMBOL_LAST = 2, SYMBOL_KEY = 4 };
 struct symbol_text {
     int line;
     const char *s;
-    int how; /* SYMBOL_FIRST: ..stands to its right, LAST: to its left; KEY: a key or field, not a string */
+    int how; /* SYMBOL_FIRST: ..stands to its right, END_OF_LIST: to its left; KEY: a key or field, not a string */
 };
 
 enum { SYMBOL_ARGS = 3 };

@@ -171,7 +171,7 @@ static bool next(struct bisect *s, struct side *f)
         return read_failed(s, f);
     n = strlen(f->text);
     if (f->line++ == 0)
-        files_drop_mark(f->text, &n);
+        files_strip_bom(f->text, &n);
     if (n == 0 || f->text[n - 1] != '\n')
         return err_set(s->err, sizeof s->err, "%s:%lu: truncated line", f->path, f->line);
     f->text[n - 1] = 0;
@@ -458,14 +458,14 @@ enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_nam
 {
     struct bisect *s = calloc(1, sizeof *s);
     char *lines = malloc((size_t)LINE * 2), names[2][DEMO_PATH];
-    enum result result = RESULT_HOST;
+    enum result result = RESULT_HOST_FAILED;
 
     if (s && lines) {
         s->a = (struct side){ .path = shown(names[0], a_name), .file = a, .text = lines };
         s->b = (struct side){ .path = shown(names[1], b_name), .file = b, .text = lines + LINE };
         result = compare(s) ? print_report(s) : RESULT_REFUSED;
     }
-    if (result == RESULT_HOST || result == RESULT_REFUSED)
+    if (result == RESULT_HOST_FAILED || result == RESULT_REFUSED)
         snprintf(err, err_size, "%s", result == RESULT_REFUSED ? s->err : "out of memory");
     free(lines);
     free(s);
@@ -476,7 +476,7 @@ enum result bisect_files(FILE *a, const char *a_name, FILE *b, const char *b_nam
 static FILE *open_input(const char **path)
 {
     if (strcmp(*path, "-") != 0)
-        return plat_stream(*path, false);
+        return plat_open_stream(*path, false);
     *path = "standard input";
     return stdin;
 }

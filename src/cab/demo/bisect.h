@@ -11,8 +11,8 @@
 #include "../../common/result.h"
 
 /* RESULT_DONE: equal. RESULT_DIFFERS: the frame, and what differs in it, is on standard output. RESULT_REFUSED: not
- * such files, not of the same frames and parts, or equal but of different lengths; RESULT_HOST: no memory; with these
- * one sentence in err. */
+ * such files, not of the same frames and parts, or equal but of different lengths; RESULT_HOST_FAILED: no memory; with
+ * these one sentence in err. */
 enum result bisect_paths(const char *a, const char *b, char *err, size_t err_size);
 
 /* The same of two open files, by the names they have in what is printed. */

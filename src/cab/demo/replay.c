@@ -13,7 +13,7 @@
 static enum result out_of_memory(char *err, size_t err_size)
 {
     result_set_host_error(err, err_size, "out of memory");
-    return RESULT_HOST;
+    return RESULT_HOST_FAILED;
 }
 
 static enum result power(struct replay *r, const struct cart *cart, const struct demo *d, char *err, size_t err_size)
@@ -33,7 +33,7 @@ static enum result power(struct replay *r, const struct cart *cart, const struct
 /* A game's difficulty is that at its beginning: before and after it a menu may show another. */
 static void note_difficulty(struct replay *r)
 {
-    const struct board_out *out = board_last(r->guard.board);
+    const struct board_out *out = board_last_output(r->guard.board);
 
     for (int i = 0; i < out->markers; i++)
         if (out->marker[i].kind == MARKER_GAME)
@@ -55,8 +55,8 @@ static bool compare(struct replay *r, const struct demo *d, uint32_t frame, stru
     if (!demo_has_checksums(d, frame))
         return true;
     board_hashes_cached(r->guard.board, r->hash_cache, r->board);
-    uint64_t missing = demo_order(d, r->guard.board, r->board, r->hashes);
-    uint64_t parts = demo_differs(d, frame, r->hashes) | missing;
+    uint64_t missing = demo_reorder_hashes(d, r->guard.board, r->board, r->hashes);
+    uint64_t parts = demo_differing_parts(d, frame, r->hashes) | missing;
     if (!parts)
         return true;
     *v = (struct verdict){ .kind = VERDICT_DIFFERS, .frame = frame, .parts = parts, .missing = missing };
@@ -98,7 +98,7 @@ static bool play(struct replay *r, const struct demo *d, struct demo_writer *aga
         demo_pads(d, f, pads);
         tick(r, pads);
         note_difficulty(r);
-        if (again && !demo_frame(again, r->guard.board, pads))
+        if (again && !demo_record_frame(again, r->guard.board, pads))
             return false;
     }
 }
@@ -149,7 +149,7 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
             break;
         demo_pads(d, f, pads);
         tick(r, pads);
-        if (!demo_frame(again, r->guard.board, pads))
+        if (!demo_record_frame(again, r->guard.board, pads))
             return false;
     }
     if (o->first.kind == VERDICT_HOLDS)
@@ -158,13 +158,13 @@ static bool play_whole(struct replay *r, const struct demo *d, struct demo_write
 }
 
 /* How a demo's checksums are written again: as they are, unless it is of a format that knew one way alone. */
-static enum demo_prints prints_of(const struct replay *r, const struct demo *d)
+static enum demo_checksum_rate prints_of(const struct replay *r, const struct demo *d)
 {
-    if (r->prints != DEMO_PRINTS_AUTO)
+    if (r->prints != DEMO_CHECKSUMS_AUTO)
         return r->prints;
     if (d->format < 5)
-        return DEMO_PRINTS_AUTO;
-    return d->sparse ? DEMO_PRINTS_SECONDS : DEMO_PRINTS_EVERY;
+        return DEMO_CHECKSUMS_AUTO;
+    return d->sparse ? DEMO_CHECKSUMS_EVERY_SECOND : DEMO_CHECKSUMS_EVERY_FRAME;
 }
 
 /* Powers the board on, and a recording if there is to be one. */
@@ -174,7 +174,8 @@ static enum result begin(struct replay *r, const struct cart *cart, const struct
     enum result result = power(r, cart, d, err, err_size);
 
     if (result == RESULT_DONE && again) {
-        if (!demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags) || !demo_prints(again, prints_of(r, d)))
+        if (!demo_begin(again, NULL, cart, r->guard.board, &d->start, d->flags) ||
+            !demo_set_checksum_rate(again, prints_of(r, d)))
             return out_of_memory(err, err_size);
     }
     return result;
@@ -246,7 +247,7 @@ void replay_text(const struct replay *r, const struct demo *d, const struct verd
 
 const struct board_fault *replay_fault(const struct replay *r)
 {
-    return board_last(r->guard.board)->fault;
+    return board_last_output(r->guard.board)->fault;
 }
 
 void replay_close(struct replay *r)

@@ -28,16 +28,16 @@ struct replay {
     void *hash_cache;           /* of board_hashes_cached */
     uint64_t board[MAX_PARTS];  /* hashes in the order of the board's parts */
     uint64_t hashes[MAX_PARTS]; /* the same in the order of the demo's; 0 for what is missing */
-    enum demo_prints prints;    /* of what is recorded again; DEMO_PRINTS_AUTO: as the demo has them */
-    int difficulty;             /* of the last game in it, an index; before one, of its start */
+    enum demo_checksum_rate prints; /* of what is recorded again; DEMO_CHECKSUMS_AUTO: as the demo has them */
+    int difficulty;                 /* of the last game in it, an index; before one, of its start */
     void (*ticked)(void *context, uint32_t frame); /* called after each tick; may be NULL */
     void *context;
 };
 
-/* Plays d, which fits the cart (demo_fits), until its end or the first frame that differs. again: records the replay in
- * memory, for it to be saved in the newest format; may be NULL. Returns RESULT_DONE, or with one sentence
- * RESULT_REFUSED (its board cannot be powered) or RESULT_HOST (no memory). r is zeroes before the first replay; all
- * replays of a struct are of one ROM. */
+/* Plays d, which fits the cart (demo_check_cart), until its end or the first frame that differs. again: records the
+ * replay in memory, for it to be saved in the newest format; may be NULL. Returns RESULT_DONE, or with one sentence
+ * RESULT_REFUSED (its board cannot be powered) or RESULT_HOST_FAILED (no memory). r is zeroes before the first replay;
+ * all replays of a struct are of one ROM. */
 enum result replay_run(struct replay *r, const struct cart *cart, const struct demo *d, struct demo_writer *again,
                        struct verdict *v, char *err, size_t err_size);
 

@@ -38,7 +38,7 @@ static const char *const types[] = {
     [A_OPTION_KIND] = "option_kind",
     [A_SPRITE] = "sprite_name",
     [A_BLEND] = "blend_name",
-    [A_FACE] = "font_name",
+    [A_FONT] = "font_name",
     [A_MAP] = "map_name",
     [A_SOUND] = "sound_name",
     [A_TUNE] = "music_name",
@@ -50,11 +50,11 @@ static const char *const types[] = {
     [A_DEPTH] = "depth_word",
     [A_ALIGN] = "align_word",
     [A_FIRE] = "fire_word",
-    [A_SHOOT] = "shoot_word",
+    [A_EMIT_FIRE] = "shoot_word",
     [A_MEET] = "meet_word",
-    [A_EMIT] = "emit_word",
+    [A_EMIT_PATTERN] = "emit_word",
     [A_DOWN] = "down_word",
-    [A_ASK] = "ask_word",
+    [A_HOST_SCREEN] = "ask_word",
 };
 
 void annotation_aliases(struct prose *to)
@@ -90,7 +90,7 @@ static void things(unsigned kinds, char *out, size_t size)
     size_t n = 0;
 
     out[0] = 0;
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         if (!kinds || kinds >> k & 1)
             n = add(out, size, n, api_table.things[k]->name);
 }
@@ -179,7 +179,7 @@ static bool parts(const struct api_entry *e, const struct api_param *p, char *ou
 {
     const size_t n = strcspn(e->name, " ");
 
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *part = api_entry(&api_table, i);
         const char *word = part->name + n + 1;
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
@@ -230,8 +230,8 @@ void annotation_property(const struct api_prop *p, char *out, size_t size)
 {
     const struct api_entry none = { .name = "", .help = "" };
 
-    if (p->value.type != A_STR || p->write == PROP_WRITE || !quoted(p->value.help, out, size))
-        annotation_type(&none, &p->value, out, size);
+    if (p->param.type != A_STR || p->access == PROP_WRITE || !quoted(p->param.help, out, size))
+        annotation_type(&none, &p->param, out, size);
 }
 
 /* ---- what functions return ---- */
@@ -252,7 +252,7 @@ static const char *return_type(const char *word)
     for (size_t i = 0; i < COUNT(list); i++)
         if (!strcmp(list[i].word, word))
             return list[i].type;
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         if (!strcmp(api_table.things[k]->name, word))
             return word;
     return "any";

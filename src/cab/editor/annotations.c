@@ -34,7 +34,7 @@ static bool is_public(const struct api_entry *e)
 
 static const struct api_param *find_param(const struct api_entry *e, const char *name)
 {
-    for (int i = e->plain; i < e->count; i++)
+    for (int i = e->positional_count; i < e->count; i++)
         if (!strcmp(e->params[i].name, name))
             return &e->params[i];
     return NULL;
@@ -101,7 +101,7 @@ static void fired(struct prose *to)
     prose_add(to, "\n---arguments that a pattern passes on to each bullet, shot or laser\n---@class fired\n");
     for (int m = 0; m < MAKERS; m++) {
         const struct api_entry *e = api_find(&api_table, makers[m]);
-        for (int i = e->plain; i < e->count; i++)
+        for (int i = e->positional_count; i < e->count; i++)
             if (!fired_before(m, e->params[i].name))
                 fired_field(to, e, &e->params[i]);
     }
@@ -109,7 +109,7 @@ static void fired(struct prose *to)
 
 static bool has_table(const struct api_entry *e)
 {
-    return e->count > e->plain || e->flags & API_FIRE;
+    return e->count > e->positional_count || e->flags & API_FIRE;
 }
 
 static void arguments_class(struct prose *to, const struct api_entry *e)
@@ -119,14 +119,14 @@ static void arguments_class(struct prose *to, const struct api_entry *e)
     class_name(e, name);
     prose_add(to, "\n---%s%s\n---@class %s%s\n", is_part(e) ? e->help : "arguments of ", is_part(e) ? "" : e->name,
               name, e->flags & API_FIRE ? ": fired" : "");
-    for (int i = is_part(e) ? 0 : e->plain; i < e->count; i++)
+    for (int i = is_part(e) ? 0 : e->positional_count; i < e->count; i++)
         field(to, e, &e->params[i], e->params[i].optional);
 }
 
 static void argument_classes(struct prose *to)
 {
     fired(to);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         if (is_public(e) && (is_part(e) || has_table(e)))
             arguments_class(to, e);
@@ -139,19 +139,19 @@ static void function_params(struct prose *to, const struct api_entry *e)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE], name[NAME_SIZE];
 
-    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->plain; i++) {
+    for (int i = e->flags & API_METHOD ? 1 : 0; i < e->positional_count; i++) {
         const struct api_param *p = &e->params[i];
         annotation_type(e, p, type, sizeof type);
         comment(p, words);
         prose_add(to, "---@param %s%s %s # %s\n", p->name, p->optional ? "?" : "", type, words);
     }
-    if (e->flags & API_MORE)
+    if (e->flags & API_VARARGS)
         prose_add(to, "---@param ... any\n");
     if (!has_table(e))
         return;
     class_name(e, name);
     bool must = false;
-    for (int i = e->plain; i < e->count; i++)
+    for (int i = e->positional_count; i < e->count; i++)
         must = must || !e->params[i].optional;
     prose_add(to, "---@param args%s %s\n", must || e->flags & API_FIRE ? "" : "?", name);
 }
@@ -166,9 +166,9 @@ static void function(struct prose *to, const struct api_entry *e, const char *ow
     function_params(to, e);
     annotation_returns(to, e->returns);
     prose_add(to, "function %s%s(", owner ? owner : "", owner ? strchr(e->name, ':') : e->name);
-    for (int i = first; i < e->plain; i++, comma = ", ")
+    for (int i = first; i < e->positional_count; i++, comma = ", ")
         prose_add(to, "%s%s", comma, e->params[i].name);
-    if (e->flags & API_MORE)
+    if (e->flags & API_VARARGS)
         prose_add(to, "%s...", comma), comma = ", ";
     if (has_table(e))
         prose_add(to, "%sargs", comma);
@@ -180,12 +180,12 @@ static void function(struct prose *to, const struct api_entry *e, const char *ow
 static void property(struct prose *to, const struct api_prop *p)
 {
     char type[TYPE_SIZE], words[WORDS_SIZE];
-    const bool nil = strstr(p->value.help, "nil") != NULL, read = p->write != PROP_WRITE;
+    const bool nil = strstr(p->param.help, "nil") != NULL, read = p->access != PROP_WRITE;
 
     annotation_property(p, type, sizeof type);
     help_property_words(p, words, sizeof words);
-    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->value.name, nil ? "?" : "", type, read ? "read-only: " : "",
-              p->value.help, words);
+    prose_add(to, "---@field %s%s %s # %s%s [%s]\n", p->param.name, nil ? "?" : "", type, read ? "read-only: " : "",
+              p->param.help, words);
 }
 
 static void handle(struct prose *to, enum handle_kind kind)
@@ -195,13 +195,13 @@ static void handle(struct prose *to, enum handle_kind kind)
     char owner[NAME_SIZE];
 
     prose_add(to, "\n---@class %s\n", t->name);
-    if (api_ends(kind))
+    if (api_can_die(kind))
         prose_add(to, "---@field alive boolean # read-only: true while it exists\n");
     for (int i = 0; i < t->n; i++)
         property(to, &t->props[i]);
     snprintf(owner, sizeof owner, "a_%s", t->name);
     prose_add(to, "local %s = {}\n", owner);
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         if (!strncmp(e->name, t->name, n) && e->name[n] == ':' && is_public(e))
             function(to, e, owner);
@@ -221,10 +221,10 @@ static void space_of(const char *name, char out[NAME_SIZE])
 /* Values come behind the entries in one order: i from 0 on; NULL: there are no more. */
 static const char *any_name(int i)
 {
-    const int k = i - api_count(&api_table);
+    const int k = i - api_count_entries(&api_table);
 
     if (k >= 0)
-        return k < api_table.plains ? api_table.plain[k].name : NULL;
+        return k < api_table.doc_name_count ? api_table.doc_names[k].name : NULL;
     const struct api_entry *e = api_entry(&api_table, i);
     return is_public(e) && !strpbrk(e->name, ": ") ? e->name : "";
 }
@@ -245,8 +245,8 @@ static void space_fields(struct prose *to, const char *space)
 {
     char of[NAME_SIZE];
 
-    for (int i = 0; i < api_table.plains; i++) {
-        const char *name = api_table.plain[i].name, *help = api_table.plain[i].help;
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
         space_of(name, of);
         if (strcmp(of, space) || strchr(name, '('))
             continue;
@@ -295,8 +295,8 @@ static void plain_function(struct prose *to, const char *name, const char *help)
 /* print and require are Lua's: the server knows them. */
 static void plain_names(struct prose *to)
 {
-    for (int i = 0; i < api_table.plains; i++) {
-        const char *name = api_table.plain[i].name, *help = api_table.plain[i].help;
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *name = api_table.doc_names[i].name, *help = api_table.doc_names[i].help;
         const char *type = annotation_plain(name);
         if (strchr(name, '(') && strcspn(name, ".") < strcspn(name, "("))
             plain_function(to, name, help);
@@ -315,10 +315,10 @@ void annotations_write(struct prose *to)
     prose_add(to, "-- luacheck: ignore\n");
     annotation_aliases(to);
     argument_classes(to);
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         handle(to, (enum handle_kind)k);
     spaces(to);
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (any_name(i)[0])
             function(to, api_entry(&api_table, i), NULL);
     plain_names(to);

@@ -31,8 +31,8 @@ static bool is_open(const char *space)
 
 static void add_plain(struct name_set *s)
 {
-    for (int i = 0; i < api_table.plains; i++) {
-        const char *name = api_table.plain[i].name;
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *name = api_table.doc_names[i].name;
         char space[32], field[32];
         const size_t n = strcspn(name, ".(");
         if (name[n] != '.' || name[n + 1] == '.')
@@ -48,8 +48,8 @@ static void add_plain(struct name_set *s)
 static void add_modules(struct name_set *s)
 {
     for (int i = 1; i < STD_MODULES; i++)
-        if (!std_adds_to(i))
-            name_set_add(s, NULL, std_module(i));
+        if (!std_extended_table(i))
+            name_set_add(s, NULL, std_module_name(i));
 }
 
 static bool has_fields(const struct name_set *s, const char *space)
@@ -63,10 +63,10 @@ static bool has_fields(const struct name_set *s, const char *space)
 /* Do files of the library make that table, or add to it? */
 static bool is_librarys(const char *space)
 {
-    if (std_of(space) > 0)
+    if (std_module_of_global(space) > 0)
         return true;
     for (int i = 0; i < STD_MODULES; i++)
-        if (std_adds_to(i) && !strcmp(std_adds_to(i), space))
+        if (std_extended_table(i) && !strcmp(std_extended_table(i), space))
             return true;
     return false;
 }
@@ -74,8 +74,8 @@ static bool is_librarys(const char *space)
 /* Is it a value, no function? It may be a text or a table, which have fields. */
 static bool is_value(const char *full)
 {
-    for (int i = 0; i < api_table.plains; i++)
-        if (!strcmp(api_table.plain[i].name, full))
+    for (int i = 0; i < api_table.doc_name_count; i++)
+        if (!strcmp(api_table.doc_names[i].name, full))
             return true;
     return false;
 }
@@ -98,7 +98,7 @@ static void global(const struct name_set *s, const char *name, bool library)
         return;
     }
     if (!has_fields(s, name)) {
-        printf("    %s = {%s},\n", name, std_of(name) > 0 ? " other_fields = true " : "");
+        printf("    %s = {%s},\n", name, std_module_of_global(name) > 0 ? " other_fields = true " : "");
         return;
     }
     printf("    %s = { %sfields = {\n", name, is_open(name) ? "read_only = false, other_fields = true, " : "");

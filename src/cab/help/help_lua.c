@@ -33,7 +33,7 @@ static const char *type_words(const struct api_param *p)
         [A_OPTION_KIND] = "name of an option kind",
         [A_SPRITE] = "name of a sprite",
         [A_BLEND] = "name of a blend",
-        [A_FACE] = "name of a font",
+        [A_FONT] = "name of a font",
         [A_MAP] = "name of a map",
         [A_SOUND] = "name of a sound",
         [A_TUNE] = "name of a piece of music",
@@ -44,12 +44,12 @@ static const char *type_words(const struct api_param *p)
         [A_SPARK_LAYER] = "middle or front",
         [A_DEPTH] = "back or front",
         [A_ALIGN] = "left, center or right",
-        [A_SHOOT] = "bullet or shot",
+        [A_EMIT_FIRE] = "bullet or shot",
         [A_FIRE] = "bullet, shot, bolt, curve or beam",
         [A_MEET] = "none, first, second or both",
-        [A_EMIT] = "one, ring, fan, arc, stack or line",
+        [A_EMIT_PATTERN] = "one, ring, fan, arc, stack or line",
         [A_DOWN] = "all or any",
-        [A_ASK] = "settings, replays, practice or keys",
+        [A_HOST_SCREEN] = "settings, replays, practice or keys",
     };
 
     if (p->type == A_ANY && p->unit) /* the entry checks the value itself */
@@ -62,13 +62,13 @@ static void thing_words(unsigned kinds, char *out, size_t size)
 {
     size_t n = (size_t)snprintf(out, size, "thing");
 
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         if (kinds == 1u << k) {
             snprintf(out, size, "%s", api_table.things[k]->name);
             return;
         }
 
-    for (int k = 1, left; k < HANDLES && n < size; k++) {
+    for (int k = 1, left; k < HANDLE_KINDS && n < size; k++) {
         if (!(kinds >> k & 1))
             continue;
         left = kinds >> (k + 1) != 0;
@@ -154,18 +154,18 @@ static void help_signature(const struct api_entry *e, char *out, size_t size)
 {
     int first = e->flags & API_METHOD ? 1 : 0;
     size_t n = (size_t)snprintf(out, size, "%s", e->name);
-    bool table = e->count > e->plain || e->flags & API_FIRE;
+    bool table = e->count > e->positional_count || e->flags & API_FIRE;
 
-    if (!table || e->plain > first)
+    if (!table || e->positional_count > first)
         n += (size_t)snprintf(out + n, size - n, "(");
-    for (int i = first; i < e->plain; i++)
+    for (int i = first; i < e->positional_count; i++)
         n += (size_t)snprintf(out + n, size - n, "%s%s%s", i > first ? ", " : "", e->params[i].name,
                               e->params[i].optional ? "?" : "");
-    if (e->flags & API_MORE)
-        n += (size_t)snprintf(out + n, size - n, "%s...", e->plain > first ? ", " : "");
+    if (e->flags & API_VARARGS)
+        n += (size_t)snprintf(out + n, size - n, "%s...", e->positional_count > first ? ", " : "");
     if (table)
-        n += (size_t)snprintf(out + n, size - n, "%s{...}", e->plain > first ? ", " : "");
-    if (!table || e->plain > first)
+        n += (size_t)snprintf(out + n, size - n, "%s{...}", e->positional_count > first ? ", " : "");
+    if (!table || e->positional_count > first)
         n += (size_t)snprintf(out + n, size - n, ")");
     if (e->returns)
         snprintf(out + n, size - n, " -> %s", e->returns);
@@ -177,7 +177,7 @@ static void help_parts(const struct api_entry *e, void (*line)(const char *))
     size_t n = strlen(e->name);
     char text[1024];
 
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *part = api_entry(&api_table, i);
         if (strncmp(part->name, e->name, n) || part->name[n] != ' ')
             continue;
@@ -217,8 +217,8 @@ static bool help_values(const char *name, size_t n, void (*line)(const char *))
     char text[240];
     bool any = false;
 
-    for (int i = 0; i < api_table.plains; i++) {
-        const struct api_plain *p = &api_table.plain[i];
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const struct api_doc_name *p = &api_table.doc_names[i];
         if (n && strncmp(p->name, name, n))
             continue;
         snprintf(text, sizeof text, "%-46s %s", p->name, p->help);
@@ -230,12 +230,12 @@ static bool help_values(const char *name, size_t n, void (*line)(const char *))
 
 void help_property_words(const struct api_prop *p, char *out, size_t size)
 {
-    struct api_param value = p->value;
+    struct api_param value = p->param;
 
     value.optional = OPT;
     if (value.type == A_THING)
         thing_words((unsigned)value.lo, out, size);
-    else if (p->write != PROP_WRITE) /* its range is what a write takes */
+    else if (p->access != PROP_WRITE) /* its range is what a write takes */
         snprintf(out, size, "%s", type_words(&value));
     else
         help_argument_words(&value, out, size);
@@ -248,13 +248,13 @@ static bool help_thing(int kind, void (*line)(const char *))
 
     snprintf(text, sizeof text, "properties of %s:", api_thing_names[kind]);
     line(text);
-    if (api_ends((enum handle_kind)kind))
+    if (api_can_die((enum handle_kind)kind))
         line("    alive      read  true while it exists");
     for (int i = 0; i < t->n; i++) {
         const struct api_prop *p = &t->props[i];
         help_property_words(p, words, sizeof words);
-        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->value.name, p->write == PROP_WRITE ? "write" : "read",
-                 p->value.help, words);
+        snprintf(text, sizeof text, "    %-10s %-5s %s [%s]", p->param.name, p->access == PROP_WRITE ? "write" : "read",
+                 p->param.help, words);
         help_wrapped(text, HELP_PROPERTY, line);
     }
     return true;
@@ -265,12 +265,12 @@ const char *help_nearest(const char *name)
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    for (int i = 0; i < api_count(&api_table); i++)
+    for (int i = 0; i < api_count_entries(&api_table); i++)
         if (!(api_entry(&api_table, i)->flags & API_SYS))
             api_suggest_nearer(name, api_entry(&api_table, i)->name, &best, &found);
-    for (int i = 0; i < api_table.plains; i++)
-        if (!strchr(api_table.plain[i].name, '('))
-            api_suggest_nearer(name, api_table.plain[i].name, &best, &found);
+    for (int i = 0; i < api_table.doc_name_count; i++)
+        if (!strchr(api_table.doc_names[i].name, '('))
+            api_suggest_nearer(name, api_table.doc_names[i].name, &best, &found);
     return found;
 }
 
@@ -279,13 +279,13 @@ static bool is_table(const char *name)
 {
     const size_t n = strlen(name);
 
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         if (!(e->flags & API_SYS) && !strncmp(e->name, name, n) && (strpbrk(name, ".:") || strchr(".:", e->name[n])))
             return true;
     }
-    for (int i = 0; i < api_table.plains; i++) {
-        const char *plain = api_table.plain[i].name;
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const char *plain = api_table.doc_names[i].name;
         if (!strncmp(plain, name, n) && (strchr(name, '.') || plain[n] == '.' || !plain[n]))
             return true;
     }
@@ -297,7 +297,7 @@ static bool help_all(const char *name, bool exact, void (*line)(const char *))
     const size_t n = strlen(name);
     bool any = false;
 
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         if (e->flags & API_SYS || (exact && strcmp(e->name, name)) || strncmp(e->name, name, n))
             continue;
@@ -320,7 +320,7 @@ bool help_write(const char *name, void (*line)(const char *))
     }
     if (exact || is_table(name))
         any = help_all(name, exact, line);
-    for (int k = 1; !exact && k < HANDLES; k++)
+    for (int k = 1; !exact && k < HANDLE_KINDS; k++)
         if (api_table.things[k] && !strcmp(api_table.things[k]->name, name))
             any = help_thing(k, line);
     return any || help_search(name, line);

@@ -95,7 +95,7 @@ static bool search_entries(const char *word, enum rank rank, void (*line)(const 
 {
     bool any = false;
 
-    for (int i = 0; i < api_count(&api_table); i++) {
+    for (int i = 0; i < api_count_entries(&api_table); i++) {
         const struct api_entry *e = api_entry(&api_table, i);
         if (strchr(e->name, ' '))
             any |= search_part(e, word, rank, line);
@@ -112,8 +112,8 @@ static bool search_plain(const char *word, enum rank rank, void (*line)(const ch
     char text[400];
     bool any = false;
 
-    for (int i = 0; i < api_table.plains; i++) {
-        const struct api_plain *p = &api_table.plain[i];
+    for (int i = 0; i < api_table.doc_name_count; i++) {
+        const struct api_doc_name *p = &api_table.doc_names[i];
         if (rank_of(p->name, p->help, word) == rank) {
             snprintf(text, sizeof text, "%-46s %s", p->name, p->help);
             help_wrapped(text, 47, line);
@@ -128,16 +128,16 @@ static bool search_properties(const char *word, enum rank rank, void (*line)(con
     char text[400];
     bool any = false;
 
-    for (int kind = 1; kind < HANDLES; kind++)
+    for (int kind = 1; kind < HANDLE_KINDS; kind++)
         for (int i = 0; i < api_table.things[kind]->n; i++) {
             const struct api_prop *p = &api_table.things[kind]->props[i];
-            if (rank_of(p->value.name, p->value.help, word) != rank)
+            if (rank_of(p->param.name, p->param.help, word) != rank)
                 continue;
             if (rank == RANK_NAME)
-                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->value.help);
+                snprintf(text, sizeof text, "property of %s: %s", api_thing_names[kind], p->param.help);
             else
-                snprintf(text, sizeof text, "property %s of %s: %s", p->value.name, api_thing_names[kind],
-                         p->value.help);
+                snprintf(text, sizeof text, "property %s of %s: %s", p->param.name, api_thing_names[kind],
+                         p->param.help);
             help_wrapped(text, 4, line);
             any = true;
         }

@@ -176,7 +176,7 @@ static bool set_value(struct config *c, const struct config_setting *s, const ch
 
 static bool set_lang(struct config *c, const char *value, char *err, size_t err_size)
 {
-    if (value[0] && !manifest_word_ok(value)) {
+    if (value[0] && !manifest_setting_name_ok(value)) {
         snprintf(err, err_size, "lang: expected a language name of letters, digits, _ and -, got \"%s\"", value);
         return false;
     }
@@ -253,7 +253,7 @@ bool config_load(struct config *c, char *err, size_t err_size)
     long size = plat_size(CONFIG_FILE);
     if (size < 0)
         return true;
-    files_shown(CONFIG_FILE, shown);
+    files_display_name(CONFIG_FILE, shown);
     char *text = size <= CONFIG_BYTES ? malloc((size_t)size + 1) : 0;
     bool good = text && plat_load(CONFIG_FILE, text, (size_t)size) == size;
     if (!good)
@@ -261,7 +261,7 @@ bool config_load(struct config *c, char *err, size_t err_size)
     if (good) {
         size_t n = (size_t)size;
         text[n] = 0;
-        files_drop_mark(text, &n);
+        files_strip_bom(text, &n);
         good = config_read(c, shown, text, n, err, err_size);
     }
     free(text);

@@ -24,7 +24,7 @@ void config_guide(void (*line)(const char *))
 
     line("Settings are stored in a text file:");
     line("");
-    snprintf(text, sizeof text, "    %s", files_shown(CONFIG_FILE, path));
+    snprintf(text, sizeof text, "    %s", files_display_name(CONFIG_FILE, path));
     line(text);
     line("");
     line(plat_size(CONFIG_FILE) < 0

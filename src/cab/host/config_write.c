@@ -91,7 +91,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
     const struct config_setting *s;
 
     config_defaults(&was);
-    if (!config_read(&was, files_shown(CONFIG_FILE, shown), text, size, err, err_size)) {
+    if (!config_read(&was, files_display_name(CONFIG_FILE, shown), text, size, err, err_size)) {
         free(t.at);
         return NULL;
     }
@@ -113,7 +113,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
         }
     if (t.at && t.n <= CONFIG_BYTES)
         return t.at;
-    files_shown(CONFIG_FILE, shown);
+    files_display_name(CONFIG_FILE, shown);
     if (t.at)
         err_set(err, err_size, "%s: the file would be larger than %d bytes", shown, CONFIG_BYTES);
     else
@@ -128,8 +128,8 @@ bool config_save(const struct config *c, char *err, size_t err_size)
     uint8_t *text = NULL;
     size_t size = 0;
 
-    if (files_size(CONFIG_FILE) >= 0 &&
-        !files_read_text(CONFIG_FILE, files_shown(CONFIG_FILE, shown), CONFIG_BYTES, &text, &size, err, err_size))
+    if (files_size(CONFIG_FILE) >= 0 && !files_read_text(CONFIG_FILE, files_display_name(CONFIG_FILE, shown),
+                                                         CONFIG_BYTES, &text, &size, err, err_size))
         return false;
     char *now = config_edit(c, text ? (const char *)text : "", size, err, err_size);
     const bool same = now && strlen(now) == size && (size == 0 || memcmp(now, text, size) == 0);

@@ -31,7 +31,7 @@ static void add(void *user, const struct plat_file *file)
     if (file->name[0] == '.' || n + 1 + strlen(file->name) >= sizeof l->path)
         return;
     snprintf(l->path + n, sizeof l->path - n, "/%s", file->name);
-    if (!file->folder) {
+    if (!file->is_folder) {
         l->stamp += hash_fold(hash_bytes(HASH_START, l->path, strlen(l->path)), (uint64_t)file->time);
     } else if (into(l, file->name)) {
         l->depth++;

@@ -254,13 +254,13 @@ static unsigned captured_key(struct keys_capture *c, const struct plat_input *in
     unsigned with = c->modifier == KEY_LEFT_ALT || c->modifier == KEY_RIGHT_ALT ? SWITCH_ALT : SWITCH_CTRL;
 
     for (unsigned u = 4; u < PLAT_KEYS; u++) {
-        if (!plat_key(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
+        if (!plat_key_held(in, u) || c->keys[u >> 3] >> (u & 7) & 1)
             continue;
         if (!is_modifier(u))
             return c->modifier ? u | with : u;
         c->modifier = u;
     }
-    return c->modifier && !plat_key(in, c->modifier) ? c->modifier : 0;
+    return c->modifier && !plat_key_held(in, c->modifier) ? c->modifier : 0;
 }
 
 uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
@@ -268,7 +268,7 @@ uint16_t keys_capture(struct keys_capture *c, const struct plat_input *in)
     unsigned code = captured_key(c, in);
 
     for (int i = 0; i < PLAT_CONTROLLERS && !code; i++)
-        for (unsigned bit = 0; bit < PLAT_SWITCHES && !code; bit++)
+        for (unsigned bit = 0; bit < PLAT_BUTTONS && !code; bit++)
             if ((in->controllers[i] & ~c->controllers[i]) >> bit & 1)
                 code = SWITCH_CONTROLLER | bit;
     memcpy(c->keys, in->keys, sizeof c->keys);
@@ -339,8 +339,8 @@ bool keys_reserved(uint16_t code)
 /* A modifier counts for a poll longer than it is held: both keys of a quick chord may be up when the second is read. */
 static void note_modifiers(struct keys *k, const struct plat_input *in)
 {
-    const bool alt = plat_key(in, KEY_LEFT_ALT) || plat_key(in, KEY_RIGHT_ALT);
-    const bool ctrl = plat_key(in, KEY_LEFT_CTRL) || plat_key(in, KEY_RIGHT_CTRL);
+    const bool alt = plat_key_held(in, KEY_LEFT_ALT) || plat_key_held(in, KEY_RIGHT_ALT);
+    const bool ctrl = plat_key_held(in, KEY_LEFT_CTRL) || plat_key_held(in, KEY_RIGHT_CTRL);
 
     k->alt = alt || k->had_alt;
     k->ctrl = ctrl || k->had_ctrl;
@@ -383,8 +383,8 @@ static bool key_held(const struct keys *k, const struct plat_input *in, unsigned
     unsigned usage = code & 255;
 
     if (switch_is_chord(code))
-        return plat_key(in, usage) && modifier(k, code);
-    return plat_key(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
+        return plat_key_held(in, usage) && modifier(k, code);
+    return plat_key_held(in, usage) && !(k->eaten[usage >> 3] >> (usage & 7) & 1);
 }
 
 /* Does a hand's layout say what this switch is? To its own player of any switch, to the other of a key. */

@@ -75,7 +75,7 @@ enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
 /* What somebody pressed last: a key, or a switch of a controller of that kind. */
 struct keys_device {
     bool controller;
-    enum plat_kind kind;
+    enum plat_controller_kind kind;
 };
 
 struct keys {

@@ -10,7 +10,7 @@
 #include "../../base/err.h"
 
 static const struct {
-    const char *file; /* as plat_library wants it */
+    const char *file; /* the name, as plat_open_library expects it */
     int abi;
     const char *name, *reads;
     const char *version; /* a function that returns it, as text, or as a number (of libopenmpt) */
@@ -22,10 +22,10 @@ static const struct {
 
 bool library_open(enum library library, const struct library_function *list, size_t n)
 {
-    void *opened = plat_library(libraries[library].file, libraries[library].abi);
+    void *opened = plat_open_library(libraries[library].file, libraries[library].abi);
 
     for (size_t i = 0; opened && i < n; i++)
-        if (!plat_symbol(opened, list[i].name, list[i].to))
+        if (!plat_find_symbol(opened, list[i].name, list[i].to))
             return false;
     return opened != NULL;
 }

@@ -20,7 +20,7 @@ static struct {
 void progress_begin(void)
 {
     progress_end();
-    now.going = plat_terminal();
+    now.going = plat_has_terminal();
     now.begun = now.told = now.going ? plat_usec() : 0;
 }
 
@@ -72,7 +72,7 @@ void progress_tell(uint64_t done, uint64_t of, const char *format, ...)
     clean_line(what);
     progress_line(line, what, usec - now.begun, done, of);
     fflush(stdout); /* what was printed before stands above, not in the line */
-    plat_last_word("\r\033[K");
+    plat_set_exit_text("\r\033[K");
     fprintf(stderr, "\r%s\033[K", line);
     fflush(stderr);
     now.told = usec;
@@ -85,7 +85,7 @@ void progress_wipe(void)
         return;
     fputs("\r\033[K", stderr);
     fflush(stderr);
-    plat_last_word(NULL);
+    plat_set_exit_text(NULL);
     now.shown = false;
 }
 

@@ -56,7 +56,7 @@ void report_print(const char *format, ...)
 
 enum result report_error(const char *err)
 {
-    return report_line(result_cause(), "%s", err);
+    return report_line(result_take_cause(), "%s", err);
 }
 
 static void log_lines(const char *text)
@@ -103,5 +103,5 @@ enum result report_stdout(enum result result)
 {
     if (fflush(stdout) == 0 && !ferror(stdout))
         return result;
-    return report_line(RESULT_HOST, "cannot write to standard output");
+    return report_line(RESULT_HOST_FAILED, "cannot write to standard output");
 }

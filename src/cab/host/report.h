@@ -12,7 +12,7 @@
 /* One line, "curtain: ..."; returns result. */
 enum result report_line(enum result result, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A sentence on plat_log; returns result_cause(). */
+/* A sentence on plat_log; returns result_take_cause(). */
 enum result report_error(const char *err);
 
 /* The last sentence that said why something failed, without the program's name; "": there was none. */
@@ -27,7 +27,7 @@ enum result report_fault(const struct board_fault *fault, bool trace);
 /* What scripts printed in a tick, a line each, with `prefix` before it. */
 void report_log(const struct board_out *out, const char *prefix);
 
-/* Standard output is flushed; returns result, or when it could not be written RESULT_HOST, with a line. */
+/* Standard output is flushed; returns result, or when it could not be written RESULT_HOST_FAILED, with a line. */
 enum result report_stdout(enum result result);
 
 #endif

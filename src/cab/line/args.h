@@ -92,7 +92,7 @@ struct args {
     int faster, slower;        /* of --speed: N and 1, or 1 and N; 0: not given */
     int machine;               /* of --slower: this machine's pace by its; 1: not given */
     int dim, flashes, colours; /* places in the lists of views.h; 0: not given */
-    int prints;                /* as enum demo_prints; 0: not given */
+    int prints;                /* as enum demo_checksum_rate; 0: not given */
     int export;                /* as enum export_kind */
     uint32_t every;            /* 1: not given */
     uint32_t effort;           /* 0: not given */

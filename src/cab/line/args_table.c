@@ -96,7 +96,8 @@ const struct command_row args_commands[COMMANDS] = {
 
 const struct option_row args_options[OPTIONS] = {
     [OPTION_RECORD] = { "--record", "F", FOR_RUN, TEXT(record), "record the run as demo F" },
-    [OPTION_PRINTS] = { "--prints", "WORD", FOR_HEADLESS | FOR_VERIFY | FOR_SURVIVE, WORD(prints, demo_prints_words),
+    [OPTION_PRINTS] = { "--prints", "WORD", FOR_HEADLESS | FOR_VERIFY | FOR_SURVIVE,
+                        WORD(prints, demo_checksum_rate_names),
                         "checksums in the demo: every (one per frame), seconds (one per second; a much smaller file), "
                         "or auto (\"every\" for demos of up to a minute, \"seconds\" for longer ones)" },
     [OPTION_DEMO] = { "--demo", "F", FOR_RUN | FOR_BENCH, TEXT(demo),

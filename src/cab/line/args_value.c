@@ -36,7 +36,7 @@ static bool read_span(struct span *s, const char *p, const char *end)
 
     for (bool more = true; more; n++) {
         const char *stop = memchr(p, ':', (size_t)(end - p));
-        if (!stop && n == 0) /* as FIRST-LAST */
+        if (!stop && n == 0) /* as FIRST-END_OF_LIST */
             stop = memchr(p, '-', (size_t)(end - p));
         more = stop != NULL;
         if (n == 3 || !number(p, more ? stop : end, ARGS_MAX_FRAME, &v[n]))

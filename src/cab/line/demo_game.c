@@ -40,11 +40,11 @@ static void try_game(struct search *s, const char *path)
         return;
     const uint64_t hash = rom_game_hash(&s->game.rom);
     const bool same = hash == s->demo->game_hash;
-    if (same || (s->match == NO_GAME && strcmp(s->game.cart.m.id, s->demo->id) == 0)) {
+    if (same || (s->match == NO_GAME && strcmp(s->game.cart.manifest.id, s->demo->id) == 0)) {
         s->match = same ? SAME_GAME : OTHER_VERSION;
         s->hash = hash;
         snprintf(s->path, sizeof s->path, "%s", path ? path : "");
-        snprintf(s->title, sizeof s->title, "%s", s->game.cart.m.title);
+        snprintf(s->title, sizeof s->title, "%s", s->game.cart.manifest.title);
     }
     game_close(&s->game);
 }
@@ -106,7 +106,7 @@ static void search(struct search *s, const char *file)
     roms_path(rom, s->demo->id, s->demo->rom_hash);
     if (plat_path(rom, path, sizeof path))
         try_path(s, path);
-    (void)result_cause(); /* games that could not be opened are of no interest */
+    (void)result_take_cause(); /* games that could not be opened are of no interest */
 }
 
 static bool refuse(const struct search *s, const char *file, char *err, size_t err_size)

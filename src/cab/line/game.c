@@ -79,7 +79,7 @@ static int index_of(const char *word, const char *const *words, int n)
 
 static bool set_difficulty(struct game *g, const char *name, char *err, size_t err_size)
 {
-    const struct manifest *m = &g->cart.m;
+    const struct manifest *m = &g->cart.manifest;
     const char *names[MAX_DIFFICULTIES];
 
     for (int i = 0; i < m->n_difficulties; i++)
@@ -99,7 +99,7 @@ static bool set_lang(struct game *g, const char *name, char *err, size_t err_siz
 
     for (int i = 0; i < n; i++)
         names[i] = cart_lang_name(&g->cart, i);
-    if (!cart_lang(&g->cart, name, &words))
+    if (!cart_open_lang(&g->cart, name, &words))
         return unknown("--lang", "language", name, names, n, err, err_size);
     snprintf(g->start.lang, sizeof g->start.lang, "%s", name);
     return true;
@@ -133,20 +133,20 @@ static bool dip_value(const struct dip *dip, const char *text, int32_t *out, cha
     const char *names[MAX_DIP_VALUES];
     char option[32];
 
-    if (dip->number)
+    if (dip->is_number)
         return number_value(dip, text, out, err, err_size);
-    for (int i = 0; i < dip->values; i++)
+    for (int i = 0; i < dip->n_values; i++)
         names[i] = dip->value_name[i];
-    *out = index_of(text, names, dip->values);
+    *out = index_of(text, names, dip->n_values);
     if (*out >= 0)
         return true;
     snprintf(option, sizeof option, "--dip: %s", dip->name);
-    return unknown(option, "value", text, names, dip->values, err, err_size);
+    return unknown(option, "value", text, names, dip->n_values, err, err_size);
 }
 
 static bool set_dip(struct game *g, const char *setting, char *err, size_t err_size)
 {
-    const struct manifest *m = &g->cart.m;
+    const struct manifest *m = &g->cart.manifest;
     const char *names[MAX_DIPS], *equals = strchr(setting, '=');
     char name[64];
 
@@ -211,11 +211,11 @@ static bool set_practice(struct game *g, const struct args *a, char *err, size_t
 
 bool game_start(struct game *g, const struct args *a, char *err, size_t err_size)
 {
-    const struct manifest *m = &g->cart.m;
+    const struct manifest *m = &g->cart.manifest;
 
     g->start = (struct board_start){ .seed = a->seed, .difficulty = -1 };
     for (int i = 0; i < m->n_dips; i++)
-        g->start.dip[i] = m->dips[i].value;
+        g->start.dip[i] = m->dips[i].default_value;
     for (int i = 0; i < a->n_dips; i++) {
         if (!set_dip(g, a->dips[i], err, err_size))
             return false;
@@ -233,11 +233,11 @@ static bool start_of_demo(struct game *g, const char *path, char *err, size_t er
 
     if (!demo_load(&g->demo, path, err, err_size))
         return false;
-    if (!demo_fits(&g->demo, &g->cart, why, sizeof why))
+    if (!demo_check_cart(&g->demo, &g->cart, why, sizeof why))
         return err_set(err, err_size, "%s: %s", path, why);
     g->has_demo = true;
     g->start = g->demo.start;
-    const char *doubt = demo_doubt(&g->demo, &g->cart, buf, sizeof buf);
+    const char *doubt = demo_replay_warning(&g->demo, &g->cart, buf, sizeof buf);
     if (doubt)
         report_line(RESULT_DONE, "%s: %s; playback may diverge", path, doubt);
     if (!g->demo.complete)

@@ -9,7 +9,7 @@
 /* The result of a power-on or tick. */
 static enum result outcome(struct unseen *r)
 {
-    const struct board_out *out = board_last(r->guard.board);
+    const struct board_out *out = board_last_output(r->guard.board);
 
     if (r->outcomes++ < r->told)
         return out->fault ? RESULT_REFUSED : RESULT_DONE;
@@ -30,9 +30,9 @@ static enum result open_run(struct unseen *r, const struct args *a, uint32_t tol
     if (!guard_power(&r->guard, &r->game.rom, &r->game.start, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s: %s", path ? path : "the built-in game", err);
     if (a->record && !demo_begin(&r->writer, a->record, &r->game.cart, r->guard.board, &r->game.start, 0))
-        return report_line(RESULT_HOST, "%s", r->writer.err);
-    if (a->record && !demo_prints(&r->writer, (enum demo_prints)a->prints))
-        return report_line(RESULT_HOST, "%s", r->writer.err);
+        return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
+    if (a->record && !demo_set_checksum_rate(&r->writer, (enum demo_checksum_rate)a->prints))
+        return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
     return outcome(r);
 }
 
@@ -54,15 +54,15 @@ enum result unseen_tick(struct unseen *r)
     if (r->game.has_demo)
         demo_pads(&r->game.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);
-    if (!demo_frame(&r->writer, r->guard.board, pads))
-        return report_line(RESULT_HOST, "%s", r->writer.err);
+    if (!demo_record_frame(&r->writer, r->guard.board, pads))
+        return report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
     return outcome(r);
 }
 
 enum result unseen_close(struct unseen *r, enum result result)
 {
     if (r->guard.board && !demo_end(&r->writer, r->guard.board) && result == RESULT_DONE)
-        result = report_line(RESULT_HOST, "%s", r->writer.err);
+        result = report_line(RESULT_HOST_FAILED, "%s", r->writer.err);
     demo_free(&r->writer.demo);
     guard_close(&r->guard);
     game_close(&r->game);

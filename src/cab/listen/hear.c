@@ -42,7 +42,7 @@ static void show(struct hear *h)
 static void tick(struct hear *h, int frames)
 {
     for (int i = 0; i < frames && !h->over; i++) {
-        h->over = !board_box_tick(h->b);
+        h->over = !board_jukebox_tick(h->b);
         speaker_hear(&h->speaker, h->b, SPEAKER_ON, 1);
     }
 }
@@ -71,7 +71,7 @@ bool hear_frame(struct hear *h)
     speaker_frame(&h->speaker, &time);
     overlay_listen(&h->overlay, h->b, &h->speaker);
     show(h);
-    return !h->over && !in.quit && !plat_key(&in, KEY_ESCAPE);
+    return !h->over && !in.quit && !plat_key_held(&in, KEY_ESCAPE);
 }
 
 static enum result open_window(struct hear *h, const char *name)
@@ -85,11 +85,11 @@ static enum result open_window(struct hear *h, const char *name)
     snprintf(h->title, sizeof h->title, "curtain: %s", name);
     h->pix = calloc(1, fb_size(W, H));
     if (!h->pix)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     fb_init(&h->fb, h->pix, W, H);
-    if (!plat_open(
-            &(struct plat_want){ .w = W, .h = H, .scale = config.scale, .title = h->title, .rate = SPEAKER_RATE }))
-        return report_line(RESULT_HOST, "sound: cannot open a window to play in");
+    if (!plat_open(&(struct plat_config){
+            .w = W, .h = H, .scale = config.scale, .title = h->title, .sound_rate = SPEAKER_RATE }))
+        return report_line(RESULT_HOST_FAILED, "sound: cannot open a window to play in");
     return RESULT_DONE;
 }
 
@@ -99,7 +99,7 @@ enum result hear_open(struct hear **out, struct board *b, const char *name)
 
     *out = NULL;
     if (!h)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     h->b = b;
     h->overlay.on[OVERLAY_MIXER] = true;
     h->speaker.meter = true;
@@ -108,7 +108,7 @@ enum result hear_open(struct hear **out, struct board *b, const char *name)
         hear_close(h);
         return result;
     }
-    board_box_play(b, name);
+    board_jukebox_play(b, name);
     h->base = plat_usec();
     *out = h;
     return RESULT_DONE;

@@ -10,8 +10,8 @@
 struct board;
 struct hear;
 
-/* b: a box (board.h), which must last until hear_close. RESULT_DONE, and *out; or RESULT_HOST or RESULT_REFUSED after a
- * line that says why, and *out is NULL. */
+/* b: a box (board.h), which must last until hear_close. RESULT_DONE, and *out; or RESULT_HOST_FAILED or RESULT_REFUSED
+ * after a line that says why, and *out is NULL. */
 enum result hear_open(struct hear **out, struct board *b, const char *name);
 
 /* Does what is due. False: it is over. */

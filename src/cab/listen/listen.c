@@ -34,8 +34,8 @@ static int16_t *samples_of(const struct tape *t)
 /* Plays it onto the tape, so many frames at most. */
 static void record(struct board *b, struct tape *t, const char *name, int most)
 {
-    board_box_play(b, name);
-    for (int i = 0; i < most && board_box_tick(b); i++)
+    board_jukebox_play(b, name);
+    for (int i = 0; i < most && board_jukebox_tick(b); i++)
         tape_add(t, b);
 }
 
@@ -67,15 +67,15 @@ static enum result list(void *block, const struct rom *rom)
 {
     struct board_tune t;
     char err[256];
-    struct board *b = board_box_open(block, rom, err, sizeof err);
+    struct board *b = board_jukebox_open(block, rom, err, sizeof err);
 
-    for (int i = 0; b && board_box_tune(b, i, &t); i++) {
-        report_print("%s %s: ", t.music ? "music" : "sound", t.name);
+    for (int i = 0; b && board_jukebox_tune(b, i, &t); i++) {
+        report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
         if (!print_measured(b, &t))
-            return report_line(RESULT_HOST, "out of memory");
-        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.recording ? "recording" : "MML", t.tracks,
-                     t.music ? "markers" : "limit", t.music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
-        b = board_box_open(block, rom, err, sizeof err);
+            return report_line(RESULT_HOST_FAILED, "out of memory");
+        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML", t.tracks,
+                     t.is_music ? "markers" : "limit", t.is_music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
+        b = board_jukebox_open(block, rom, err, sizeof err);
     }
     return RESULT_DONE;
 }
@@ -97,7 +97,7 @@ static enum result unknown(const struct board *b, const char *name)
     const char *near = NULL;
     int best = EDIT_FAR;
 
-    for (int i = 0; board_box_tune(b, i, &t); i++)
+    for (int i = 0; board_jukebox_tune(b, i, &t); i++)
         if (edit_distance(name, t.name) < best) {
             best = edit_distance(name, t.name);
             near = t.name;
@@ -136,7 +136,7 @@ static enum result measure(struct board *b, const struct args *a)
 
     if (!tape_open(&t)) {
         tape_close(&t);
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     }
     record(b, &t, a->words[1], MOST_FRAMES);
     if (!print_level(a->words[1], &t))
@@ -144,7 +144,7 @@ static enum result measure(struct board *b, const struct args *a)
     if (good && out)
         good = tape_save(&t, out, err, sizeof err);
     tape_close(&t);
-    return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 /* Is there one of that name? */
@@ -152,7 +152,7 @@ static bool has(const struct board *b, const char *name)
 {
     struct board_tune t;
 
-    for (int i = 0; board_box_tune(b, i, &t); i++)
+    for (int i = 0; board_jukebox_tune(b, i, &t); i++)
         if (strcmp(t.name, name) == 0)
             return true;
     return false;
@@ -194,10 +194,11 @@ static enum result listen(struct listening *l, const struct args *a)
     char err[1024];
 
     if (!l->block)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     if (!rom_image_load(a->words[0], a->nearest, &l->image, err, sizeof err))
         return report_line(RESULT_REFUSED, "%s", err);
-    struct board *b = board_box_open((void *)(((uintptr_t)l->block + 63) / 64 * 64), &l->image.rom, err, sizeof err);
+    struct board *b =
+        board_jukebox_open((void *)(((uintptr_t)l->block + 63) / 64 * 64), &l->image.rom, err, sizeof err);
     if (!b)
         return report_line(RESULT_REFUSED, "%s", err);
     if (a->n_words < 2)
@@ -205,16 +206,16 @@ static enum result listen(struct listening *l, const struct args *a)
     return a->notes ? print_notes(b, &l->image.rom, a->words[1]) : one(b, a, &l->hear);
 }
 
-enum result listen_run(const struct args *a, struct running *running)
+enum result listen_run(const struct args *a, struct frame_command *running)
 {
     struct listening *l = calloc(1, sizeof *l);
 
     if (!l)
-        return report_line(RESULT_HOST, "out of memory");
-    l->block = malloc(board_box_size() + 64);
+        return report_line(RESULT_HOST_FAILED, "out of memory");
+    l->block = malloc(board_jukebox_size() + 64);
     const enum result result = listen(l, a);
     if (l->hear) {
-        *running = (struct running){ frame, close, l };
+        *running = (struct frame_command){ frame, close, l };
         return RESULT_DONE;
     }
     close(l);

@@ -8,6 +8,6 @@
 #include "../../common/result.h"
 
 /* *running is to be called where a sound is heard. */
-enum result listen_run(const struct args *a, struct running *running);
+enum result listen_run(const struct args *a, struct frame_command *running);
 
 #endif

@@ -19,7 +19,7 @@ struct walk {
 
 static void print_inst(const struct walk *w, int i)
 {
-    const struct inst inst = inst_of(tune_inst(w->t, i));
+    const struct inst inst = inst_read(tune_inst(w->t, i));
 
     report_print("inst %d %s\n", i, inst.kind < INST_KINDS ? kinds[inst.kind] : "other");
 }
@@ -41,7 +41,7 @@ static void print_event(const struct walk *w, const struct tune_played *e)
         report_print("off\n");
         break;
     case TUNE_GLIDE:
-        report_print("glide %.2f %d\n", e->value / 256.0, (int)e->more);
+        report_print("glide %.2f %d\n", e->value / 256.0, (int)e->value2);
         break;
     case TUNE_INST:
         print_inst(w, e->value);
@@ -49,30 +49,30 @@ static void print_event(const struct walk *w, const struct tune_played *e)
     case TUNE_VOLUME:
         report_print("volume %d\n", (int)e->value);
         break;
-    case TUNE_PLACE:
+    case TUNE_PANNING:
         report_print("place %d\n", (int)e->value);
         break;
     case TUNE_TEMPO:
         report_print("tempo %.2f\n", e->value / 100.0);
         break;
     case TUNE_MARK:
-        report_print("mark %s\n", tune_mark(w->t, e->value));
+        report_print("mark %s\n", tune_mark_name(w->t, e->value));
         break;
     default: /* what shapes a note and is none */
-        report_print("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->more);
+        report_print("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->value2);
     }
 }
 
 /* Plays until the reader stands at `until`, goes back (returns where it stands then) or ends (returns 0). */
 static uint32_t walk(struct walk *w, int track, uint32_t until)
 {
-    struct track_cursor c = tune_begin(w->t, track);
+    struct track_cursor c = tune_track_start(w->t, track);
 
     for (w->tick = 0; c.at != 0; w->tick++) {
         const struct track_cursor before = c;
         struct tune_run run = { w->t, track, c, TUNE_TICK, 0, 1, 0 };
         struct tune_played e;
-        while (tune_next(&run, &e))
+        while (tune_next_event(&run, &e))
             print_event(w, &e);
         c = run.at;
         /* One event that repeats leads to the same place again, with all its time left. */
@@ -85,7 +85,7 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
 
 void notes_print(const char *name, const struct tune *t)
 {
-    report_print("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->bar);
+    report_print("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->beats_per_bar);
     for (int i = -1; i < t->tracks; i++) {
         struct walk w = { t, i < 0 ? '-' : (char)('A' + i), 0, false };
         const uint32_t at = walk(&w, i, 0);

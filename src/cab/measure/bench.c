@@ -32,7 +32,7 @@ static int count_demos(const struct rom *rom)
     struct lump l;
     int n = 0;
 
-    for (int i = rom_first(rom, "demo/"); i < (int)rom->count; i++, n++) {
+    for (int i = rom_find_first(rom, "demo/"); i < (int)rom->count; i++, n++) {
         rom_lump(rom, i, &l);
         if (strncmp(l.name, "demo/", 5) != 0)
             break;
@@ -46,9 +46,9 @@ static enum result read_demo(struct work *w, int i, const struct lump *l)
     struct demo *d = &w->demo[i];
 
     snprintf(w->name[i], sizeof w->name[i], "%s.demo", l->name + strlen("demo/"));
-    if (!demo_read(d, l->data, l->size, err, sizeof err) || !demo_fits(d, w->b->cart, err, sizeof err))
+    if (!demo_read(d, l->data, l->size, err, sizeof err) || !demo_check_cart(d, w->b->cart, err, sizeof err))
         return report_line(RESULT_REFUSED, "demos/%s: %s", w->name[i], err);
-    if (demo_doubt(d, w->b->cart, doubt, sizeof doubt))
+    if (demo_replay_warning(d, w->b->cart, doubt, sizeof doubt))
         report_line(RESULT_DONE, "demos/%s: %s; playback may diverge", w->name[i], doubt);
     return RESULT_DONE;
 }
@@ -56,14 +56,14 @@ static enum result read_demo(struct work *w, int i, const struct lump *l)
 static enum result read_demos(struct work *w)
 {
     const struct rom *rom = w->b->cart->rom;
-    const int first = rom_first(rom, "demo/");
+    const int first = rom_find_first(rom, "demo/");
     enum result result = RESULT_DONE;
 
     w->demos = count_demos(rom);
     w->demo = calloc((size_t)w->demos + 1, sizeof *w->demo);
     w->name = calloc((size_t)w->demos + 1, sizeof *w->name);
     if (!w->demo || !w->name)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     for (int i = 0; i < w->demos && result == RESULT_DONE; i++) {
         struct lump l;
         rom_lump(rom, first + i, &l);
@@ -159,7 +159,7 @@ enum result bench_run(const struct bench *b)
     struct work *w = calloc(1, sizeof *w);
 
     if (!w)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     w->b = b;
     measure_open(&w->measure, b->cart);
     progress_begin();

@@ -22,7 +22,7 @@ struct bench {
     bool json;
 };
 
-/* Plays, measures and prints. RESULT_REFUSED: a run faulted or cannot begin; RESULT_HOST: no memory. */
+/* Plays, measures and prints. RESULT_REFUSED: a run faulted or cannot begin; RESULT_HOST_FAILED: no memory. */
 enum result bench_run(const struct bench *b);
 
 /* The command: the game of the first word is opened, measured and closed. */

@@ -13,7 +13,7 @@ enum result bench_command(const struct args *a)
     char err[1024];
 
     if (!g)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     enum result result = RESULT_DONE;
     if (!game_open(g, a->words[0], a, err, sizeof err)) {
         result = report_error(err);

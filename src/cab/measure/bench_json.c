@@ -49,7 +49,7 @@ static void put_phases(struct json *j, const struct measure *m)
                                                [PHASE_MOTION] = "moves",
                                                [PHASE_HITS] = "hits",
                                                [PHASE_EVENTS] = "events",
-                                               [PHASE_REST] = "rest" };
+                                               [PHASE_CLEANUP] = "rest" };
 
     json_open(j, "phases", '{');
     for (int i = 0; i < PHASES; i++)
@@ -78,7 +78,7 @@ static void put_lines(struct json *j, const struct measure *m)
     const struct profile_line *line[LINES];
     const int n = bench_lines(m, line, LINES);
 
-    json_number(j, "work", (int64_t)profile_work(&m->profile.all));
+    json_number(j, "work", (int64_t)profile_work(&m->profile.total));
     json_open(j, "lines", '[');
     for (int i = 0; i < n; i++)
         put_line(j, m, line[i]);
@@ -90,7 +90,7 @@ static void put_rooms(struct json *j, const struct measure *m)
     struct room room[ROOMS];
     const int n = rooms_of(m, room);
 
-    json_number(j, "ram", (int64_t)board_room(m->cart));
+    json_number(j, "ram", (int64_t)board_ram_needed(m->cart));
     json_open(j, "rooms", '[');
     for (int i = 0; i < n; i++) {
         json_open(j, NULL, '{');
@@ -110,7 +110,7 @@ void bench_json(const struct bench *b, const struct measure *m)
     struct json j = { .out = stdout };
 
     json_open(&j, NULL, '{');
-    json_text(&j, "game", m->cart->m.id);
+    json_text(&j, "game", m->cart->manifest.id);
     json_number(&j, "runs", m->runs);
     json_number(&j, "slower", b->slower);
     put_section(&j, b, "all", &m->all);

@@ -102,7 +102,7 @@ static void print_phases(const struct measure *m)
 {
     static const char *const words[PHASES] = {
         [PHASE_SCRIPTS] = "script tasks",       [PHASE_MOTION] = "movement", [PHASE_HITS] = "hits",
-        [PHASE_EVENTS] = "events and handlers", [PHASE_REST] = "other",
+        [PHASE_EVENTS] = "events and handlers", [PHASE_CLEANUP] = "other",
     };
     uint64_t sum = 0;
 
@@ -148,12 +148,12 @@ static int dearer(const void *a, const void *b)
 
 int bench_lines(const struct measure *m, const struct profile_line *out[], int n)
 {
-    const struct profile_line **all = malloc(PROFILE_ROOM * sizeof *all);
+    const struct profile_line **all = malloc(PROFILE_CAPACITY * sizeof *all);
     int found = 0;
 
     if (!all)
         return 0;
-    for (int i = 0; i < PROFILE_ROOM; i++)
+    for (int i = 0; i < PROFILE_CAPACITY; i++)
         if (profile_work(&m->profile.line[i]))
             all[found++] = &m->profile.line[i];
     qsort(all, (size_t)found, sizeof *all, dearer);
@@ -166,14 +166,14 @@ int bench_lines(const struct measure *m, const struct profile_line *out[], int n
 void bench_text(const struct measure *m, const char *place, char *text, size_t size)
 {
     const char *colon = strrchr(place, ':'), *from, *end;
-    char name[PROFILE_PLACE];
+    char name[PROFILE_PLACE_BYTES];
     size_t left;
 
     text[0] = 0;
     if (!colon || colon - place < 4)
         return;
     snprintf(name, sizeof name, "%.*s", (int)(colon - place) - 4, place); /* without .lua */
-    if (!cart_script(m->cart, name, &from, &left))
+    if (!cart_find_script(m->cart, name, &from, &left))
         return;
     end = from + left;
     for (long line = strtol(colon + 1, NULL, 10); line > 1 && from < end; line--) {
@@ -198,7 +198,7 @@ static int part_of(uint64_t part, uint64_t all)
 
 static void print_line(const struct measure *m, const struct profile_line *line)
 {
-    const uint64_t work = profile_work(line), all = profile_work(&m->profile.all);
+    const uint64_t work = profile_work(line), all = profile_work(&m->profile.total);
     char text[TEXT + 1];
 
     bench_text(m, line->place, text, sizeof text);
@@ -211,7 +211,7 @@ static void print_lines(const struct measure *m)
 {
     const struct profile_line *line[BENCH_LINES];
     const int n = bench_lines(m, line, BENCH_LINES);
-    const uint64_t work = profile_work(&m->profile.all);
+    const uint64_t work = profile_work(&m->profile.total);
     char text[32];
 
     if (!n)
@@ -247,7 +247,7 @@ static void print_rooms(const struct measure *m)
     report_print("\n%-20s %8s %8s %8s %9s %11s\n", "capacity", "limit", "peak", "used", "enough", "saves");
     for (int i = 0; i < n; i++)
         print_room(&room[i]);
-    report_print("\nThe board uses %s KiB of RAM", grouped(ram, board_room(m->cart) / 1024));
+    report_print("\nThe board uses %s KiB of RAM", grouped(ram, board_ram_needed(m->cart) / 1024));
     if (saved >= WORTH)
         report_print("; %s KiB less with capacities that are just enough for these runs", grouped(less, saved / 1024));
     report_print(".\n");

@@ -37,7 +37,7 @@ struct player {
     struct shade_kept shades;
     void *memory, *scratch, *sounds; /* sounds: NULL: the game is silent */
     uint32_t rgb[256];
-    int16_t heard[2 * BOARD_SOUND];
+    int16_t heard[2 * BOARD_SOUND_FRAMES];
     uint64_t began, last; /* usec: the tick, and what was timed last */
     uint64_t phase[PHASES];
 
@@ -81,7 +81,7 @@ static void hear(struct place *p, const struct board_marker *k)
         snprintf(p->stage, sizeof p->stage, "%s", k->name);
         break;
     case MARKER_PHASE:
-        snprintf(p->phase, sizeof p->phase, "%s/%s", k->of, k->name);
+        snprintf(p->phase, sizeof p->phase, "%s/%s", k->parent, k->name);
         break;
     case MARKER_WON:
     case MARKER_LOST:
@@ -131,7 +131,7 @@ static const struct board_out *timed_tick(struct player *p, const uint16_t pads[
     board_draw(p->guard.board, &p->view, &p->fb, p->rgb, p->scratch);
     t->draw = (uint32_t)clock_lap(&p->last);
     if (p->sounds)
-        board_sound(p->guard.board, p->sounds, p->heard);
+        board_mix_sound(p->guard.board, p->sounds, p->heard);
     t->sound = (uint32_t)clock_lap(&p->last);
     return out;
 }
@@ -160,7 +160,7 @@ static bool begin(struct player *p)
 static enum result faulted(const struct player *p)
 {
     return report_line(RESULT_REFUSED, "%s: frame %u: %s", p->run->name, (unsigned)board_frame(p->guard.board),
-                       board_last(p->guard.board)->fault->message);
+                       board_last_output(p->guard.board)->fault->message);
 }
 
 static void tell(struct player *p, uint32_t frame, const char *what)
@@ -196,14 +196,14 @@ static uint32_t most_of(const struct measure_run *run)
 static enum result first_round(struct player *p)
 {
     const uint32_t most = most_of(p->run);
-    const struct board_out *out = board_last(p->guard.board);
+    const struct board_out *out = board_last_output(p->guard.board);
     struct place place = { 0 };
     uint16_t pads[PADS];
     bool over = out->fault != NULL;
 
     for (uint32_t f = 0; f < most && !over; f++) {
         if (!make_room(p))
-            return report_line(RESULT_HOST, "out of memory");
+            return report_line(RESULT_HOST_FAILED, "out of memory");
         press(p, f, pads);
         out = timed_tick(p, pads, &p->times[0][f]);
         p->section[f] = (uint16_t)where(p->m, &place, out);
@@ -250,20 +250,20 @@ static void note_rooms(struct measure *m, const struct board *b)
 static enum result count_round(struct player *p)
 {
     struct profile *profile = &p->m->profile;
-    const struct board_out *out = board_last(p->guard.board);
+    const struct board_out *out = board_last_output(p->guard.board);
     uint16_t pads[PADS];
 
-    board_profile(p->guard.board, profile);
+    board_set_profile(p->guard.board, profile);
     for (uint32_t f = 0; f < p->frames && !out->fault; f++) {
-        const uint64_t before = profile_work(&profile->all);
+        const uint64_t before = profile_work(&profile->total);
         press(p, f, pads);
         out = board_tick(p->guard.board, pads);
-        p->m->section[p->section[f]].lua += profile_work(&profile->all) - before;
+        p->m->section[p->section[f]].lua += profile_work(&profile->total) - before;
         note_rooms(p->m, p->guard.board);
         p->m->done += COUNTING;
         tell(p, f, "counting Lua instructions");
     }
-    board_profile(p->guard.board, NULL);
+    board_set_profile(p->guard.board, NULL);
     return RESULT_DONE;
 }
 
@@ -332,10 +332,10 @@ static enum result all_rounds(struct player *p)
             return RESULT_REFUSED;
         result = r < MEASURE_ROUNDS ? next_round(p, r) : count_round(p);
         if (result == RESULT_DONE && board_hash(p->guard.board) != p->hash)
-            result = report_line(RESULT_HOST, "%s: two runs with the same input differ", p->run->name);
+            result = report_line(RESULT_HOST_FAILED, "%s: two runs with the same input differ", p->run->name);
     }
     if (result == RESULT_DONE && !add_all(p))
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     return result;
 }
 
@@ -344,16 +344,16 @@ static bool open_player(struct player *p)
     const struct board *b = p->guard.board;
     int w, h;
 
-    board_screen(b, &w, &h);
+    board_screen_size(b, &w, &h);
     p->memory = malloc(fb_size(w, h));
-    p->scratch = malloc(board_scratch(b) + 1);
-    p->sounds = board_has_sound(b) ? malloc(board_sound_tables()) : NULL;
+    p->scratch = malloc(board_scratch_size(b) + 1);
+    p->sounds = board_has_sound(b) ? malloc(board_sound_tables_size()) : NULL;
     if (!p->memory || !p->scratch || (board_has_sound(b) && !p->sounds))
         return false;
     fb_init(&p->fb, p->memory, w, h);
     p->view = (struct view){ .shades = shade_for(&p->shades, p->m->cart) };
     if (p->sounds)
-        board_sound_open(p->sounds);
+        board_sound_init_tables(p->sounds);
     p->guard.before = tick_begins;
     p->guard.context = p;
     return true;
@@ -389,13 +389,13 @@ enum result measure_add(struct measure *m, const struct measure_run *run)
     char err[512];
 
     if (!p)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     p->m = m;
     p->run = run;
     if (!guard_power(&p->guard, m->rom, &run->start, err, sizeof err))
         result = report_line(RESULT_REFUSED, "%s: %s", run->name, err);
     else
-        result = open_player(p) ? all_rounds(p) : report_line(RESULT_HOST, "out of memory");
+        result = open_player(p) ? all_rounds(p) : report_line(RESULT_HOST_FAILED, "out of memory");
     m->runs += result == RESULT_DONE;
     m->done = done;
     close_player(p);

@@ -67,7 +67,7 @@ void measure_open(struct measure *m, const struct cart *cart);
 /* Says how many frames the run has, or may well have, before the first is measured. */
 void measure_plan(struct measure *m, const struct measure_run *run);
 
-/* Measures a run. RESULT_REFUSED: it faulted, or cannot begin, and a line says so; RESULT_HOST: no memory. */
+/* Measures a run. RESULT_REFUSED: it faulted, or cannot begin, and a line says so; RESULT_HOST_FAILED: no memory. */
 enum result measure_add(struct measure *m, const struct measure_run *run);
 
 /* Was the section of that name come to? */

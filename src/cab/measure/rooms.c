@@ -21,7 +21,7 @@ static const struct {
     { "board.shots", "shots", 1, POOL },
     { "board.enemies", "enemies", 1, POOL },
     { "board.lasers", "lasers", 1, POOL },
-    { "board.curve_points", "laser_points", LASER_PIECE, POOL },
+    { "board.curve_points", "laser_points", LASER_PIECE_POINTS, POOL },
     { "board.items", "items", 1, POOL },
     { "board.options", "options", 1, POOL },
     { "board.sprites", "sprites", 1, POOL },
@@ -106,8 +106,8 @@ static uint64_t saved(const struct measure *m, const struct room *room, int n)
     struct cart less = *m->cart;
 
     for (int i = 0; i < n; i++)
-        set_number(&less.m, room[i].name, room[i].would_do);
-    return board_room(m->cart) - board_room(&less);
+        set_number(&less.manifest, room[i].name, room[i].would_do);
+    return board_ram_needed(m->cart) - board_ram_needed(&less);
 }
 
 int rooms_of(const struct measure *m, struct room out[ROOMS])
@@ -115,7 +115,7 @@ int rooms_of(const struct measure *m, struct room out[ROOMS])
     int n = 0;
 
     for (int i = 0; i < ROOMS; i++) {
-        const int32_t asked = number(&m->cart->m, rooms[i].name);
+        const int32_t asked = number(&m->cart->manifest, rooms[i].name);
         if (asked == 0)
             continue;
         out[n] = (struct room){ .name = rooms[i].name, .asked = asked };

@@ -45,7 +45,7 @@ void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event 
         const uint32_t room = t->room ? 2 * t->room : 256;
         struct mml_event *bigger = realloc(t->events, room * sizeof *bigger);
         if (bigger == NULL) {
-            result_is_why();
+            result_set_host_failed();
             mml_bad(m, m->now, "out of memory");
         }
         t->events = bigger;
@@ -148,8 +148,8 @@ static void read_title(struct mml *m, uint32_t at, uint32_t end)
 {
     while (end > at && blank(m->text[end - 1]))
         end--;
-    if (end - at >= TUNE_TITLE)
-        mml_bad(m, at, "expected a title of at most %d bytes", TUNE_TITLE - 1);
+    if (end - at >= TUNE_TITLE_SIZE)
+        mml_bad(m, at, "expected a title of at most %d bytes", TUNE_TITLE_SIZE - 1);
     for (uint32_t i = at; i < end; i++)
         if ((unsigned char)m->text[i] < 32 || m->text[i] == 127)
             mml_bad(m, i, "control character in the title");
@@ -274,7 +274,7 @@ static void read_tracks(struct mml *m)
 {
     uint32_t tracks, body;
 
-    for (int i = 0; i < TUNE_TRACKS; i++) {
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++) {
         m->line.n = 0;
         for (uint32_t at = 0; at < m->n; at = next_line(m, at)) {
             const uint32_t end = line_end(m, at), first = skip_blanks(m, at, end);
@@ -299,7 +299,7 @@ static void copy_track(struct mml *m, struct mml_track *to, const struct mml_tra
         int value = e->value;
         if (e->event == TUNE_VOLUME) {
             value += louder * 8;
-            value = value < 0 ? 0 : value > TUNE_LOUD ? TUNE_LOUD : value;
+            value = value < 0 ? 0 : value > TUNE_MAX_VOLUME ? TUNE_MAX_VOLUME : value;
         }
         mml_add(m, to, e->tick + later, (enum tune_event)e->event, value, e->more);
     }
@@ -366,7 +366,7 @@ static uint32_t last_tick(const struct mml *m)
 {
     uint32_t end = 0;
 
-    for (int i = 0; i < TUNE_TRACKS; i++)
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++)
         if (m->tracks[i].used && m->tracks[i].end > end)
             end = m->tracks[i].end;
     return end;
@@ -377,7 +377,7 @@ static void read_marks(struct mml *m)
 {
     for (uint32_t at = 0, end = 0; find_directive(m, "mark", &at, &end); at = next_line(m, at)) {
         uint32_t p = skip_blanks(m, at + 5, end);
-        char name[TUNE_NAME];
+        char name[TUNE_NAME_SIZE];
         int64_t beat = 1;
         read_name(m, &p, end, name, "a marker name, as in #mark drop 17");
         p = skip_blanks(m, p, end);
@@ -389,7 +389,7 @@ static void read_marks(struct mml *m)
         const uint32_t tick = (uint32_t)((bar - 1) * m->bar + beat - 1) * TUNE_QUARTER;
         const int mark = mml_mark(m, name);
         if (mark < 0)
-            mml_bad(m, at, "more than %d markers", (int)TUNE_MARKS);
+            mml_bad(m, at, "more than %d markers", (int)TUNE_MAX_MARKS);
         if (tick >= last_tick(m))
             mml_bad(m, at, "bar %d is after the end", (int)bar);
         m->now = at;
@@ -423,7 +423,7 @@ void mml_swing(struct mml *m)
 {
     if (m->swing == 0)
         return;
-    for (int i = 0; i < TUNE_TRACKS; i++) {
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++) {
         struct mml_track *t = &m->tracks[i];
         if (t->loop >= 0 && (t->end - t->loop) % (2 * m->swing) != 0)
             mml_bad(m, t->loop_from,
@@ -448,7 +448,7 @@ static void warn_near(const struct mml *m, const struct mml_about *about, uint32
 /* The note before the two fades in the slot that the first of them needs. Each place is named once. */
 void mml_look_at_notes(struct mml *m, const struct mml_about *about)
 {
-    for (int i = 0; about->warn && i < TUNE_TRACKS; i++) {
+    for (int i = 0; about->warn && i < TUNE_MAX_TRACKS; i++) {
         struct mml_track *t = &m->tracks[i];
         uint32_t last = 0, notes = 0, told = UINT32_MAX;
         mml_sort(t);
@@ -490,7 +490,7 @@ static void look_at_marks(struct mml *m)
 
 static bool any_track(const struct mml *m)
 {
-    for (int i = 0; i < TUNE_TRACKS; i++)
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++)
         if (m->tracks[i].used)
             return true;
     return false;
@@ -524,7 +524,7 @@ static struct mml *begin(const char *file, char *err, size_t err_size)
     m->err_size = err_size;
     m->bar = 4;
     m->conductor.loop = -1;
-    for (int i = 0; i < TUNE_TRACKS; i++)
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++)
         m->tracks[i].loop = -1;
     m->line.text = malloc(MML_WIDE);
     m->line.from = malloc(MML_WIDE * sizeof *m->line.from);
@@ -533,7 +533,7 @@ static struct mml *begin(const char *file, char *err, size_t err_size)
 
 static void end(struct mml *m)
 {
-    for (int i = 0; i < TUNE_TRACKS; i++)
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++)
         free(m->tracks[i].events);
     for (uint32_t i = 0; i < m->n_pieces; i++)
         free(m->pieces[i].bytes);

@@ -21,8 +21,8 @@ struct mml_about {
     void *context;
 };
 
-/* Compiles the n bytes; file is their name for messages. *out (free it) is a tune that tune_open takes. False and one
- * sentence, "music/tide.mml:12:7: ..." */
+/* Compiles the n bytes; file is their name for messages. *out (free it) is a tune that tune_validate takes. False and
+ * one sentence, "music/tide.mml:12:7: ..." */
 bool mml_compile(const char *text, size_t n, const char *file, const struct mml_about *about, uint8_t **out,
                  size_t *size, char *err, size_t err_size);
 

@@ -33,7 +33,7 @@ static uint8_t *room(struct mml *m, uint32_t at, size_t n)
     uint8_t *p = calloc(1, n);
 
     if (p == NULL) {
-        result_is_why();
+        result_set_host_failed();
         mml_bad(m, at, "out of memory");
     }
     return p;
@@ -68,19 +68,19 @@ uint32_t mml_read_curve(struct mml *m, uint32_t *at, uint32_t end, char kind)
 {
     const uint32_t from = *at;
     const struct scale scale = scale_of(kind);
-    uint8_t curve[4 + 2 * CURVE_MOST] = { 0, CURVE_STAYS };
+    uint8_t curve[4 + 2 * CURVE_MAX_VALUES] = { 0, CURVE_NO_LOOP };
     uint8_t n = 0;
 
-    const int64_t frames = mml_decimal(m, at, end, "frames per value", 1000, CURVE_FRAMES * 1000) / 1000;
+    const int64_t frames = mml_decimal(m, at, end, "frames per value", 1000, CURVE_MAX_FRAMES * 1000) / 1000;
     bytes_put16(curve + 2, (uint16_t)frames);
     if (*at == end || m->text[(*at)++] != ':')
         mml_bad(m, from, "expected FRAMES:VALUE,VALUE...; | before a value marks the loop start, as in 2:100,60|50,40");
     do {
-        if (n == CURVE_MOST)
-            mml_bad(m, from, "expected at most %d values", (int)CURVE_MOST);
+        if (n == CURVE_MAX_VALUES)
+            mml_bad(m, from, "expected at most %d values", (int)CURVE_MAX_VALUES);
         bytes_put16(curve + 4 + 2 * n++,
                     (uint16_t)(mml_decimal(m, at, end, scale.what, scale.lo, scale.hi) * scale.times / scale.of));
-        if (*at < end && m->text[*at] == '|' && curve[1] == CURVE_STAYS) {
+        if (*at < end && m->text[*at] == '|' && curve[1] == CURVE_NO_LOOP) {
             ++*at;
             curve[1] = n;
             continue;
@@ -170,7 +170,7 @@ static uint32_t keep_wave(struct mml *m, uint32_t from, const struct harmonics *
     uint8_t *bytes = room(m, from, inst_wave_size(versions));
     bytes[0] = (uint8_t)versions;
     for (int v = 0; v < versions; v++) {
-        uint8_t *p = bytes + inst_wave_at(v);
+        uint8_t *p = bytes + inst_wave_offset(v);
         const uint32_t n = 1u << inst_wave_bits(v);
         for (uint32_t i = 0; i <= n; i++) {
             const int64_t x = value_at(h, reaches(v), i % n, inst_wave_bits(v)) * LOUDEST / most;

@@ -69,7 +69,7 @@ static struct mml_inst plain_of(int kind)
         i.inst.env.sustain = 32767;
     if (kind == INST_FM4)
         i.inst.algorithm = FM_ALGORITHMS - 1;
-    for (int k = 0; k < inst_ops(kind); k++) {
+    for (int k = 0; k < inst_op_count(kind); k++) {
         i.ops[k] = plain_op;
         i.ops[k].level = kind == INST_FM && k == 0 ? 1304 : 32767;
     }
@@ -95,13 +95,13 @@ bool mml_find_inst(const struct mml *m, const char *name, struct mml_inst *out)
 /* Those that are heard are together as loud as one at most. */
 static void balance(struct mml_inst *i)
 {
-    const int n = inst_ops(i->inst.kind);
+    const int n = inst_op_count(i->inst.kind);
     uint32_t loud = 0;
 
     for (int k = 0; k < n; k++)
-        loud += inst_heard(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
+        loud += inst_audible(n, i->inst.algorithm) >> k & 1 ? i->ops[k].level : 0;
     for (int k = 0; k < n && loud > 32767; k++)
-        if (inst_heard(n, i->inst.algorithm) >> k & 1)
+        if (inst_audible(n, i->inst.algorithm) >> k & 1)
             i->ops[k].level = (uint16_t)((uint32_t)i->ops[k].level * 32767 / loud);
 }
 
@@ -116,7 +116,7 @@ int mml_use_inst(struct mml *m, const struct mml_inst *inst)
     inst_write(bytes, &balanced.inst, balanced.ops, balanced.sample);
     while (i < m->n_insts && memcmp(m->insts[i], bytes, INST_BYTES) != 0)
         i++;
-    if (i == TUNE_INSTS)
+    if (i == TUNE_MAX_INSTS)
         return -1;
     if (i == m->n_insts)
         memcpy(m->insts[m->n_insts++], bytes, INST_BYTES);
@@ -205,7 +205,7 @@ static void read_lfo(struct setting *s, struct lfo *l, const char *form)
 static void read_op(struct setting *s, int k)
 {
     struct op *o = &s->i->ops[k];
-    const int n = inst_ops(s->i->inst.kind);
+    const int n = inst_op_count(s->i->inst.kind);
 
     if (k >= n)
         mml_bad(s->m, s->key_at, n ? "this instrument has %d operators" : "only fm and fm4 have operators", n);
@@ -213,7 +213,7 @@ static void read_op(struct setting *s, int k)
     if (!next(s))
         return;
     o->level =
-        inst_heard(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
+        inst_audible(n, s->i->inst.algorithm) >> k & 1 ? share(s, "percent (for an audible operator)") : radians(s);
     if (!next(s))
         return;
     o->env.attack = time_of(s);
@@ -237,7 +237,7 @@ static void read_algorithm(struct setting *s)
         mml_bad(s->m, s->key_at, "only fm4 has an algorithm");
     s->i->inst.algorithm = (uint8_t)(number(s, "an algorithm", 0, 7000) / 1000);
     for (int k = 0; k < FM_OPS; k++) {
-        const bool heard = inst_heard(FM_OPS, s->i->inst.algorithm) >> k & 1;
+        const bool heard = inst_audible(FM_OPS, s->i->inst.algorithm) >> k & 1;
         const struct op *o = &s->i->ops[k];
         if (o->ratio != 256 || o->env.attack || o->env.decay)
             mml_bad(s->m, from, "expected the algorithm before the operators: it decides which of them are audible");
@@ -249,14 +249,14 @@ static void read_arpeggio(struct setting *s)
 {
     struct inst *i = &s->i->inst;
 
-    i->arpeggio_n = 0;
+    i->arpeggio_count = 0;
     i->arpeggio_frames = (uint16_t)(number(s, "frames per note", 1000, 3600000) / 1000);
     if (s->at == s->end || s->m->text[s->at++] != ':')
         mml_bad(s->m, s->key_at, "expected arpeggio=FRAMES:SEMITONES,SEMITONES..., as in arpeggio=2:0,4,7");
     do {
-        if (i->arpeggio_n == ARPEGGIO_MOST)
-            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MOST);
-        s->i->arpeggio[i->arpeggio_n++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
+        if (i->arpeggio_count == ARPEGGIO_MAX)
+            mml_bad(s->m, s->key_at, "expected at most %d pitches", (int)ARPEGGIO_MAX);
+        s->i->arpeggio[i->arpeggio_count++] = (uint8_t)(number(s, "semitones", -48000, 48000) / 1000);
     } while (next(s));
 }
 
@@ -290,7 +290,7 @@ static bool read_fm(struct setting *s)
         o->env.decay = time_of(s);
         o->env.sustain = o->env.decay ? 0 : 32767;
     } else if (strcmp(s->key, "feedback") == 0) {
-        s->i->inst.feedback = (uint16_t)(number(s, "radians", 0, 1500) * FM_FEEDBACK / 1500);
+        s->i->inst.feedback = (uint16_t)(number(s, "radians", 0, 1500) * FM_MAX_FEEDBACK / 1500);
     } else if (strcmp(s->key, "algorithm") == 0) {
         read_algorithm(s);
     } else if (n == 3 && memcmp(s->key, "op", 2) == 0 && s->key[2] >= '1' && s->key[2] <= '4') {
@@ -350,7 +350,7 @@ static void read_setting(struct setting *s)
 {
     struct inst *i = &s->i->inst;
 
-    if (read_time(s) || read_shape(s) || (inst_ops(i->kind) && read_fm(s)))
+    if (read_time(s) || read_shape(s) || (inst_op_count(i->kind) && read_fm(s)))
         return;
     if (strcmp(s->key, "duty") == 0)
         i->duty = (uint16_t)(number(s, "percent", 1000, 99000) * 65536 / 100000);

@@ -38,8 +38,8 @@ struct mml_line {
 struct mml_inst {
     struct inst inst;
     struct op ops[FM_OPS];
-    uint8_t arpeggio[ARPEGGIO_MOST];
-    char sample[INST_NAME];
+    uint8_t arpeggio[ARPEGGIO_MAX];
+    char sample[INST_NAME_SIZE];
 };
 
 /* A curve, or a wave: bytes that stand behind a tune's markers. */
@@ -79,16 +79,16 @@ struct mml {
     int n_named, n_macros, n_curves;
     struct mml_piece pieces[MML_PIECES];
     uint32_t n_pieces;
-    uint8_t insts[TUNE_INSTS][INST_BYTES]; /* that notes use */
+    uint8_t insts[TUNE_MAX_INSTS][INST_BYTES]; /* that notes use */
     int n_insts;
-    char marks[TUNE_MARKS][TUNE_NAME];
+    char marks[TUNE_MAX_MARKS][TUNE_NAME_SIZE];
     int n_marks;
-    char title[TUNE_TITLE];
+    char title[TUNE_TITLE_SIZE];
     int bar;
     uint32_t swing, swing_percent, swing_from; /* half of a pair in ticks; of the pair; 0: none */
     uint32_t now;                              /* the place in the file of what is read */
     struct mml_line line;
-    struct mml_track tracks[TUNE_TRACKS], conductor;
+    struct mml_track tracks[TUNE_MAX_TRACKS], conductor;
     uint32_t events;
 };
 
@@ -136,7 +136,7 @@ uint32_t mml_hertz(int64_t thousandths);
 void mml_add(struct mml *m, struct mml_track *t, uint32_t tick, enum tune_event event, int value, int more);
 
 /* The number of the marker of that name; -1: there are too many. */
-int mml_mark(struct mml *m, const char name[TUNE_NAME]);
+int mml_mark(struct mml *m, const char name[TUNE_NAME_SIZE]);
 
 /* The piece of that curve, E, M or P; 0: there is none. */
 uint32_t mml_find_curve(const struct mml *m, char kind, const char *name);

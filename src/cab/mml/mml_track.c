@@ -209,7 +209,7 @@ static void use_inst(struct reader *r, uint32_t from)
     const int i = mml_use_inst(r->m, &r->inst);
 
     if (i < 0)
-        BAD(r, from, "more than %d instruments; each vibrato or envelope counts as another", (int)TUNE_INSTS);
+        BAD(r, from, "more than %d instruments; each vibrato or envelope counts as another", (int)TUNE_MAX_INSTS);
     if (i != r->inst_now)
         event(r, r->tick, TUNE_INST, i, 0);
     r->inst_now = i;
@@ -234,7 +234,7 @@ static int pitch(struct reader *r)
             break;
     }
     v = (12 * (r->octave + 1) + v + r->transpose) * 256 + r->detune * 256 / 100;
-    if (v < 0 || v > PITCH_MOST / 256)
+    if (v < 0 || v > PITCH_MAX / 256)
         BAD(r, from, "the note is too %s", v < 0 ? "low" : "high");
     return v;
 }
@@ -295,7 +295,7 @@ static void begin_note(struct reader *r, int v, uint32_t ticks)
     uint32_t over = r->from_below_ticks ? r->from_below_ticks : r->glide;
     int first = r->from_below_ticks ? v - 256 * r->from_below : r->glide && r->last >= 0 ? r->last : v;
 
-    first = first < 0 ? 0 : first > PITCH_MOST / 256 ? PITCH_MOST / 256 : first;
+    first = first < 0 ? 0 : first > PITCH_MAX / 256 ? PITCH_MAX / 256 : first;
     over = over < ticks ? over : ticks;
     event(r, r->tick, TUNE_NOTE, first, 0);
     if (first != v)
@@ -310,7 +310,7 @@ static void strike_again(struct reader *r, int v, uint32_t until, uint32_t ticks
 
     for (; t < until && volume > 0; t += r->strike) {
         volume += 8 * r->strike_louder;
-        volume = volume < 0 ? 0 : volume > TUNE_LOUD ? TUNE_LOUD : volume;
+        volume = volume < 0 ? 0 : volume > TUNE_MAX_VOLUME ? TUNE_MAX_VOLUME : volume;
         event(r, r->tick + t, TUNE_VOLUME, volume, 0);
         event(r, r->tick + t, TUNE_NOTE, v, 0);
     }
@@ -511,35 +511,35 @@ static void endless(struct reader *r)
     if (r->inst_now >= 0)
         event(r, r->tick, TUNE_INST, r->inst_now, 0);
     event(r, r->tick, TUNE_VOLUME, r->volume, 0);
-    event(r, r->tick, TUNE_PLACE, r->pan, 0);
+    event(r, r->tick, TUNE_PANNING, r->pan, 0);
 }
 
 /* ---- settings ---- */
 
 static void set_volume(struct reader *r, int v)
 {
-    r->volume = v < 0 ? 0 : v > TUNE_LOUD ? TUNE_LOUD : v;
+    r->volume = v < 0 ? 0 : v > TUNE_MAX_VOLUME ? TUNE_MAX_VOLUME : v;
     event(r, r->tick, TUNE_VOLUME, r->volume, 0);
 }
 
 static void step_volume(struct reader *r, int by)
 {
     r->p++;
-    set_volume(r, r->volume + by * (digit(peek(r)) ? number(r, "steps", 1, TUNE_LOUD) : 8));
+    set_volume(r, r->volume + by * (digit(peek(r)) ? number(r, "steps", 1, TUNE_MAX_VOLUME) : 8));
 }
 
 static void set_pan(struct reader *r)
 {
     r->p++;
-    r->pan = number(r, "a pan (0 left, 64 centre, 128 right)", 0, 2 * TUNE_PAN);
-    event(r, r->tick, TUNE_PLACE, r->pan, 0);
+    r->pan = number(r, "a pan (0 left, 64 centre, 128 right)", 0, 2 * TUNE_PAN_CENTRE);
+    event(r, r->tick, TUNE_PANNING, r->pan, 0);
 }
 
 static void set_tempo(struct reader *r)
 {
     r->p++;
     mml_add(r->m, &r->m->conductor, r->tick, TUNE_TEMPO,
-            hundredths(r, "quarter notes per minute", TEMPO_LEAST, TEMPO_MOST), 0);
+            hundredths(r, "quarter notes per minute", TEMPO_MIN, TEMPO_MAX), 0);
 }
 
 static void set_inst(struct reader *r)
@@ -746,16 +746,16 @@ static void set_key(struct reader *r)
     r->p++;
 }
 
-int mml_mark(struct mml *m, const char name[TUNE_NAME])
+int mml_mark(struct mml *m, const char name[TUNE_NAME_SIZE])
 {
     int i = 0;
 
     while (i < m->n_marks && strcmp(m->marks[i], name) != 0)
         i++;
-    if (i == TUNE_MARKS)
+    if (i == TUNE_MAX_MARKS)
         return -1;
     if (i == m->n_marks)
-        memcpy(m->marks[m->n_marks++], name, TUNE_NAME);
+        memcpy(m->marks[m->n_marks++], name, TUNE_NAME_SIZE);
     return i;
 }
 
@@ -763,12 +763,12 @@ static void set_mark(struct reader *r)
 {
     struct mml *m = r->m;
     const uint32_t from = r->p++;
-    char name[TUNE_NAME] = "";
+    char name[TUNE_NAME_SIZE] = "";
     int n = 0, i = 0;
 
     for (; peek(r) && peek(r) != '"'; r->p++) {
-        if (n == TUNE_NAME - 1 || (unsigned char)peek(r) < 32)
-            BAD(r, from, "expected a marker name of at most %d characters in \" \"", TUNE_NAME - 1);
+        if (n == TUNE_NAME_SIZE - 1 || (unsigned char)peek(r) < 32)
+            BAD(r, from, "expected a marker name of at most %d characters in \" \"", TUNE_NAME_SIZE - 1);
         name[n++] = peek(r);
     }
     if (!peek(r) || n == 0)
@@ -776,7 +776,7 @@ static void set_mark(struct reader *r)
     r->p++;
     i = mml_mark(m, name);
     if (i < 0)
-        BAD(r, from, "more than %d markers", (int)TUNE_MARKS);
+        BAD(r, from, "more than %d markers", (int)TUNE_MAX_MARKS);
     mml_add(m, &m->conductor, r->tick, TUNE_MARK, i, 0);
 }
 
@@ -787,9 +787,9 @@ static bool read_number(struct reader *r)
     case 'o':
         return r->p++, r->octave = number(r, "an octave", 0, 9), true;
     case 'v':
-        return r->p++, set_volume(r, number(r, "a volume", 0, 15) * TUNE_LOUD / 15), true;
+        return r->p++, set_volume(r, number(r, "a volume", 0, 15) * TUNE_MAX_VOLUME / 15), true;
     case 'V':
-        return r->p++, set_volume(r, number(r, "a volume", 0, TUNE_LOUD)), true;
+        return r->p++, set_volume(r, number(r, "a volume", 0, TUNE_MAX_VOLUME)), true;
     case 'Q':
         return r->p++, r->gate = number(r, "eighths of a note", 1, 8), true;
     case 'q':
@@ -895,7 +895,7 @@ void mml_read_track(struct mml *m, struct mml_track *t)
                         .inst_now = -1,
                         .octave = 4,
                         .volume = 100,
-                        .pan = TUNE_PAN,
+                        .pan = TUNE_PAN_CENTRE,
                         .length = TUNE_QUARTER,
                         .gate = 8,
                         .last = -1 };

@@ -18,9 +18,9 @@ static void add_byte(struct bytes *b, uint8_t v)
     if (b->n == b->room) {
         const size_t room = b->room ? 2 * b->room : 4096;
         uint8_t *more = realloc(b->p, room);
-        if (more == NULL || b->n > TUNE_MOST - 64) {
+        if (more == NULL || b->n > TUNE_MAX_BYTES - 64) {
             free(more ? more : b->p);
-            mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MOST);
+            mml_bad(b->m, 0, "longer than %d bytes (with loops expanded)", (int)TUNE_MAX_BYTES);
         }
         b->p = more;
         b->room = room;
@@ -135,7 +135,7 @@ static void check_loops(struct mml *m)
 {
     int first = -1;
 
-    for (int i = 0; i < TUNE_TRACKS; i++) {
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++) {
         const struct mml_track *t = &m->tracks[i];
         if (!t->used || t->loop < 0)
             continue;
@@ -153,7 +153,7 @@ static void check_loops(struct mml *m)
         m->conductor.end = m->tracks[first].end;
         return;
     }
-    for (int i = 0; i < TUNE_TRACKS; i++)
+    for (int i = 0; i < TUNE_MAX_TRACKS; i++)
         if (m->tracks[i].used && m->tracks[i].end > m->conductor.end)
             m->conductor.end = m->tracks[i].end;
 }
@@ -173,8 +173,8 @@ static void prepare_conductor(struct mml *m)
 
 static void put_place(struct bytes *b, int k, size_t at, uint32_t loop)
 {
-    bytes_put32(b->p + TUNE_HEADER + TUNE_TITLE + 8 * (size_t)k, (uint32_t)at);
-    bytes_put32(b->p + TUNE_HEADER + TUNE_TITLE + 8 * (size_t)k + 4, loop);
+    bytes_put32(b->p + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (size_t)k, (uint32_t)at);
+    bytes_put32(b->p + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (size_t)k + 4, loop);
 }
 
 /* Where in an instrument's bytes stands which piece it has. */
@@ -203,10 +203,10 @@ static void add_pieces(struct bytes *b, size_t insts)
 static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
 {
     struct mml *m = b->m;
-    uint8_t head[TUNE_HEADER] = { TUNE_FORMAT,           (uint8_t)about->volume, (uint8_t)about->priority,
-                                  (uint8_t)about->limit, (uint8_t)m->bar,        (uint8_t)tracks,
-                                  (uint8_t)m->n_insts,   (uint8_t)m->n_marks };
-    char title[TUNE_TITLE] = "";
+    uint8_t head[TUNE_HEADER_SIZE] = { TUNE_FORMAT,           (uint8_t)about->volume, (uint8_t)about->priority,
+                                       (uint8_t)about->limit, (uint8_t)m->bar,        (uint8_t)tracks,
+                                       (uint8_t)m->n_insts,   (uint8_t)m->n_marks };
+    char title[TUNE_TITLE_SIZE] = "";
 
     head[TUNE_DUCK_AT] = (uint8_t)about->duck;
     bytes_put32(head + 8, (uint32_t)mml_tempo_at(&m->conductor, 0));
@@ -216,14 +216,14 @@ static void add_head(struct bytes *b, const struct mml_about *about, int tracks)
     add_bytes(b, title, sizeof title);
     add_zeros(b, 8 * ((size_t)tracks + 1));
     add_bytes(b, m->insts, (size_t)m->n_insts * INST_BYTES);
-    add_bytes(b, m->marks, (size_t)m->n_marks * TUNE_NAME);
-    add_pieces(b, TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)tracks + 1));
+    add_bytes(b, m->marks, (size_t)m->n_marks * TUNE_NAME_SIZE);
+    add_pieces(b, TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * ((size_t)tracks + 1));
 }
 
 void mml_make(struct mml *m, const struct mml_about *about, uint8_t **out, size_t *size)
 {
     struct bytes b = { m, NULL, 0, 0 };
-    int last = TUNE_TRACKS - 1;
+    int last = TUNE_MAX_TRACKS - 1;
 
     while (!m->tracks[last].used)
         last--;

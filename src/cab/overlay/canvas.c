@@ -82,7 +82,7 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
     bool taken[256] = { false }, seen = false;
     uint8_t to[256];
     *canvas = (struct canvas){ .fb = fb, .rgb = rgb };
-    fb_clip_all(fb);
+    fb_reset_clip(fb);
     count_pixels(fb, count);
     for (int i = 0; i < CANVAS_COLOURS; i++) {
         canvas->colour[i] = (uint8_t)least_used(count, taken);

@@ -49,7 +49,7 @@ static void print(struct console *c, enum canvas_colour colour, const char *text
 
 static void print_format(struct console *c, enum canvas_colour colour, const char *format, const char *what)
 {
-    char text[EVAL_TEXT + 64];
+    char text[EVAL_TEXT_SIZE + 64];
     snprintf(text, sizeof text, format, what);
     print(c, colour, text);
 }
@@ -71,7 +71,7 @@ static bool save(struct console *c, const struct board *b)
 
 static void run(struct console *c, struct board *b, bool keeps)
 {
-    char out[EVAL_TEXT];
+    char out[EVAL_TEXT_SIZE];
     bool kept = strncmp(c->line, keep, sizeof keep - 1) == 0;
     print_format(c, CANVAS_YELLOW, "> %s", c->line);
     if (kept && !keeps) {
@@ -192,10 +192,10 @@ static void read_keys(struct console *c, const struct plat_input *in, struct boa
 {
     static const uint8_t keys[] = { KEY_ENTER, KEY_ESCAPE, KEY_BACKSPACE, KEY_HOME, KEY_DELETE,   KEY_END,
                                     KEY_RIGHT, KEY_LEFT,   KEY_DOWN,      KEY_UP,   KEY_PAD_ENTER };
-    if (!plat_key(in, c->repeats))
+    if (!plat_key_held(in, c->repeats))
         c->repeats = 0;
     for (size_t i = 0; i < sizeof keys && c->open; i++) {
-        if (!plat_key(in, keys[i]))
+        if (!plat_key_held(in, keys[i]))
             continue;
         if (!was_held(c, keys[i])) {
             press(c, keys[i], b, keeps);

@@ -268,13 +268,13 @@ static enum canvas_colour colour_of(const struct inspect_body *s)
     switch (s->kind) {
     case INSPECT_BULLET:
     case INSPECT_LASER:
-        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->spent ? CANVAS_MAGENTA : CANVAS_RED;
+        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->inactive ? CANVAS_MAGENTA : CANVAS_RED;
     case INSPECT_SHOT:
         return CANVAS_CYAN;
     case INSPECT_ENEMY:
-        return s->spent ? CANVAS_GREY : CANVAS_YELLOW;
+        return s->inactive ? CANVAS_GREY : CANVAS_YELLOW;
     default:
-        return s->spent ? CANVAS_GREY : CANVAS_GREEN;
+        return s->inactive ? CANVAS_GREY : CANVAS_GREEN;
     }
 }
 
@@ -307,10 +307,10 @@ static void draw_shapes(const struct canvas *canvas, int y0, int y1, const struc
     struct inspect_area f = inspect_field(b);
     struct canvas on_field = *canvas;
     int top = f.y > y0 ? f.y : y0, bottom = f.y + f.h < y1 ? f.y + f.h : y1;
-    fb_clip(canvas->fb, f.x, top, f.w, bottom - top);
+    fb_set_clip(canvas->fb, f.x, top, f.w, bottom - top);
     inspect_bodies(b, draw_shade, &on_field);
     inspect_bodies(b, draw_body, &on_field);
-    fb_clip_all(canvas->fb);
+    fb_reset_clip(canvas->fb);
 }
 
 /* White is the shape to the pixel; the ring and the dark round it make it read over a white ship and over bullets. */
@@ -329,11 +329,11 @@ void overlay_ships(const struct canvas *canvas, const struct board *b)
     const struct inspect_area f = inspect_field(b);
     struct inspect_body body;
 
-    fb_clip(canvas->fb, f.x, f.y, f.w, f.h);
+    fb_set_clip(canvas->fb, f.x, f.y, f.w, f.h);
     for (int i = 0; i < PADS; i++)
         if (inspect_ship(b, i, &body))
             draw_ship(canvas, &body, rings[i]);
-    fb_clip_all(canvas->fb);
+    fb_reset_clip(canvas->fb);
 }
 
 /* ---- panels ---- */
@@ -383,13 +383,13 @@ static const char *state_of(const struct inspect_task *t, char *buf, size_t size
 {
     if (t->stopped)
         return "ends";
-    if (t->scope)
+    if (t->is_scope)
         return "scope";
     if (t->frozen)
         return "pause";
     if (!t->begun)
         return "new";
-    if (t->forever)
+    if (t->waits_forever)
         return "ever";
     snprintf(buf, size, "%u", (unsigned)t->wait);
     return buf;
@@ -409,11 +409,11 @@ static void place_tasks(struct layout *l, const struct canvas *canvas, const str
     char state[16], owner[24];
     uint32_t n = inspect_tasks(b, 0, t, TASKS), listed = n < TASKS ? n : TASKS;
     add(&s, CANVAS_CYAN, "frame %u  random numbers %llu  tasks %u", (unsigned)board_frame(b),
-        (unsigned long long)inspect_drawn(b), (unsigned)n);
+        (unsigned long long)inspect_random_draws(b), (unsigned)n);
     add(&s, CANVAS_CYAN, "%6s %5s %-11s %s", "task", "wait", "owner", "line");
     for (uint32_t i = 0; i < listed; i++)
-        add(&s, t[i].scope ? CANVAS_GREY : CANVAS_WHITE, "%6u %5s %-11s %s", (unsigned)t[i].serial,
-            state_of(&t[i], state, sizeof state), owner_of(&t[i], owner, sizeof owner), t[i].at);
+        add(&s, t[i].is_scope ? CANVAS_GREY : CANVAS_WHITE, "%6u %5s %-11s %s", (unsigned)t[i].serial,
+            state_of(&t[i], state, sizeof state), owner_of(&t[i], owner, sizeof owner), t[i].place);
     place(l, canvas, &s);
 }
 
@@ -462,7 +462,7 @@ static void add_place_of_music(struct panel *s, const struct board *b)
     }
     add(s, CANVAS_WHITE, "%.20s%s%.14s", m.name, m.next[0] ? ", then " : "", m.next);
     add(s, CANVAS_WHITE, "bar %u  beat %d of %d  tempo %u.%02u  gain %d%%%s", (unsigned)m.bar, m.beat, m.beats,
-        (unsigned)m.tempo / 100, (unsigned)m.tempo % 100, m.gain, m.held ? "  held" : "");
+        (unsigned)m.tempo / 100, (unsigned)m.tempo % 100, m.gain, m.is_paused ? "  held" : "");
     if (m.mark[0])
         add(s, CANVAS_WHITE, "marker \"%.31s\"", m.mark);
 }
@@ -488,10 +488,11 @@ static void add_voice(struct panel *s, int i, const struct board *b, int level)
     inspect_voice(b, i, &v);
     const int semitone = (v.pitch + 32768) >> 16;
     if (v.busy)
-        add(s, v.ends ? CANVAS_GREY : CANVAS_WHITE, "%c%-2d  %-16.16s %-6s o%d%-2s  %4d", v.music ? 'm' : 's',
-            v.music ? i + 1 : i + 1 - VOICES_MUSIC, v.of, v.wave, semitone / 12 - 1, notes[semitone % 12], v.pan);
+        add(s, v.is_ending ? CANVAS_GREY : CANVAS_WHITE, "%c%-2d  %-16.16s %-6s o%d%-2s  %4d", v.is_music ? 'm' : 's',
+            v.is_music ? i + 1 : i + 1 - VOICES_MUSIC, v.source, v.wave, semitone / 12 - 1, notes[semitone % 12],
+            v.pan);
     else
-        add(s, CANVAS_GREY, "%c%d", v.music ? 'm' : 's', v.music ? i + 1 : i + 1 - VOICES_MUSIC);
+        add(s, CANVAS_GREY, "%c%d", v.is_music ? 'm' : 's', v.is_music ? i + 1 : i + 1 - VOICES_MUSIC);
     add_level(s, level);
 }
 
@@ -518,7 +519,7 @@ static void place_mixer(struct layout *l, const struct canvas *canvas, const str
 
 /* ---- what is under the mouse ---- */
 
-static void add_place(struct panel *s, const struct inspect_thing *t)
+static void add_place(struct panel *s, const struct inspect_entity *t)
 {
     add(s, CANVAS_WHITE, "at     %.2f, %.2f", t->x / 65536.0, t->y / 65536.0);
 }
@@ -529,27 +530,27 @@ static void add_author(struct panel *s, const struct board *b, uint32_t by)
     if (!by)
         return;
     if (inspect_task(b, by, &task))
-        add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.at);
+        add(s, CANVAS_WHITE, "by     task %u %s", (unsigned)by, task.place);
     else
         add(s, CANVAS_WHITE, "by     task %u, ended", (unsigned)by);
 }
 
-static void add_motion(struct panel *s, const struct inspect_thing *t)
+static void add_motion(struct panel *s, const struct inspect_entity *t)
 {
     char name[40];
-    if (!t->moves)
+    if (!t->has_motion)
         return;
     snprintf(name, sizeof name, t->motion ? "%s" : "number %s%u", t->motion ? t->motion : "", (unsigned)t->program);
     if (t->step > t->steps)
         add(s, CANVAS_WHITE, "motion %s, ended", name);
-    else if (t->left)
+    else if (t->frames_left)
         add(s, CANVAS_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->steps,
-            (unsigned)t->left);
+            (unsigned)t->frames_left);
     else
         add(s, CANVAS_WHITE, "motion %s step %u/%u", name, (unsigned)t->step, (unsigned)t->steps);
 }
 
-static void add_flight(struct panel *s, const struct inspect_thing *t)
+static void add_flight(struct panel *s, const struct inspect_entity *t)
 {
     add(s, CANVAS_WHITE, "age    %u", (unsigned)t->age);
     add(s, CANVAS_WHITE, "speed  %.3f dir %.2f", t->speed / 65536.0, t->dir);
@@ -558,7 +559,7 @@ static void add_flight(struct panel *s, const struct inspect_thing *t)
         add(s, CANVAS_WHITE, "by     player %d", t->player);
 }
 
-static void add_health(struct panel *s, const struct inspect_thing *t)
+static void add_health(struct panel *s, const struct inspect_entity *t)
 {
     bool enemy = t->body.kind == INSPECT_ENEMY;
     if (enemy)
@@ -568,7 +569,7 @@ static void add_health(struct panel *s, const struct inspect_thing *t)
         add(s, CANVAS_WHITE, t->safe < 0 ? "safe   always" : "safe   %d", (int)t->safe);
 }
 
-static void describe(struct panel *s, const struct board *b, const struct inspect_thing *t)
+static void describe(struct panel *s, const struct board *b, const struct inspect_entity *t)
 {
     static const char *const kinds[] = { "", "bullet", "shot", "enemy", "player", "laser" };
     add(s, CANVAS_CYAN, "%s %u", kinds[t->body.kind], (unsigned)t->body.slot + (t->body.kind == INSPECT_PLAYER));
@@ -580,7 +581,7 @@ static void describe(struct panel *s, const struct board *b, const struct inspec
         add_flight(s, t);
     else
         add_health(s, t);
-    add_author(s, b, t->by);
+    add_author(s, b, t->owner_task);
 }
 
 static bool on_panel(const struct layout *l, int x, int y)
@@ -603,7 +604,7 @@ static void place_thing(struct layout *l, const struct overlay_place *at, const 
 {
     const int y0 = at->beside ? 0 : l->y0, y1 = at->beside ? at->picture->fb->h : l->y1;
     struct panel s = { .lines = 0 };
-    struct inspect_thing t;
+    struct inspect_entity t;
 
     if (x < 0 || y < y0 || y >= y1 || (!at->beside && on_panel(l, x, y)))
         return;

@@ -26,7 +26,7 @@ static int wheel(int hue, int channel)
     return away <= 256 ? 255 : away >= 512 ? 0 : (512 - away) * 255 / 256;
 }
 
-void art_default_palette(uint8_t rgb[CART_PALETTE])
+void art_default_palette(uint8_t rgb[CART_PALETTE_SIZE])
 {
     for (int i = 0; i < 256; i++) {
         int bank = i / 16, shade = i % 16;
@@ -39,7 +39,7 @@ void art_default_palette(uint8_t rgb[CART_PALETTE])
     }
 }
 
-bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size)
+bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE_SIZE], char *err, size_t err_size)
 {
     if (picture->w != 16 || picture->h != 16)
         return err_set(err, err_size, "%dx%d pixels, expected 16x16: one row per bank, one column per shade",
@@ -145,7 +145,7 @@ int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t
     return shade_of(p, x, y, bank, rgb, nearest, err, err_size);
 }
 
-bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
+bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size)
 {
     if (p->w != 128 || p->h % 8 != 0 || p->h < 8 || p->h / 8 * 16 > CART_MAX_GLYPHS)
@@ -163,7 +163,7 @@ bool art_make_font(const struct art_picture *p, const uint8_t rgb[CART_PALETTE],
                 *out = NULL;
                 return false;
             }
-            (*out)[(y / 8 * 16 + x / 8) * CART_GLYPH + y % 8 * 8 + x % 8] = (uint8_t)shade;
+            (*out)[(y / 8 * 16 + x / 8) * CART_GLYPH_SIZE + y % 8 * 8 + x % 8] = (uint8_t)shade;
         }
     }
     return true;
@@ -180,7 +180,7 @@ static int bank_with(const uint8_t *rgb, const uint8_t *colour)
 }
 
 struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
-                                  const uint8_t rgb[CART_PALETTE])
+                                  const uint8_t rgb[CART_PALETTE_SIZE])
 {
     struct art_strays s = { .bank = -1, .index = -1, .fits = picture->index != NULL };
 
@@ -298,7 +298,7 @@ static void turn_stack(struct stack *turned, const struct stack *s, int rotation
     for (int i = 0; i < turned->n; i++) {
         ang turn = (ang)(((uint64_t)(i % rotations) << 32) / (uint64_t)rotations);
         if (i % rotations == 0)
-            turn_open(&t, stack_picture(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
+            turn_init(&t, stack_picture(s, i / rotations), s->w, s->h, s->w, s->px, s->py, scratch);
         turn_paint(&t, turn, stack_picture(turned, i), turned->w, turned->h, turned->w);
     }
 }
@@ -313,7 +313,7 @@ static bool turn_frames(struct stack *s, int rotations, char *err, size_t err_si
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
         return err_set(err, err_size, "%dx%d pixels when rotated, expected at most %d in each direction", w, h,
                        CART_MAX_SIDE);
-    void *scratch = malloc(turn_scratch(s->w, s->h));
+    void *scratch = malloc(turn_scratch_size(s->w, s->h));
     if (scratch == NULL)
         return result_set_host_error(err, err_size, "out of memory");
     if (!make_stack(&t, w, h, s->n * rotations, err, err_size)) {
@@ -354,7 +354,7 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
     if (w > CART_MAX_SIDE || h > CART_MAX_SIDE)
         return err_set(err, err_size, "%dx%d pixels at %d percent, expected at most %d in each direction", w, h,
                        percent, CART_MAX_SIDE);
-    void *scratch = malloc(turn_scratch(s->w, s->h));
+    void *scratch = malloc(turn_scratch_size(s->w, s->h));
     if (scratch == NULL)
         return result_set_host_error(err, err_size, "out of memory");
     if (!make_stack(&to, w, h, s->n, err, err_size)) {
@@ -362,7 +362,7 @@ static bool resize_frames(struct stack *s, int percent, int ox, int oy, char *er
         return false;
     }
     for (int i = 0; i < s->n; i++) {
-        turn_open(&t, stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, scratch);
+        turn_init(&t, stack_picture(s, i), s->w, s->h, s->w, s->px, s->py, scratch);
         resize_paint(&t, stack_picture(&to, i), w, h);
     }
     free(scratch);
@@ -403,7 +403,7 @@ static void write_header(uint8_t *p, const struct art_sprite *sprite, struct box
     bytes_put16(p + 6, (uint16_t)(ox - b.x0));
     bytes_put16(p + 8, (uint16_t)(oy - b.y0));
     bytes_put16(p + 10, (uint16_t)sprite->frames);
-    bytes_put16(p + 12, (uint16_t)sprite->every);
+    bytes_put16(p + 12, (uint16_t)sprite->frame_ticks);
     bytes_put16(p + 14, (uint16_t)sprite->rotations);
     bytes_put16(p + 16, (uint16_t)bank);
 }
@@ -427,8 +427,8 @@ static bool write_lump(const struct stack *s, const struct art_sprite *sprite, s
 }
 
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
-                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
-                     size_t err_size)
+                     const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out, size_t *size, bool *pixel,
+                     char *err, size_t err_size)
 {
     if (pixel)
         *pixel = false;
@@ -446,14 +446,14 @@ bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *s
     bool good = cut_frames(&s, sheet, sprite, bank, rgb, nearest, err, err_size);
     if (pixel)
         *pixel = !good;
-    if (good && sprite->percent != 100) {
-        ox = resized_at(ox, sprite->percent);
-        oy = resized_at(oy, sprite->percent);
-        if (!sprite->origin) {
-            ox = art_resized(sprite->w, sprite->percent) / 2;
-            oy = art_resized(sprite->h, sprite->percent) / 2;
+    if (good && sprite->scale_percent != 100) {
+        ox = resized_at(ox, sprite->scale_percent);
+        oy = resized_at(oy, sprite->scale_percent);
+        if (!sprite->has_origin) {
+            ox = art_resized(sprite->w, sprite->scale_percent) / 2;
+            oy = art_resized(sprite->h, sprite->scale_percent) / 2;
         }
-        good = resize_frames(&s, sprite->percent, ox, oy, err, err_size);
+        good = resize_frames(&s, sprite->scale_percent, ox, oy, err, err_size);
     }
     struct box box = { 0, 0, s.w, s.h };
     if (good && sprite->rotations > 1) {

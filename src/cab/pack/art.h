@@ -29,17 +29,17 @@ void art_place(const struct art_picture *p, int x, int y, char out[ART_PLACE]);
 
 /* The colours of a game that brings none: bank 0 from black to white, the others from dark to light round the colour
  * wheel. */
-void art_default_palette(uint8_t rgb[CART_PALETTE]);
+void art_default_palette(uint8_t rgb[CART_PALETTE_SIZE]);
 
 /* A 16x16 picture, a row a bank, a column a shade. */
-bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE], char *err, size_t err_size);
+bool art_make_palette(const struct art_picture *picture, uint8_t rgb[CART_PALETTE_SIZE], char *err, size_t err_size);
 
 /* A pixel's place in the bank: 1 to 15, 0: transparent. -1 and a sentence: its colour, or index, is not in the bank. */
 int art_shade(const struct art_picture *p, int x, int y, int bank, const uint8_t *rgb, bool nearest, char *err,
               size_t err_size);
 
 /* The font lump of a picture 128 px wide: 8x8 cells, 16 a row, in the colours of bank 0. *out is malloc. */
-bool art_make_font(const struct art_picture *picture, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out,
+bool art_make_font(const struct art_picture *picture, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out,
                    size_t *size, char *err, size_t err_size);
 
 /* The opaque pixels of a picture that have none of the bank's colours, or indices. marked: a byte a pixel, 0 for those
@@ -53,7 +53,7 @@ struct art_strays {
     bool fits;    /* its colours are strange, but its indices would fit: a palette was changed */
 };
 struct art_strays art_find_strays(const struct art_picture *picture, const uint8_t *marked, int bank,
-                                  const uint8_t rgb[CART_PALETTE]);
+                                  const uint8_t rgb[CART_PALETTE_SIZE]);
 
 /* The pixels that somebody painted and nobody will see: of some opacity, but of less than half. */
 struct art_faint {
@@ -71,7 +71,7 @@ int art_resized(int side, int percent);
 /* The gfx lump of a sprite on its sheet. Turned copies get the smallest size that holds all of them. *out is malloc.
  * *pixel, which may be NULL: false was returned for the colour of a pixel, which err begins with. */
 bool art_make_sprite(const struct art_picture *sheet, const struct art_sprite *sprite, int bank,
-                     const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, bool *pixel, char *err,
-                     size_t err_size);
+                     const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out, size_t *size, bool *pixel,
+                     char *err, size_t err_size);
 
 #endif

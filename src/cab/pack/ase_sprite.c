@@ -111,7 +111,7 @@ static bool choose_frames(const struct ase *a, struct ase_sprite *s, char *err, 
     if (n > CART_MAX_FRAMES)
         return err_set(err, err_size, "%d frames, expected at most %d (choose some with tag = \"NAME\")", n,
                        CART_MAX_FRAMES);
-    if (s->sprite.every == 0 && !spread(a, s->frames, &n, &s->sprite.every, err, err_size))
+    if (s->sprite.frame_ticks == 0 && !spread(a, s->frames, &n, &s->sprite.frame_ticks, err, err_size))
         return false;
     s->sprite.frames = n;
     return true;
@@ -222,7 +222,7 @@ static void find_origin(const struct ase *a, struct ase_sprite *s, const struct 
             continue;
         s->sprite.ox = k->x + k->px - at->x;
         s->sprite.oy = k->y + k->py - at->y;
-        s->sprite.origin = s->sprite.ox != at->w / 2 || s->sprite.oy != at->h / 2; /* else the very middle */
+        s->sprite.has_origin = s->sprite.ox != at->w / 2 || s->sprite.oy != at->h / 2; /* else the very middle */
         return;
     }
 }
@@ -255,8 +255,8 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
     if (i > 0 && (shape != SHAPE_CIRCLES || h->shape != SHAPE_CIRCLES))
         return err_set(err, err_size, "slice \"%s\": too many shapes: expected one box, one capsule, or circles",
                        k->name);
-    if (i == SHAPE_PARTS)
-        return err_set(err, err_size, "more than %d slices named \"hit\"", SHAPE_PARTS);
+    if (i == SHAPE_MAX_CIRCLES)
+        return err_set(err, err_size, "more than %d slices named \"hit\"", SHAPE_MAX_CIRCLES);
     if (shape != SHAPE_CIRCLES && (dx < -1 || dx > 1 || dy < -1 || dy > 1))
         return err_set(err, err_size,
                        "slice \"%s\": its centre is %g,%g px from the origin; a %s must be centred on the origin (for "
@@ -264,7 +264,7 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
                        k->name, (double)dx / 2, (double)dy / 2, shape == SHAPE_BOX ? "box" : "capsule");
     h->shape = shape;
     h->rows = i + 1;
-    const int percent = s->sprite.percent;
+    const int percent = s->sprite.scale_percent;
     bool good = scale(shape == SHAPE_BOX ? k->w : small, percent, &h->row[i].a);
     if (shape == SHAPE_BOX)
         good = scale(k->h, percent, &h->row[i].b) && good;
@@ -311,7 +311,7 @@ bool ase_make_sprite(const struct ase *a, const struct art_sprite *asked, bool b
                        (int)at.w, (int)at.h, CART_MAX_SIDE);
     if ((by_index && !check_index(a, err, err_size)) || !choose_frames(a, out, err, err_size))
         return false;
-    if (!asked->origin)
+    if (!asked->has_origin)
         find_origin(a, out, &at);
     if (!find_hit(a, out, &at, err, err_size) || !make_strip(a, &at, by_index, out, err, err_size))
         return false;

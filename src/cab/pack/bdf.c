@@ -110,7 +110,7 @@ static bool next(struct reader *r)
     n = n < LINE ? n : LINE - 1;
     for (size_t i = 0; i < n; i++)
         r->line[i] = r->p[i] == '\0' ? '?' : r->p[i];
-    while (n > 0 && cursor_blank(r->line[n - 1]))
+    while (n > 0 && cursor_is_blank(r->line[n - 1]))
         n--;
     r->line[n] = '\0';
     r->p = stop + (newline != NULL);
@@ -132,7 +132,7 @@ static bool numbers(const struct reader *r, const char *s, int n, int64_t lo, in
 {
     for (int i = 0; i < n; i++) {
         char *stop;
-        bool digit = cursor_digit(*s) || (*s == '-' && cursor_digit(s[1]));
+        bool digit = cursor_is_digit(*s) || (*s == '-' && cursor_is_digit(s[1]));
         long long v = digit ? strtoll(s, &stop, 10) : 0;
         if (!digit || v < lo || v > hi)
             return refuse(r, "expected %d numbers from %lld to %lld, got \"%.40s\"", n, (long long)lo, (long long)hi,
@@ -266,9 +266,9 @@ static bool begin(struct reader *r)
     if (r->has_box && (none || !r->has_descent))
         r->descent = (int)-r->box[3];
     r->f->height = r->ascent + r->descent;
-    if (r->f->height < 1 || r->f->height > FACE_HEIGHT)
+    if (r->f->height < 1 || r->f->height > FACE_MAX_HEIGHT)
         return refuse(r, "line height %d px (ascent %d, descent %d); expected 1 to %d", r->f->height, r->ascent,
-                      r->descent, FACE_HEIGHT);
+                      r->descent, FACE_MAX_HEIGHT);
     return find_charset(r);
 }
 
@@ -295,8 +295,8 @@ static int64_t code_of_name(const char *name)
     size_t n = 0;
     int64_t code = 0;
 
-    for (; cursor_hex(name[head + n]) >= 0 && n < 7; n++)
-        code = code * 16 + cursor_hex(name[head + n]);
+    for (; cursor_hex_value(name[head + n]) >= 0 && n < 7; n++)
+        code = code * 16 + cursor_hex_value(name[head + n]);
     return head > 0 && n >= 4 && n <= 6 && name[head + n] == '\0' && code <= UTF8_MAX ? code : -1;
 }
 
@@ -311,10 +311,11 @@ static bool read_row(struct reader *r, int w, uint8_t *out)
     while (behind(r, "COMMENT") != NULL);
     const char *s = r->line + strspn(r->line, " \t");
     for (int i = 0; i < digits && i < LINE - 64; i++)
-        if (cursor_hex(s[i]) < 0)
+        if (cursor_hex_value(s[i]) < 0)
             return refuse(r, "expected a row of %d hexadecimal digits, got \"%.40s\"", digits, r->line);
     for (int x = 0; out != NULL && x < w; x++) {
-        const int bit = x * r->bits, byte = cursor_hex(s[bit / 8 * 2]) << 4 | cursor_hex(s[bit / 8 * 2 + 1]);
+        const int bit = x * r->bits,
+                  byte = cursor_hex_value(s[bit / 8 * 2]) << 4 | cursor_hex_value(s[bit / 8 * 2 + 1]);
         out[x] = (uint8_t)(((byte >> (8 - r->bits - bit % 8) & most) * 15 + most / 2) / most);
     }
     return true;
@@ -330,11 +331,11 @@ static bool check_letter(const struct reader *r, const struct letter *l, const s
 {
     if (!l->has_advance)
         return refuse(r, "U+%04X has no DWIDTH, and the header has none", (unsigned)l->code);
-    if (l->rise != 0 || l->advance < 0 || l->advance > FACE_HEIGHT)
+    if (l->rise != 0 || l->advance < 0 || l->advance > FACE_MAX_HEIGHT)
         return refuse(r, "U+%04X: DWIDTH %d %d; expected a width of 0 to %d and a height of 0", (unsigned)l->code,
-                      l->advance, l->rise, FACE_HEIGHT);
-    if (l->w > FACE_SIDE || l->h > FACE_SIDE)
-        return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_SIDE);
+                      l->advance, l->rise, FACE_MAX_HEIGHT);
+    if (l->w > FACE_MAX_SIDE || l->h > FACE_MAX_SIDE)
+        return refuse(r, "character of %dx%d px; expected at most %d in each direction", l->w, l->h, FACE_MAX_SIDE);
     if (!fits(g->x, -128, 127) || !fits(g->y, -128, 127))
         return refuse(r, "U+%04X is too far from the baseline", (unsigned)l->code);
     return true;
@@ -394,7 +395,7 @@ static bool read_letter_line(struct reader *r, struct letter *l, int64_t named)
             return false;
         if (v[0] < 0 || v[1] < 0)
             return refuse(r, "character of %dx%d px; expected at most %d in each direction", (int)v[0], (int)v[1],
-                          FACE_SIDE);
+                          FACE_MAX_SIDE);
         l->boxed = true;
         l->w = (int)v[0], l->h = (int)v[1], l->x = (int)v[2], l->y = (int)v[3];
     } else if (behind(r, "BITMAP") != NULL) {

@@ -67,22 +67,22 @@ static void refill(struct writer *w)
     }
 }
 
-static void put_bit(struct writer *w, lzma_odds *odds, unsigned bit)
+static void put_bit(struct writer *w, lzma_prob *odds, unsigned bit)
 {
-    const uint32_t half = (w->range >> LZMA_SCALE) * *odds;
+    const uint32_t half = (w->range >> LZMA_PROB_BITS) * *odds;
 
     if (bit) {
         w->low += half;
         w->range -= half;
-        *odds = (lzma_odds)(*odds - (*odds >> LZMA_PACE));
+        *odds = (lzma_prob)(*odds - (*odds >> LZMA_ADAPT_SHIFT));
     } else {
         w->range = half;
-        *odds = (lzma_odds)(*odds + (((1 << LZMA_SCALE) - *odds) >> LZMA_PACE));
+        *odds = (lzma_prob)(*odds + (((1 << LZMA_PROB_BITS) - *odds) >> LZMA_ADAPT_SHIFT));
     }
     refill(w);
 }
 
-static void put_tree(struct writer *w, lzma_odds *odds, int bits, uint32_t value)
+static void put_tree(struct writer *w, lzma_prob *odds, int bits, uint32_t value)
 {
     unsigned m = 1;
 
@@ -93,7 +93,7 @@ static void put_tree(struct writer *w, lzma_odds *odds, int bits, uint32_t value
     }
 }
 
-static void put_backwards(struct writer *w, lzma_odds *odds, int bits, uint32_t value)
+static void put_backwards(struct writer *w, lzma_prob *odds, int bits, uint32_t value)
 {
     unsigned m = 1;
 
@@ -123,7 +123,7 @@ static void put_literal(struct writer *w)
     int i = 7;
 
     put_bit(w, &w->m.match[w->state], 0);
-    if (w->state >= LZMA_LITERALS) {
+    if (w->state >= LZMA_LITERAL_STATES) {
         const unsigned match = w->in[w->at - w->rep[0] - 1];
         for (; i >= 0; i--) {
             const unsigned would = match >> i & 1, bit = byte >> i & 1;
@@ -139,13 +139,13 @@ static void put_literal(struct writer *w)
         put_bit(w, &w->m.literal[0][m], byte >> i & 1);
         m = m << 1 | (byte >> i & 1);
     }
-    w->state = lzma_after_literal(w->state);
+    w->state = lzma_state_after_literal(w->state);
     w->at++;
 }
 
 static void put_length(struct writer *w, struct lzma_length *l, uint32_t length)
 {
-    const uint32_t n = length - LZMA_SHORTEST;
+    const uint32_t n = length - LZMA_MIN_MATCH;
 
     put_bit(w, &l->choice[0], n >= 8);
     if (n < 8) {
@@ -161,7 +161,7 @@ static void put_length(struct writer *w, struct lzma_length *l, uint32_t length)
 
 static void put_distance(struct writer *w, uint32_t length, uint32_t distance)
 {
-    const uint32_t kind = length - LZMA_SHORTEST < LZMA_LENGTHS ? length - LZMA_SHORTEST : LZMA_LENGTHS - 1;
+    const uint32_t kind = length - LZMA_MIN_MATCH < LZMA_SLOT_MODELS ? length - LZMA_MIN_MATCH : LZMA_SLOT_MODELS - 1;
     int bits = 0;
 
     while (distance >> bits > 3)
@@ -171,12 +171,12 @@ static void put_distance(struct writer *w, uint32_t length, uint32_t distance)
     if (slot < 4)
         return;
     const uint32_t from = (2 | (slot & 1)) << bits, rest = distance - from;
-    if (slot < LZMA_NEAR) {
+    if (slot < LZMA_MODELLED_SLOTS) {
         put_backwards(w, w->m.near + from - slot, bits, rest);
         return;
     }
-    put_even(w, bits - LZMA_ALIGN, rest >> LZMA_ALIGN);
-    put_backwards(w, w->m.align, LZMA_ALIGN, rest & ((1 << LZMA_ALIGN) - 1));
+    put_even(w, bits - LZMA_ALIGN_BITS, rest >> LZMA_ALIGN_BITS);
+    put_backwards(w, w->m.align, LZMA_ALIGN_BITS, rest & ((1 << LZMA_ALIGN_BITS) - 1));
 }
 
 static void put_match(struct writer *w, struct match match)
@@ -187,7 +187,7 @@ static void put_match(struct writer *w, struct match match)
     put_distance(w, match.length, match.distance);
     memmove(w->rep + 1, w->rep, (LZMA_REPS - 1) * sizeof *w->rep);
     w->rep[0] = match.distance;
-    w->state = lzma_after(w->state, LZMA_MATCH);
+    w->state = lzma_state_after_match(w->state, LZMA_MATCH);
     w->at += match.length;
 }
 
@@ -210,16 +210,16 @@ static void put_again(struct writer *w, int i, uint32_t length)
     w->rep[0] = distance;
     if (length > 1)
         put_length(w, &w->m.rep_length, length);
-    w->state = lzma_after(w->state, length > 1 ? LZMA_REP : LZMA_SHORT_REP);
+    w->state = lzma_state_after_match(w->state, length > 1 ? LZMA_REP : LZMA_SHORT_REP);
     w->at += length;
 }
 
 /* ---- matches ---- */
 
-/* Bytes at a place that are those `distance` + 1 before it, at most LZMA_LONGEST. */
+/* Bytes at a place that are those `distance` + 1 before it, at most LZMA_MAX_MATCH. */
 static uint32_t same(const struct writer *w, size_t at, uint32_t distance)
 {
-    const size_t left = w->size - at, most = left < LZMA_LONGEST ? left : LZMA_LONGEST;
+    const size_t left = w->size - at, most = left < LZMA_MAX_MATCH ? left : LZMA_MAX_MATCH;
     uint32_t n = 0;
 
     if (distance >= at)
@@ -261,7 +261,7 @@ static struct match consider(const struct writer *w, size_t at, uint32_t place, 
     if (place == 0 || at + best.length >= w->size || w->in[place - 1 + best.length] != w->in[at + best.length])
         return best; /* it cannot be longer */
     found.length = same(w, at, found.distance);
-    return found.length >= LZMA_SHORTEST && (best.length == 0 || better(found, best)) ? found : best;
+    return found.length >= LZMA_MIN_MATCH && (best.length == 0 || better(found, best)) ? found : best;
 }
 
 /* The best match of a place, which is the next one that is looked at; length 0: none. */
@@ -274,7 +274,7 @@ static struct match find(struct writer *w, size_t at)
     best = consider(w, at, first[2], best);
     best = consider(w, at, first[1], best);
     uint32_t place = first[0];
-    for (int i = 0; place > 0 && i < DEPTH && best.length < LZMA_LONGEST; i++) {
+    for (int i = 0; place > 0 && i < DEPTH && best.length < LZMA_MAX_MATCH; i++) {
         best = consider(w, at, place, best);
         place = w->before[place - 1];
     }
@@ -299,8 +299,8 @@ static uint32_t again(const struct writer *w, size_t at, int *which)
 /* Is a remembered distance as good as that match, which is longer by a little? */
 static bool again_does(uint32_t length, struct match m)
 {
-    return length >= LZMA_SHORTEST && (length + 1 >= m.length || (length + 2 >= m.length && m.distance > 1 << 9) ||
-                                       (length + 3 >= m.length && m.distance > 1 << 15));
+    return length >= LZMA_MIN_MATCH && (length + 1 >= m.length || (length + 2 >= m.length && m.distance > 1 << 9) ||
+                                        (length + 3 >= m.length && m.distance > 1 << 15));
 }
 
 /* Is it better to put a literal, and then what is found behind it? */
@@ -308,7 +308,7 @@ static bool waits(const struct writer *w, struct match m, struct match next)
 {
     int which;
 
-    if (next.length >= LZMA_SHORTEST &&
+    if (next.length >= LZMA_MIN_MATCH &&
         ((next.length >= m.length && next.distance < m.distance) || better(next, m) ||
          (next.length + 1 >= m.length && m.length >= 3 && m.distance >> 7 > next.distance)))
         return true;
@@ -319,7 +319,7 @@ static bool waits(const struct writer *w, struct match m, struct match next)
 
 static void put_single(struct writer *w)
 {
-    if (w->at > w->rep[0] && w->state >= LZMA_LITERALS && w->in[w->at] == w->in[w->at - w->rep[0] - 1])
+    if (w->at > w->rep[0] && w->state >= LZMA_LITERAL_STATES && w->in[w->at] == w->in[w->at - w->rep[0] - 1])
         put_again(w, 0, 1);
     else
         put_literal(w);
@@ -341,9 +341,10 @@ static void write_all(struct writer *w)
         struct match next = { 0, 0 };
         if (again_does(length, now)) {
             put_again(w, which, length);
-        } else if (now.length < LZMA_SHORTEST) {
+        } else if (now.length < LZMA_MIN_MATCH) {
             put_single(w);
-        } else if (now.length < LZMA_LONGEST && from + 1 < w->size && (next = find(w, from + 1), waits(w, now, next))) {
+        } else if (now.length < LZMA_MAX_MATCH && from + 1 < w->size &&
+                   (next = find(w, from + 1), waits(w, now, next))) {
             put_single(w);
             now = next;
             found = true;
@@ -364,7 +365,7 @@ bool compress_rom(const void *rom, size_t rom_size, uint8_t **out, size_t *size)
 
     *out = NULL;
     *size = 0;
-    if (!w || rom_size <= COMPRESSED_HEADER || rom_size > COMPRESSED_MOST) {
+    if (!w || rom_size <= COMPRESSED_HEADER || rom_size > COMPRESSED_MAX_SIZE) {
         free(w);
         return w != NULL;
     }
@@ -381,10 +382,10 @@ bool compress_rom(const void *rom, size_t rom_size, uint8_t **out, size_t *size)
         good = true;
     }
     free(w->two);
-    if (good && w->n < w->room && rom_size / COMPRESSED_TIMES <= w->n) {
+    if (good && w->n < w->room && rom_size / COMPRESSED_MAX_RATIO <= w->n) {
         memmove(w->out + COMPRESSED_HEADER, w->out, w->n);
         *size = COMPRESSED_HEADER + w->n;
-        compressed_seal(w->out, *size, rom, rom_size);
+        compressed_write_header(w->out, *size, rom, rom_size);
         *out = w->out;
         w->out = NULL;
     }

@@ -32,7 +32,7 @@ static void skip_comment(struct cursor *at)
             at->p++;
         return;
     }
-    while (at->p < at->end && !cursor_closes(at, level))
+    while (at->p < at->end && !cursor_at_long_close(at, level))
         at->p++;
 }
 
@@ -43,8 +43,8 @@ static void add_escape(struct faces_set *s, const struct cursor *at)
 
     if (cursor_peek(at, 1) != 'u' || cursor_peek(at, 2) != '{')
         return;
-    for (size_t i = 3; cursor_hex(cursor_peek(at, i)) >= 0 && code <= UTF8_MAX; i++)
-        code = code * 16 + (uint32_t)cursor_hex(cursor_peek(at, i));
+    for (size_t i = 3; cursor_hex_value(cursor_peek(at, i)) >= 0 && code <= UTF8_MAX; i++)
+        code = code * 16 + (uint32_t)cursor_hex_value(cursor_peek(at, i));
     faces_add(s, code);
 }
 
@@ -135,7 +135,7 @@ bool faces_shadow(struct faces *f)
     for (int i = 0; i < f->n; i++) {
         struct faces_glyph *g = &f->list[i];
         const int w = g->w + 1, h = g->h + 1;
-        if (!any_ink(g) || w > FACE_SIDE || h > FACE_SIDE)
+        if (!any_ink(g) || w > FACE_MAX_SIDE || h > FACE_MAX_SIDE)
             continue;
         uint8_t *pix = calloc((size_t)w, (size_t)h);
         if (pix == NULL)
@@ -160,7 +160,7 @@ bool faces_shadow(struct faces *f)
 
 size_t faces_make(const struct faces *f, uint8_t **out)
 {
-    size_t at = FACE_HEAD + (size_t)f->n * FACE_GLYPH, size = at;
+    size_t at = FACE_HEADER + (size_t)f->n * FACE_GLYPH_SIZE, size = at;
 
     for (int i = 0; i < f->n; i++)
         size += (size_t)((f->list[i].w + 7) / 8 * 8) * (size_t)f->list[i].h;
@@ -172,7 +172,7 @@ size_t faces_make(const struct faces *f, uint8_t **out)
     for (int i = 0; i < f->n; i++) {
         const struct faces_glyph *g = &f->list[i];
         const int pitch = (g->w + 7) / 8 * 8;
-        uint8_t *p = *out + FACE_HEAD + (size_t)i * FACE_GLYPH;
+        uint8_t *p = *out + FACE_HEADER + (size_t)i * FACE_GLYPH_SIZE;
         bytes_put32(p, g->code);
         bytes_put32(p + 4, (uint32_t)at);
         p[8] = (uint8_t)g->w;
@@ -225,7 +225,7 @@ static bool cut_cell(struct faces_glyph *g, const struct art_picture *p, int x0,
 }
 
 bool faces_cut(struct faces *f, const struct art_picture *picture, const struct art_font *font,
-               const struct faces_set *wanted, const uint8_t rgb[CART_PALETTE], bool nearest, char *err,
+               const struct faces_set *wanted, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, char *err,
                size_t err_size)
 {
     const int across = picture->w / font->w, cells = across * (picture->h / font->h);

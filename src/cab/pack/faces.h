@@ -58,7 +58,7 @@ size_t faces_make(const struct faces *f, uint8_t **out);
 /* The wanted characters of a picture with a grid of cells, in the order of font->chars; f is empty before. False and
  * one sentence, without the file's name. */
 bool faces_cut(struct faces *f, const struct art_picture *picture, const struct art_font *font,
-               const struct faces_set *wanted, const uint8_t rgb[CART_PALETTE], bool nearest, char *err,
+               const struct faces_set *wanted, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, char *err,
                size_t err_size);
 
 #endif

@@ -83,8 +83,8 @@ static const char *take(struct reader *r, const char *p, const char *end)
         }
         *to++ = c == 'n' ? '\n' : c;
     }
-    if (to - out >= WORDS_TEXT) {
-        refuse(r, "text of %d bytes, expected at most %d", (int)(to - out), WORDS_TEXT - 1);
+    if (to - out >= WORDS_MAX_TEXT) {
+        refuse(r, "text of %d bytes, expected at most %d", (int)(to - out), WORDS_MAX_TEXT - 1);
         return NULL;
     }
     *to++ = '\0';
@@ -125,8 +125,8 @@ static bool read_line(struct reader *r, const char *p, const char *end)
         return false;
     if (one.text[0] == '\0' || one.words[0] == '\0')
         return refuse(r, "expected %s the =", one.text[0] == '\0' ? "text before" : "a translation after");
-    if (r->l->n == WORDS_MAX)
-        return refuse(r, "more than %d texts", WORDS_MAX);
+    if (r->l->n == WORDS_MAX_ENTRIES)
+        return refuse(r, "more than %d texts", WORDS_MAX_ENTRIES);
     if (r->l->n == r->room && !grow(r))
         return false;
     r->l->list[r->l->n++] = one;

@@ -151,7 +151,7 @@ static void read_fonts(const struct at *root, struct art *art)
         if (!at_file(&one, "file", f->file))
             at_bad(a.lua, one.path, "expected file=\"art/NAME.bdf\" or \"art/NAME.png\"");
         read_cells(&one, f);
-        at_text(&one, "also", "characters", f->also, sizeof f->also);
+        at_text(&one, "also", "characters", f->extra_chars, sizeof f->extra_chars);
         f->fixed = at_flag(&one, "fixed");
         f->shadow = at_flag(&one, "shadow");
         f->by_index = get_match(&one, art->by_index);
@@ -208,7 +208,7 @@ static void read_origin(const struct at *a, struct art_sprite *s)
     s->ox = (int32_t)at_to_whole(a->lua, path, -1024, 1024);
     at_item(&o, 2, path);
     s->oy = (int32_t)at_to_whole(a->lua, path, -1024, 1024);
-    s->origin = true;
+    s->has_origin = true;
     lua_pop(a->lua, 1);
 }
 
@@ -230,10 +230,10 @@ static void read_tagged(const struct at *a, struct art_sprite *s)
         at_bad(a->lua, path,
                "sprites from an .ase file use all its frames; to choose some of them, use tag = \"NAME\"");
     }
-    s->frames = s->every = 0;
+    s->frames = s->frame_ticks = 0;
     at_whole(a, "w", 1, 1024, &s->w);
     at_whole(a, "h", 1, 1024, &s->h);
-    at_whole(a, "every", 1, 3600, &s->every);
+    at_whole(a, "every", 1, 3600, &s->frame_ticks);
 }
 
 static void read_cut(const struct at *a, struct art_sprite *s)
@@ -247,7 +247,7 @@ static void read_cut(const struct at *a, struct art_sprite *s)
     at_need_whole(a, "w", 1, 1024, &s->w);
     at_need_whole(a, "h", 1, 1024, &s->h);
     at_whole(a, "frames", 1, 256, &s->frames);
-    at_whole(a, "every", 1, 3600, &s->every);
+    at_whole(a, "every", 1, 3600, &s->frame_ticks);
 }
 
 static void read_sprite(const struct at *a, const struct art *art, struct art_sprite *s)
@@ -258,8 +258,8 @@ static void read_sprite(const struct at *a, const struct art *art, struct art_sp
     at_only(a, names);
     s->sheet = sheet_index(a, art);
     s->frames = s->rotations = 1;
-    s->every = 6;
-    s->percent = 100;
+    s->frame_ticks = 6;
+    s->scale_percent = 100;
     at_whole(a, "x", 0, 16383, &s->x);
     at_whole(a, "y", 0, 16383, &s->y);
     if (art_is_ase(art->sheets[s->sheet].file))
@@ -288,7 +288,7 @@ static void read_sprite_sizes(const struct at *a, struct art *art, const struct 
             at_bad(a->lua, path, "more than %d sprites", MAX_ART_SPRITES);
         struct art_sprite *more = &art->sprites[art->n_sprites++];
         *more = *s;
-        more->percent = percent;
+        more->scale_percent = percent;
         if (snprintf(more->name, ART_NAME, "%s_%d", s->name, percent) >= ART_NAME)
             at_bad(a->lua, path, "sprite name %s_%d is longer than %d bytes", s->name, percent, ART_NAME - 1);
     }
@@ -359,10 +359,10 @@ static void read_rows(const struct at *a, struct art *art, struct art_map *map)
 
     if (!at_table(a, "rows", &rows))
         return;
-    map->cells = art->n_cells;
+    map->first_cell = art->n_cells;
     map->rows = at_list(&rows, MAX_ART_CELLS);
     for (int i = 1; i <= map->rows; i++)
-        read_row(&rows, i, map->first, art, map);
+        read_row(&rows, i, map->first_tile, art, map);
     if (map->rows == 0)
         at_bad(a->lua, rows.path, "expected at least one row");
     lua_pop(a->lua, 1);
@@ -384,7 +384,7 @@ static void read_tiles(const struct at *a, struct art_map *map)
         return;
     }
     at_table(a, "tiles", &pictures);
-    map->n_tiles = at_list(&pictures, ART_TILES);
+    map->n_tiles = at_list(&pictures, MAX_ART_TILES);
     for (int i = 0; i < map->n_tiles; i++) {
         at_item(&pictures, i + 1, path);
         at_to_file(a->lua, path, map->tiles[i]);
@@ -402,25 +402,25 @@ static void read_map(const struct at *a, struct art *art, struct art_map *map)
 
     at_only(a, names);
     at_path(a, "size", path);
-    map->first = 1;
+    map->first_tile = 1;
     read_tiles(a, map);
     at_whole(a, "bank", 0, 15, &map->bank);
     get_palette(a, art, map->palette);
     map->by_index = get_match(a, art->by_index);
-    at_whole(a, "size", 8, 32, &map->size);
-    at_whole(a, "first", 0, 1, &map->first);
+    at_whole(a, "size", 8, 32, &map->tile_size);
+    at_whole(a, "first", 0, 1, &map->first_tile);
     at_text(a, "layer", "a layer's name", map->layer, sizeof map->layer);
-    const bool file = at_file(a, "file", map->file), tmx = files_ends(map->file, ".tmx");
-    if (file && !tmx && !files_ends(map->file, ".csv"))
+    const bool file = at_file(a, "file", map->file), tmx = files_has_suffix(map->file, ".tmx");
+    if (file && !tmx && !files_has_suffix(map->file, ".csv"))
         at_bad(a->lua, a->path, "file: expected a .csv or .tmx file, got \"%s\"", map->file);
     if (map->n_tiles > 1 && !tmx)
         at_bad(a->lua, a->path, "tiles: only a .tmx map can use tiles from several pictures");
     if (map->layer[0] != '\0' && !tmx)
         at_bad(a->lua, a->path, "layer: only a .tmx map has layers");
-    if (map->size == 0 && !tmx)
-        map->size = 16;
-    if (map->size != 0 && map->size != 8 && map->size != 16 && map->size != 32)
-        at_bad(a->lua, path, "expected 8, 16 or 32, got %d", (int)map->size);
+    if (map->tile_size == 0 && !tmx)
+        map->tile_size = 16;
+    if (map->tile_size != 0 && map->tile_size != 8 && map->tile_size != 16 && map->tile_size != 32)
+        at_bad(a->lua, path, "expected 8, 16 or 32, got %d", (int)map->tile_size);
     read_rows(a, art, map);
     if (file == (map->rows > 0))
         at_bad(a->lua, a->path, "expected either file=\"maps/NAME.tmx\" (or .csv) or rows={ { 1, 2, .. }, .. }");
@@ -433,7 +433,7 @@ static void read_icon(const struct at *root, struct art *art)
 
     if (!at_text(root, "icon", "a file or a sprite's name", art->icon, sizeof art->icon))
         return;
-    if (files_ends(art->icon, ".png")) {
+    if (files_has_suffix(art->icon, ".png")) {
         if (!manifest_path_ok(art->icon))
             at_bad(root->lua, "icon", "expected a file inside the folder (letters, digits, _ - . /), got \"%s\"",
                    art->icon);

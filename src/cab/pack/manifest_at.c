@@ -217,7 +217,7 @@ static bool is_listed(lua_State *lua, const char *key, const void *of)
 /* Every key of a is one of names. */
 void at_only(const struct at *a, const char *const *names)
 {
-    if (!luakeys_push_stray(a->lua, a->index, is_listed, names))
+    if (!luakeys_push_unknown(a->lua, a->index, is_listed, names))
         return;
     const char *key = luakeys_text(a->lua, -1);
     if (key == NULL)
@@ -249,15 +249,15 @@ void at_item(const struct at *a, int i, char path[MAX_PATH])
 }
 
 /* The words of a list; returns how many. */
-int at_words(const struct at *a, char out[][MAX_WORD], int max)
+int at_words(const struct at *a, char out[][MAX_SETTING_NAME], int max)
 {
     int n = at_list(a, max);
 
     for (int i = 0; i < n; i++) {
         char path[MAX_PATH];
         at_item(a, i + 1, path);
-        at_to_text(a->lua, path, "a word", out[i], MAX_WORD);
-        if (!manifest_word_ok(out[i]))
+        at_to_text(a->lua, path, "a word", out[i], MAX_SETTING_NAME);
+        if (!manifest_setting_name_ok(out[i]))
             at_bad(a->lua, path, "expected a word of letters, digits, _ and -, got \"%s\"", out[i]);
         for (int j = 0; j < i; j++)
             if (strcmp(out[i], out[j]) == 0)
@@ -284,7 +284,7 @@ int at_keys(const struct at *a, void *out, int max, size_t stride, size_t name_s
     char *name = out;
     int n = 0;
 
-    if (luakeys_push_stray(lua, a->index, is_name, &name_size)) {
+    if (luakeys_push_unknown(lua, a->index, is_name, &name_size)) {
         if (luakeys_text(lua, -1) == NULL)
             at_bad(lua, a->path, "expected only names as keys, got %s", at_got(lua));
         at_to_text(lua, a->path, "a name", name, name_size);

@@ -50,7 +50,7 @@ void at_only(const struct at *a, const char *const *names);
 
 /* a is a list and nothing else; returns its length, at most max. at_words: into words. */
 int at_list(const struct at *a, int max);
-int at_words(const struct at *a, char out[][MAX_WORD], int max);
+int at_words(const struct at *a, char out[][MAX_SETTING_NAME], int max);
 
 /* The keys of a, sorted, into the first bytes (a name) of an array of structs; returns how many. */
 int at_keys(const struct at *a, void *out, int max, size_t stride, size_t name_size);

@@ -46,7 +46,7 @@ static void get_number(const struct at *a, const char *key, const struct manifes
 {
     char path[MAX_PATH];
 
-    if (!f->flag) {
+    if (!f->is_flag) {
         at_whole(a, key, f->lo, f->hi, v);
         return;
     }
@@ -125,7 +125,7 @@ static void read_extends(const struct at *root, struct manifest *m)
 }
 
 /* The index of a word, or -1. */
-static int word_index(const char words_[][MAX_WORD], int n, const char *word)
+static int word_index(const char words_[][MAX_SETTING_NAME], int n, const char *word)
 {
     for (int i = 0; i < n; i++)
         if (strcmp(words_[i], word) == 0)
@@ -136,7 +136,7 @@ static int word_index(const char words_[][MAX_WORD], int n, const char *word)
 static void read_difficulties(const struct at *root, struct manifest *m)
 {
     struct at a;
-    char word[MAX_WORD] = "normal";
+    char word[MAX_SETTING_NAME] = "normal";
 
     if (at_table(root, "difficulties", &a)) {
         memset(m->difficulties, 0, sizeof m->difficulties);
@@ -146,7 +146,7 @@ static void read_difficulties(const struct at *root, struct manifest *m)
         lua_pop(a.lua, 1);
     }
     bool given = at_text(root, "difficulty", "a word", word, sizeof word);
-    m->difficulty = word_index((const char(*)[MAX_WORD])m->difficulties, m->n_difficulties, word);
+    m->difficulty = word_index((const char(*)[MAX_SETTING_NAME])m->difficulties, m->n_difficulties, word);
     if (m->difficulty < 0 && given)
         at_bad(root->lua, "difficulty", "\"%s\" is not listed in difficulties", word);
     if (m->difficulty < 0)
@@ -158,16 +158,16 @@ static void read_dip(const struct at *a, struct dip *d)
     static const char *const names[] = { "min", "max", "default", NULL };
 
     if (lua_rawlen(a->lua, a->index) > 0) {
-        d->values = at_words(a, d->value_name, MAX_DIP_VALUES);
-        d->hi = d->values - 1;
+        d->n_values = at_words(a, d->value_name, MAX_DIP_VALUES);
+        d->hi = d->n_values - 1;
         return;
     }
     at_only(a, names);
-    d->number = true;
+    d->is_number = true;
     at_need_whole(a, "min", INT32_MIN, INT32_MAX, &d->lo);
     at_need_whole(a, "max", d->lo, INT32_MAX, &d->hi);
-    d->value = d->lo;
-    at_whole(a, "default", d->lo, d->hi, &d->value);
+    d->default_value = d->lo;
+    at_whole(a, "default", d->lo, d->hi, &d->default_value);
 }
 
 static void read_dips(const struct at *root, struct manifest *m)
@@ -176,10 +176,10 @@ static void read_dips(const struct at *root, struct manifest *m)
 
     if (!at_table(root, "dip", &a))
         return;
-    m->n_dips = at_keys(&a, m->dips, MAX_DIPS, sizeof m->dips[0], MAX_WORD);
+    m->n_dips = at_keys(&a, m->dips, MAX_DIPS, sizeof m->dips[0], MAX_SETTING_NAME);
     for (int i = 0; i < m->n_dips; i++) {
         at_table(&a, m->dips[i].name, &one);
-        if (!manifest_word_ok(m->dips[i].name))
+        if (!manifest_setting_name_ok(m->dips[i].name))
             at_bad(a.lua, one.path, "expected a name of letters, digits, _ and -");
         read_dip(&one, &m->dips[i]);
         lua_pop(a.lua, 1);
@@ -197,12 +197,12 @@ static void read_loop_table(const struct at *a, struct art_loop *loop)
     at_only(a, names);
     loop->kind = LOOP_GIVEN;
     at_text(a, "unit", "a word", unit, sizeof unit);
-    loop->seconds = strcmp(unit, "seconds") == 0;
-    if (!loop->seconds && strcmp(unit, "frames") != 0)
+    loop->in_seconds = strcmp(unit, "seconds") == 0;
+    if (!loop->in_seconds && strcmp(unit, "frames") != 0)
         at_bad(a->lua, a->path, "unit: expected \"frames\" or \"seconds\", got \"%s\"", unit);
     at_real(a, "start", 0, LONGEST, &loop->start);
     at_real(a, "length", 0, LONGEST, &loop->length);
-    if (!loop->seconds && (loop->start != (int32_t)loop->start || loop->length != (int32_t)loop->length))
+    if (!loop->in_seconds && (loop->start != (int32_t)loop->start || loop->length != (int32_t)loop->length))
         at_bad(a->lua, a->path, "expected whole numbers of frames (or unit=\"seconds\")");
 }
 
@@ -243,8 +243,8 @@ static void read_beat(const struct at *a, struct art_sound *s, struct art *art)
 
     at_real(a, "tempo", 10, 600, &tempo);
     s->tempo = (int32_t)(tempo * 100 + 0.5);
-    s->bar = 4;
-    at_whole(a, "bar", 1, 64, &s->bar);
+    s->beats_per_bar = 4;
+    at_whole(a, "bar", 1, 64, &s->beats_per_bar);
     at_real(a, "offset", 0, 300, &s->offset);
     read_markers(a, s, art);
 }
@@ -254,7 +254,7 @@ bool art_is_recording(const char *file)
     static const char *const tails[] = { ".wav", ".ogg", ".oga", ".opus", ".flac", ".xm", ".it", ".s3m", ".mod", NULL };
 
     for (int i = 0; tails[i]; i++)
-        if (files_ends(file, tails[i]))
+        if (files_has_suffix(file, tails[i]))
             return true;
     return false;
 }
@@ -288,9 +288,9 @@ static void read_sound(const struct at *a, struct art_sound *s, bool music, stru
     at_text(a, "title", "a line", s->title, sizeof s->title);
     at_whole(a, "priority", 0, 7, &s->priority);
     at_whole(a, "limit", 1, 8, &s->limit);
-    if (music && !recording && !(file && files_ends(s->file, ".mml")))
+    if (music && !recording && !(file && files_has_suffix(s->file, ".mml")))
         at_bad(a->lua, a->path, "expected file=\"music/NAME.mml\" (or .ogg, .flac, .wav)");
-    if (file == mml || (file && !recording && !files_ends(s->file, ".mml")))
+    if (file == mml || (file && !recording && !files_has_suffix(s->file, ".mml")))
         at_bad(a->lua, a->path, "expected either file=\"sfx/NAME.wav\" (or .ogg, .flac, .mml) or mml=\"...\"");
     if (!recording)
         only_of_recordings(a);
@@ -440,7 +440,7 @@ static void id_from(const char *folder, char id[32])
 /* Runs the text; false and one sentence when it is no manifest. */
 static bool read_text(struct reader *r, void *work, char *err, size_t err_size)
 {
-    struct memory memory = { heap_init(work, MANIFEST_WORK), NULL, 0 };
+    struct memory memory = { heap_init(work, MANIFEST_SCRATCH_SIZE), NULL, 0 };
     lua_State *lua = lua_newstate(allocate, &memory);
 
     memory.lua = lua;

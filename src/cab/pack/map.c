@@ -209,7 +209,7 @@ static size_t lay_sheets(struct making *m)
 }
 
 bool map_make(const struct map_cells *cells, const char *where, int side, const struct map_picture picture[MAP_SHEETS],
-              int bank, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+              int bank, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out, size_t *size, char *err,
               size_t err_size)
 {
     struct making m = { .cells = cells,
@@ -224,9 +224,9 @@ bool map_make(const struct map_cells *cells, const char *where, int side, const 
                         .err = err,
                         .err_size = err_size };
 
-    if (cells->cols > CART_MAP_SIDE / side || cells->rows > CART_MAP_SIDE / side)
+    if (cells->cols > CART_MAX_MAP_SIDE / side || cells->rows > CART_MAX_MAP_SIDE / side)
         return err_set(err, err_size, "%s: %dx%d tiles of %d px, expected at most %d px in each direction", where,
-                       cells->cols, cells->rows, side, CART_MAP_SIDE);
+                       cells->cols, cells->rows, side, CART_MAX_MAP_SIDE);
     m.number = calloc(lay_sheets(&m) * 8 + 8, sizeof *m.number);
     m.pix = calloc((size_t)m.room, tile_bytes(&m));
     uint8_t *numbers = malloc(2 * (size_t)cells->cols * (size_t)cells->rows);
@@ -253,8 +253,8 @@ struct csv {
 
 static bool csv_add(struct csv *c, uint32_t cell)
 {
-    if (c->n == CART_MAP_CELLS)
-        return err_set(c->err, c->err_size, "%s:%d: more than %d tiles", c->file, c->line, CART_MAP_CELLS);
+    if (c->n == CART_MAX_MAP_CELLS)
+        return err_set(c->err, c->err_size, "%s:%d: more than %d tiles", c->file, c->line, CART_MAX_MAP_CELLS);
     if (c->n == c->room) {
         c->room = c->room ? 2 * c->room : 1024;
         uint32_t *more = realloc(c->out->cell, (size_t)c->room * sizeof *more);

@@ -28,7 +28,7 @@ static inline uint32_t map_turns(uint32_t gid)
     return (gid >> 31 & 1 ? MAP_FLIP_X : 0u) | (gid >> 30 & 1 ? MAP_FLIP_Y : 0u) | (gid >> 29 & 1 ? MAP_DIAGONAL : 0u);
 }
 
-enum { MAP_SHEETS = ART_TILES, MAP_PLACE = TREE_PATH + 16 };
+enum { MAP_SHEETS = MAX_ART_TILES, MAP_PLACE = TREE_PATH + 16 };
 
 /* A sheet of tiles that cells are cut from. */
 struct map_sheet {
@@ -79,7 +79,7 @@ bool map_fits(const struct map_cells *cells, int i, const struct map_picture *pi
 /* The lump map/... of cells of `side` px, with those tiles that it uses, each as it is turned; picture i is that of
  * sheet i. `where` names the map in messages. *out is malloc. */
 bool map_make(const struct map_cells *cells, const char *where, int side, const struct map_picture picture[MAP_SHEETS],
-              int bank, const uint8_t rgb[CART_PALETTE], bool nearest, uint8_t **out, size_t *size, char *err,
+              int bank, const uint8_t rgb[CART_PALETTE_SIZE], bool nearest, uint8_t **out, size_t *size, char *err,
               size_t err_size);
 
 #endif

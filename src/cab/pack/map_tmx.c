@@ -417,9 +417,9 @@ static int64_t decode64(const char *s, size_t n, uint8_t *out)
                     return -1;
             break;
         }
-        if (bytes_digit64((uint8_t)s[i]) < 0)
+        if (bytes_base64_digit((uint8_t)s[i]) < 0)
             return -1;
-        bits = bits << 6 | (uint32_t)bytes_digit64((uint8_t)s[i]);
+        bits = bits << 6 | (uint32_t)bytes_base64_digit((uint8_t)s[i]);
         if (++count % 4 != 1)
             out[size++] = (uint8_t)(bits >> (6 - 2 * ((count - 1) % 4)));
     }
@@ -491,8 +491,8 @@ static bool add_chunk(struct tmx *t, struct xml *x, struct chunk c)
 {
     const size_t n = (size_t)c.w * (size_t)c.h;
 
-    if (t->gids + n > CART_MAP_CELLS)
-        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAP_CELLS);
+    if (t->gids + n > CART_MAX_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
     uint32_t *gid = realloc(t->gid, (t->gids + n) * sizeof *gid);
     t->gid = gid != NULL ? gid : t->gid;
     if (t->chunks == t->chunk_room) {
@@ -543,8 +543,8 @@ static bool read_chunks(struct tmx *t, struct xml *x, const char *encoding, cons
         if (strcmp(x->name, "chunk") != 0)
             return xml_refuse(x, x->name_line, "expected <chunk>, got <%.40s>", x->name);
         if (!check_attributes(t, x, rules) || !need(x, "x", INT32_MIN, INT32_MAX, &c.x) ||
-            !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAP_SIDE, &c.w) ||
-            !need(x, "height", 1, CART_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
+            !need(x, "y", INT32_MIN, INT32_MAX, &c.y) || !need(x, "width", 1, CART_MAX_MAP_SIDE, &c.w) ||
+            !need(x, "height", 1, CART_MAX_MAP_SIDE, &c.h) || !read_chunk(t, x, encoding, compression, c))
             return false;
     }
     return event == XML_CLOSE;
@@ -667,10 +667,10 @@ static bool finish_layer(struct tmx *t, struct xml *x, int line)
 
     if (t->infinite && !bound(t, &box))
         return xml_refuse(x, line, "the layer has no tiles");
-    if (box.w > CART_MAP_SIDE / 8 || box.h > CART_MAP_SIDE / 8 || box.w * box.h > CART_MAP_CELLS)
+    if (box.w > CART_MAX_MAP_SIDE / 8 || box.h > CART_MAX_MAP_SIDE / 8 || box.w * box.h > CART_MAX_MAP_CELLS)
         return xml_refuse(x, line,
                           "the layer covers %" PRId64 "x%" PRId64 " tiles, expected at most %d in each direction",
-                          box.w, box.h, CART_MAP_SIDE / 8);
+                          box.w, box.h, CART_MAX_MAP_SIDE / 8);
     return check_flaws(t) && collect_sheets(t, x, line) && place_cells(t, box);
 }
 
@@ -852,15 +852,15 @@ static bool read_map(struct tmx *t, struct xml *x)
                           "<map> backgroundcolor=\"%.40s\" is not supported; clear it in Tiled's Map Properties",
                           color);
     t->infinite = infinite;
-    if (!t->infinite &&
-        (!need(x, "width", 1, CART_MAP_SIDE / 8, &t->cols) || !need(x, "height", 1, CART_MAP_SIDE / 8, &t->rows)))
+    if (!t->infinite && (!need(x, "width", 1, CART_MAX_MAP_SIDE / 8, &t->cols) ||
+                         !need(x, "height", 1, CART_MAX_MAP_SIDE / 8, &t->rows)))
         return false;
     if (!need(x, "tilewidth", 1, 1024, &t->side) || !need(x, "tileheight", 1, 1024, &h))
         return false;
     if (t->side != h || (h != 8 && h != 16 && h != 32))
         return xml_refuse(x, x->name_line, "tiles of %dx%d px, expected 8x8, 16x16 or 32x32", (int)t->side, (int)h);
-    if (t->cols * t->rows > CART_MAP_CELLS)
-        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAP_CELLS);
+    if (t->cols * t->rows > CART_MAX_MAP_CELLS)
+        return xml_refuse(x, x->name_line, "more than %d tiles", CART_MAX_MAP_CELLS);
     return read_children(t, x, map_child);
 }
 

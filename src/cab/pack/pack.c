@@ -64,7 +64,7 @@ bool pack_add(struct packer *p, const char *folder, const char *name, uint8_t *d
     }
     snprintf(full, n, "%s%s", folder, name);
     p->lumps.lump[p->lumps.n++] = (struct lump){ full, data, (uint32_t)size };
-    return n <= ROM_NAME ? true : err_set(p->err, p->err_size, "%s: name too long", name);
+    return n <= ROM_MAX_NAME ? true : err_set(p->err, p->err_size, "%s: name too long", name);
 }
 
 bool pack_add_copy(struct packer *p, const char *folder, const char *name, const void *data, size_t size)
@@ -116,7 +116,7 @@ static bool read_manifest(struct packer *p)
     if (!pack_load_text(p, "rom.lua", TREE_SCRIPT, &text, &size))
         return false;
     tree_id(p->dir, folder);
-    void *block, *work = tree_work(MANIFEST_WORK, &block);
+    void *block, *work = tree_work(MANIFEST_SCRATCH_SIZE, &block);
     bool good = work != NULL ? manifest_read((const char *)text, size, "rom.lua", folder, &p->m, &p->art, work, p->err,
                                              p->err_size)
                              : result_set_host_error(p->err, p->err_size, "out of memory");
@@ -179,7 +179,7 @@ bool pack_load_named(struct packer *p, const char *file, size_t most, uint8_t **
 
 bool pack_is_lang(const char *path)
 {
-    return pack_starts_with(path, "lang/") && files_ends(path + strlen("lang/"), ".txt");
+    return pack_starts_with(path, "lang/") && files_has_suffix(path + strlen("lang/"), ".txt");
 }
 
 bool pack_is_std(const char *path)
@@ -212,7 +212,7 @@ static bool add_script(struct packer *p, const char *path)
         free(text);
         return false;
     }
-    p->std |= std_named((const char *)text, size);
+    p->std |= std_modules_used((const char *)text, size);
     if (p->art.n_fonts > 0)
         faces_add_script(&p->shown, (const char *)text, size);
     return std ? pack_add(p, "script/@std/", path + 4, text, size) : pack_add(p, "script/", path, text, size);
@@ -256,9 +256,9 @@ static bool add_lang(struct packer *p, const char *path)
     size_t size;
 
     snprintf(name, sizeof name, "%.*s", (int)(strlen(path) - strlen("lang/") - strlen(".txt")), path + strlen("lang/"));
-    if (!manifest_word_ok(name))
+    if (!manifest_setting_name_ok(name))
         return err_set(p->err, p->err_size, "%s: expected a language name of 1 to %d letters, digits, _ and -", path,
-                       MAX_WORD - 1);
+                       MAX_SETTING_NAME - 1);
     if (!pack_load_text(p, path, LANG_FILE, &text, &size))
         return false;
     bool good = lang_read(&lang, (const char *)text, size, path, p->err, p->err_size);
@@ -275,7 +275,7 @@ static bool add_lang(struct packer *p, const char *path)
 
 bool pack_is_bulletml(const char *path)
 {
-    return pack_starts_with(path, "bulletml/") && files_ends(path + strlen("bulletml/"), ".xml");
+    return pack_starts_with(path, "bulletml/") && files_has_suffix(path + strlen("bulletml/"), ".xml");
 }
 
 /* The name of a document: what stands behind bulletml/, with _ for what no file of a ROM has in its name. Collections
@@ -326,12 +326,13 @@ static bool add_bulletml(struct packer *p, const char *path)
 /* Documents are there for a game that has room to run them. */
 static bool goes_in(const struct packer *p, const char *path)
 {
-    return files_ends(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
+    return files_has_suffix(path, ".txt") || (p->m.bulletml > 0 && pack_is_bulletml(path));
 }
 
 static bool add_file(struct packer *p, const char *path)
 {
-    bool lua = files_ends(path, ".lua"), demo = pack_starts_with(path, "demos/") && files_ends(path + 6, ".demo");
+    bool lua = files_has_suffix(path, ".lua"),
+         demo = pack_starts_with(path, "demos/") && files_has_suffix(path + 6, ".demo");
 
     if (strcmp(path, "rom.lua") == 0 || (!lua && !demo && !goes_in(p, path)))
         return true;
@@ -339,11 +340,11 @@ static bool add_file(struct packer *p, const char *path)
         return err_set(p->err, p->err_size, "%s: expected a name of letters, digits, _ - and . only", path);
     if (!tree_portable(path))
         return err_set(p->err, p->err_size, "%s: not a valid file name on Windows", path);
-    return lua                        ? add_script(p, path)
-           : demo                     ? add_demo(p, path)
-           : pack_is_lang(path)       ? add_lang(p, path)
-           : files_ends(path, ".txt") ? add_text(p, path)
-                                      : add_bulletml(p, path);
+    return lua                              ? add_script(p, path)
+           : demo                           ? add_demo(p, path)
+           : pack_is_lang(path)             ? add_lang(p, path)
+           : files_has_suffix(path, ".txt") ? add_text(p, path)
+                                            : add_bulletml(p, path);
 }
 
 static bool add_files(struct packer *p)
@@ -387,7 +388,7 @@ static uint64_t own_modules(const struct packer *p)
     uint64_t own = 0;
 
     for (int i = 0; i < STD_MODULES; i++)
-        own |= (uint64_t)replaced(p, std_module(i)) << i;
+        own |= (uint64_t)replaced(p, std_module_name(i)) << i;
     return own;
 }
 
@@ -403,7 +404,7 @@ static bool add_module(struct packer *p, const struct embedded *s)
 static bool add_pieces(struct packer *p)
 {
     for (int i = 0; i < std_script_count; i++) {
-        int of = std_module_of(std_scripts[i].name);
+        int of = std_module_of_piece(std_scripts[i].name);
         if (of >= 0 && p->std >> of & 1 && !replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
             return false;
     }
@@ -418,10 +419,10 @@ static bool add_std(struct packer *p)
     p->std |= (p->std | in) != 0 ? 1 : 0;
     while ((missing = p->std & ~in) != 0) {
         int i = (int)bits_lowest(missing);
-        const struct embedded *s = library(std_module(i));
+        const struct embedded *s = library(std_module_name(i));
         if (!add_module(p, s))
             return false;
-        p->std |= std_needed(i, (const char *)s->data, s->size);
+        p->std |= std_modules_needed(i, (const char *)s->data, s->size);
         in |= (uint64_t)1 << i;
     }
     return add_pieces(p);

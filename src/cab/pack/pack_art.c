@@ -58,7 +58,7 @@ static bool load_picture(struct packer *p, const char *file, bool by_index, stru
     return good ? true : err_set(p->err, p->err_size, "%s: %s", file, why);
 }
 
-static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PALETTE])
+static bool load_palette(struct packer *p, const char *file, uint8_t rgb[CART_PALETTE_SIZE])
 {
     struct art_picture picture;
     char why[256];
@@ -80,7 +80,7 @@ static bool add_palettes(struct packer *p)
         return false;
     for (int i = 0; i < p->art.n_palettes; i++)
         if (!load_palette(p, p->art.palettes[i].file, p->palettes[i]) ||
-            !pack_add_copy(p, "palette/", p->art.palettes[i].name, p->palettes[i], CART_PALETTE))
+            !pack_add_copy(p, "palette/", p->art.palettes[i].name, p->palettes[i], CART_PALETTE_SIZE))
             return false;
     return true;
 }
@@ -96,13 +96,13 @@ static const uint8_t *palette_of(const struct packer *p, const char *name)
 
 static bool add_shades(struct packer *p)
 {
-    uint8_t tables[CART_SHADES];
+    uint8_t tables[CART_SHADES_SIZE];
 
     shade_make(p->palette, tables);
     if (!pack_add_copy(p, "", "shades", tables, sizeof tables))
         return false;
     for (int i = 0; i < p->art.n_palettes; i++) {
-        uint8_t own[CART_SHADES];
+        uint8_t own[CART_SHADES_SIZE];
         shade_make(p->palettes[i], own);
         if (memcmp(own, tables, sizeof own) != 0 &&
             !pack_add_copy(p, "shade/", p->art.palettes[i].name, own, sizeof own))
@@ -114,7 +114,7 @@ static bool add_shades(struct packer *p)
 /* The table of a blend in one palette; malloc. NULL: out of memory. */
 static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
 {
-    uint8_t *table = malloc(CART_BLEND);
+    uint8_t *table = malloc(CART_BLEND_SIZE);
 
     if (table != NULL && blend_make(rgb, mix, table))
         return table;
@@ -126,16 +126,16 @@ static uint8_t *blend_table(struct packer *p, const uint8_t *rgb, int mix)
 /* Tables of the other palettes, where they differ. */
 static bool add_blend_looks(struct packer *p, const struct art_blend *blend, const uint8_t *main)
 {
-    char folder[ROM_NAME + 16];
+    char folder[ROM_MAX_NAME + 16];
 
     for (int i = 0; i < p->art.n_palettes && blend->mix > BLEND_RULE; i++) {
         uint8_t *own = blend_table(p, p->palettes[i], blend->mix);
         if (own == NULL)
             return false;
         snprintf(folder, sizeof folder, "blends/%s/", p->art.palettes[i].name);
-        if (memcmp(own, main, CART_BLEND) == 0)
+        if (memcmp(own, main, CART_BLEND_SIZE) == 0)
             free(own);
-        else if (!pack_add(p, folder, blend->name, own, CART_BLEND))
+        else if (!pack_add(p, folder, blend->name, own, CART_BLEND_SIZE))
             return false;
     }
     return true;
@@ -145,7 +145,7 @@ static bool add_blends(struct packer *p)
 {
     for (int i = 0; i < p->art.n_blends; i++) {
         uint8_t *table = blend_table(p, p->palette, p->art.blends[i].mix);
-        if (table == NULL || !pack_add(p, "blend/", p->art.blends[i].name, table, CART_BLEND) ||
+        if (table == NULL || !pack_add(p, "blend/", p->art.blends[i].name, table, CART_BLEND_SIZE) ||
             !add_blend_looks(p, &p->art.blends[i], table))
             return false;
     }
@@ -216,7 +216,7 @@ static bool add_face(struct packer *p, const struct art_font *font)
     *wanted = p->shown;
     for (uint32_t c = 32; c < 127; c++)
         faces_add(wanted, c);
-    faces_add_text(wanted, font->also, strlen(font->also));
+    faces_add_text(wanted, font->extra_chars, strlen(font->extra_chars));
     bool good = font->w == 0 ? read_bdf(p, font, wanted, &f) : read_cells(p, font, wanted, &f);
     free(wanted);
     if (good && (!font->shadow || faces_shadow(&f)))
@@ -239,7 +239,7 @@ static bool add_faces(struct packer *p)
 /* Adds what became of a sprite, and its hit shape if one was drawn. */
 static bool add_made(struct packer *p, const struct ase_sprite *made, const struct art_sheet *s)
 {
-    uint8_t hit[CART_HIT], *data;
+    uint8_t hit[CART_HIT_SIZE], *data;
     size_t size;
     char why[256];
     bool pixel;
@@ -251,7 +251,7 @@ static bool add_made(struct packer *p, const struct ase_sprite *made, const stru
                    : err_set(p->err, p->err_size, "%s: sprite \"%s\": %s", s->file, made->sprite.name, why);
     if (!pack_add(p, "gfx/", made->sprite.name, data, size))
         return false;
-    cart_hit_pack(&made->hit, hit);
+    cart_pack_hit(&made->hit, hit);
     return made->hit.rows == 0 || pack_add_copy(p, "hit/", made->sprite.name, hit, sizeof hit);
 }
 
@@ -303,7 +303,7 @@ static bool rows_of(struct packer *p, const struct art_map *m, struct map_cells 
 
     *out = (struct map_cells){ .cols = m->cols, .rows = m->rows, .cell = malloc(n * sizeof *out->cell), .sheets = 1 };
     for (size_t i = 0; out->cell != NULL && i < n; i++)
-        out->cell[i] = p->art.cells[(size_t)m->cells + i];
+        out->cell[i] = p->art.cells[(size_t)m->first_cell + i];
     return out->cell != NULL ? true : result_set_host_error(p->err, p->err_size, "out of memory");
 }
 
@@ -331,15 +331,15 @@ static bool load_cells(struct packer *p, const struct art_map *m, struct map_cel
         return pack_refuse_missing(p, m->file);
     if (!pack_load_text(p, m->file, TREE_FILE, &text, &n))
         return false;
-    bool good = files_ends(m->file, ".csv")
-                    ? map_read_csv((const char *)text, n, m->file, m->first, out, p->err, p->err_size)
+    bool good = files_has_suffix(m->file, ".csv")
+                    ? map_read_csv((const char *)text, n, m->file, m->first_tile, out, p->err, p->err_size)
                     : map_read_tmx((const char *)text, n, m->file, m->layer, &files, out, p->err, p->err_size);
     free(text);
-    if (!good || !out->side || !m->size || out->side == m->size)
+    if (!good || !out->side || !m->tile_size || out->side == m->tile_size)
         return good;
     free(out->cell);
     return err_set(p->err, p->err_size, "rom.lua: maps.%s.size: %d px, but tiles of %s are %d px", m->name,
-                   (int)m->size, m->file, out->side);
+                   (int)m->tile_size, m->file, out->side);
 }
 
 /* Which picture of rom.lua sheet i is cut from; -1 with a sentence. */
@@ -378,14 +378,14 @@ static bool make_map(struct packer *p, const struct art_map *m, const struct map
         if (!map_fits(cells, i, &picture[i], p->err, p->err_size))
             return false;
     }
-    return map_make(cells, where, cells->side ? cells->side : m->size, picture, m->bank, palette_of(p, m->palette),
+    return map_make(cells, where, cells->side ? cells->side : m->tile_size, picture, m->bank, palette_of(p, m->palette),
                     p->nearest, &data, &size, p->err, p->err_size) &&
            pack_add(p, "map/", m->name, data, size);
 }
 
 static bool add_map(struct packer *p, const struct art_map *m)
 {
-    struct art_picture pictures[ART_TILES] = { 0 };
+    struct art_picture pictures[MAX_ART_TILES] = { 0 };
     struct map_cells cells;
 
     if (!load_cells(p, m, &cells))
@@ -451,7 +451,7 @@ static bool compile_mml(struct packer *p, const struct art_sound *s, const char 
     }
     if (!pack_load_named(p, s->file, MML_FILE, &text, &n))
         return false;
-    files_drop_mark(text, &n);
+    files_strip_bom(text, &n);
     bool good = mml_compile((const char *)text, n, s->file, about, tune, size, p->err, p->err_size);
     free(text);
     return good;
@@ -473,7 +473,7 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
     const char *where = s->file[0] ? s->file : s->name;
 
     for (int i = 0; i < t.insts; i++) {
-        const char *sample = inst_sample(tune_inst(&t, i));
+        const char *sample = inst_sample_name(tune_inst(&t, i));
         const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
         if (sample[0] && !found)
             return err_set(p->err, p->err_size, "%s: \"%s\" is not a sample (.wav, .ogg, .flac) in rom.lua's sounds",
@@ -555,7 +555,7 @@ static bool add_icon(struct packer *p)
 
     if (!icon[0])
         return true;
-    if (!files_ends(icon, ".png"))
+    if (!files_has_suffix(icon, ".png"))
         return pack_add_copy(p, "", ICON_LUMP, icon, strlen(icon));
     if (!tree_has(&p->files, icon))
         return pack_refuse_missing(p, icon);

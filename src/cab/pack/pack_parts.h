@@ -23,8 +23,9 @@ struct packer {
     struct lumps lumps;
     struct manifest m;
     struct art art;
-    uint8_t palette[CART_PALETTE], palettes[MAX_ART_PALETTES][CART_PALETTE]; /* the first one, and art.palettes */
-    struct faces_set shown;                                                  /* characters of the game's texts */
+    uint8_t palette[CART_PALETTE_SIZE],
+        palettes[MAX_ART_PALETTES][CART_PALETTE_SIZE]; /* the first one, and art.palettes */
+    struct faces_set shown;                            /* characters of the game's texts */
     char *rom_text;                                    /* of rom.lua, malloc, with a 0 behind it */
     uint64_t std;                                      /* modules that the scripts so far name (std.h) */
     void (*warn)(void *context, const char *sentence); /* NULL: nobody is told */

@@ -32,15 +32,15 @@
 
 bool rom_image_plain(uint8_t **bytes, size_t *size, char *err, size_t err_size)
 {
-    if (!compressed_is(*bytes, *size))
+    if (!compressed_detect(*bytes, *size))
         return true;
-    const size_t plain_size = compressed_size(*bytes, *size, err, err_size);
+    const size_t plain_size = compressed_plain_size(*bytes, *size, err, err_size);
     if (plain_size == 0)
         return false;
     uint8_t *plain = malloc(plain_size);
     if (!plain)
         return result_set_host_error(err, err_size, "out of memory");
-    if (!compressed_read(*bytes, *size, plain, err, err_size)) {
+    if (!compressed_unpack(*bytes, *size, plain, err, err_size)) {
         free(plain);
         return false;
     }
@@ -83,7 +83,7 @@ bool rom_image_load_told(const char *path, bool nearest, void (*warn)(void *cont
     if (files_size(path) >= 0)
         return load_file(path, out, err, err_size);
     if (plat_list(path, ignore_entry, NULL) < 0) {
-        files_absent(path, "file or folder", err, err_size);
+        files_set_missing_error(path, "file or folder", err, err_size);
         return false;
     }
     if (!pack_folder_told(path, nearest, warn, context, &out->bytes, &out->size, why, sizeof why)) {
@@ -102,7 +102,7 @@ void rom_image_free(struct rom_image *image)
 void pack_list(const struct rom *rom, void (*each)(void *user, const char *line), void *user)
 {
     for (uint32_t i = 0; i < rom->count; i++) {
-        char line[ROM_NAME + 32];
+        char line[ROM_MAX_NAME + 32];
         struct lump l;
         rom_lump(rom, (int)i, &l);
         snprintf(line, sizeof line, "%s %" PRIu32 " %08" PRIx32, l.name, l.size, hash_crc32(l.data, l.size));

@@ -50,7 +50,7 @@ const char *tree_failed(const struct tree *p)
 {
     if (p->n == MAX_FILES)
         return "too many files";
-    result_is_why();
+    result_set_host_failed();
     return "out of memory";
 }
 
@@ -78,7 +78,7 @@ static void list_entry(void *user, const struct plat_file *file)
 
     if (file->name[0] == '.' || (l->folder[0] == '\0' && strcmp(file->name, "tests") == 0))
         return;
-    tree_add(file->folder ? &l->folders : l->files, l->folder, file->name);
+    tree_add(file->is_folder ? &l->folders : l->files, l->folder, file->name);
 }
 
 bool tree_join(char out[TREE_PATH], const char *dir, const char *name)
@@ -100,7 +100,7 @@ static bool walk(const char *dir, const char *folder, int depth, struct tree *fi
     if (depth > MAX_DEPTH || !tree_join(path, dir, folder))
         return err_set(err, err_size, "%s: folders nested deeper than %d", folder, MAX_DEPTH);
     if (plat_list(path, list_entry, &l) < 0)
-        good = err_set(err, err_size, "%s", files_absent(path, "folder", why, sizeof why));
+        good = err_set(err, err_size, "%s", files_set_missing_error(path, "folder", why, sizeof why));
     else if (files->failed || l.folders.failed)
         good = err_set(err, err_size, "%s: %s", dir, tree_failed(files->failed ? files : &l.folders));
     for (int i = 0; good && i < l.folders.n; i++)

@@ -26,7 +26,7 @@ static const struct key {
 };
 
 /* Switches of a controller. */
-static const char *const switches[PLAT_SWITCHES] = {
+static const char *const switches[PLAT_BUTTONS] = {
     "up",     "down",  "left", "right", "south", "east",  "west",  "north",  "l1",  "r1",    "l2",    "r2",     "start",
     "select", "guide", "l3",   "r3",    "lup",   "ldown", "lleft", "lright", "rup", "rdown", "rleft", "rright",
 };
@@ -70,7 +70,7 @@ static unsigned controller_code(const char *s)
     s += which ? 4 : 3;
     if (*s++ != '.')
         return 0;
-    for (unsigned i = 0; i < PLAT_SWITCHES; i++)
+    for (unsigned i = 0; i < PLAT_BUTTONS; i++)
         if (strcmp(s, switches[i]) == 0)
             return SWITCH_CONTROLLER | which << 5 | i;
     return 0;
@@ -173,7 +173,7 @@ static void key_label(unsigned code, char *out, size_t size)
 /* ---- what is printed on a controller ---- */
 
 /* The directions are called alike everywhere. */
-static const char *const common[PLAT_SWITCHES] = {
+static const char *const common[PLAT_BUTTONS] = {
     [PLAT_DPAD_UP] = "D-pad up",
     [PLAT_DPAD_DOWN] = "D-pad down",
     [PLAT_DPAD_LEFT] = "D-pad left",
@@ -210,7 +210,7 @@ enum { BUTTONS = PLAT_STICK_RIGHT + 1 };
 #define PLAYSTATION                                                                                                    \
     [PLAT_SOUTH] = "cross", [PLAT_EAST] = "circle", [PLAT_WEST] = "square", [PLAT_NORTH] = "triangle",                 \
     [PLAT_GUIDE] = "PS"
-static const char *const printed[PLAT_KINDS][BUTTONS] = {
+static const char *const printed[PLAT_CONTROLLER_KINDS][BUTTONS] = {
     [PLAT_XBOX] = { XBOX, [PLAT_START] = "Menu", [PLAT_SELECT] = "View", [PLAT_GUIDE] = "Xbox" },
     [PLAT_XBOX_360] = { XBOX, [PLAT_SELECT] = "Back" },
     [PLAT_PS3] = { PLAYSTATION },
@@ -229,21 +229,21 @@ static const char *const printed[PLAT_KINDS][BUTTONS] = {
                         [PLAT_GUIDE] = "HOME" },
 };
 
-void switch_label(unsigned code, enum plat_kind kind, char *out, size_t size)
+void switch_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size)
 {
     unsigned bit = switch_bit(code);
 
     if (!(code & SWITCH_CONTROLLER))
         key_label(code, out, size);
-    else if (bit >= PLAT_SWITCHES)
+    else if (bit >= PLAT_BUTTONS)
         switch_name(code, out, size);
     else
         snprintf(out, size, "%s", bit < BUTTONS && printed[kind][bit] ? printed[kind][bit] : common[bit]);
 }
 
-const char *switch_kind_name(enum plat_kind kind)
+const char *switch_kind_name(enum plat_controller_kind kind)
 {
-    static const char *const names[PLAT_KINDS] = {
+    static const char *const names[PLAT_CONTROLLER_KINDS] = {
         [PLAT_UNKNOWN] = "controller", [PLAT_XBOX] = "Xbox",         [PLAT_XBOX_360] = "Xbox 360",
         [PLAT_PS3] = "PlayStation 3",  [PLAT_PS4] = "PlayStation 4", [PLAT_PS5] = "PlayStation 5",
         [PLAT_NINTENDO] = "Nintendo",

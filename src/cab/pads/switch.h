@@ -11,7 +11,7 @@
 #include "../../../platform/platform.h"
 
 /* A code is a HID usage, with SWITCH_ALT or SWITCH_CTRL if that is held too; or SWITCH_CONTROLLER, which controller in
- * bits 5 to 7 (from 1; 0: the player's own), and enum plat_switch below. 0: no switch. */
+ * bits 5 to 7 (from 1; 0: the player's own), and enum plat_button below. 0: no switch. */
 enum { SWITCH_CONTROLLER = 0x100, SWITCH_ALT = 0x1000, SWITCH_CTRL = 0x2000, SWITCH_NAME = 32 };
 
 static inline unsigned switch_which(unsigned code)
@@ -38,9 +38,9 @@ void switch_name(unsigned code, char *out, size_t size);
 /* What is printed on it: "cross", "RB", "D-pad up"; on a controller of no known kind, where it is: "bottom button". Of
  * which controller is not said. Of a key what its layout has there, if the port knows that and the canvas has it, else
  * the spelling: "w" for "z" on a French keyboard. SWITCH_NAME bytes hold any. */
-void switch_label(unsigned code, enum plat_kind kind, char *out, size_t size);
+void switch_label(unsigned code, enum plat_controller_kind kind, char *out, size_t size);
 
 /* "PlayStation 4", "controller": for one that has no name of its own. */
-const char *switch_kind_name(enum plat_kind kind);
+const char *switch_kind_name(enum plat_controller_kind kind);
 
 #endif

@@ -217,7 +217,7 @@ static void close_run(struct cab *cab)
     practice_close(&cab->practice);
     if (!session_close(&cab->session)) {
         cab_say(cab, "curtain: %s", cab->session.err);
-        cab->result = cab->result == RESULT_DONE ? RESULT_HOST : cab->result;
+        cab->result = cab->result == RESULT_DONE ? RESULT_HOST_FAILED : cab->result;
     }
     cab_picture_close(&cab->picture);
     cab_window_close(cab);
@@ -247,7 +247,7 @@ static bool wait_for_fault(struct cab *cab)
     struct board_fault fault = *cab_fault(cab);
     char why[FILES_PATH + sizeof fault.message + 4];
 
-    cab_log_lines(cab, board_last(cab_live(cab)));
+    cab_log_lines(cab, board_last_output(cab_live(cab)));
     snprintf(why, sizeof why, "%s: %s", cab_game(cab), fault.message);
     close_run(cab);
     if (!cab_wait(cab, why, fault.trace))
@@ -293,10 +293,10 @@ bool cab_power(struct cab *cab)
     if (cab_fault(cab) && o->open && !o->demo)
         return wait_for_fault(cab);
     if (!cab_open_window(cab))
-        return refuse(cab, RESULT_HOST, no_window());
+        return refuse(cab, RESULT_HOST_FAILED, no_window());
     cab_picture_close(&cab->picture);
     if (!cab_picture_open(&cab->picture, cab_live(cab)))
-        return refuse(cab, RESULT_HOST, "out of memory for the picture");
+        return refuse(cab, RESULT_HOST_FAILED, "out of memory for the picture");
     practice_init(&cab->practice, o->cart, &cab->start);
     if (!o->demo)
         practice_began(&cab->practice, &cab->start);
@@ -305,7 +305,7 @@ bool cab_power(struct cab *cab)
     cab_check_recording(cab, !cab->session.err[0]);
     if (cab->slow > 1 && !o->demo)
         cab_mark_assisted(cab);
-    cab_log_lines(cab, board_last(cab_live(cab)));
+    cab_log_lines(cab, board_last_output(cab_live(cab)));
     if (cab_fault(cab))
         cab_report_fault(cab);
     folder_open(&cab->folder, o->path);

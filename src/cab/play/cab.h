@@ -55,8 +55,8 @@ bool cab_frame(struct cab *cab);
 bool cab_next(const struct cab *cab, char *path, size_t size);
 
 /* Ends what is on as quitting does, and gives everything back: nothing is kept. At any time between two frames.
- * RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file; RESULT_HOST: the host
- * failed. With these a line that says why has gone to plat_log; after a script fault its traceback too. */
+ * RESULT_REFUSED: a script fault, a folder that did not become right, or a bad settings file; RESULT_HOST_FAILED: the
+ * host failed. With these a line that says why has gone to plat_log; after a script fault its traceback too. */
 enum result cab_close(struct cab *cab);
 
 #endif

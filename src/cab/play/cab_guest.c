@@ -122,9 +122,9 @@ static bool open_demo(struct cab *cab, const char *path, const char *what, bool 
         good = !exact; /* as far as it goes on the game as it is */
         cart = cab->guest.home ? cab->guest.home : cab_cart(cab);
     }
-    if (good && !demo_fits(d, cart, err, sizeof err))
+    if (good && !demo_check_cart(d, cart, err, sizeof err))
         good = false;
-    if (good && exact && demo_doubt(d, cart, why, sizeof why)) {
+    if (good && exact && demo_replay_warning(d, cart, why, sizeof why)) {
         snprintf(err, sizeof err, "%s", why);
         good = false;
     }
@@ -172,7 +172,7 @@ void cab_home(struct cab *cab)
     free(cab->nvram);
     cab->nvram = nvram;
     practice_began(&cab->practice, &start);
-    cab_log_lines(cab, board_last(cab_live(cab)));
+    cab_log_lines(cab, board_last_output(cab_live(cab)));
     if (cab_fault(cab))
         cab_report_fault(cab);
     cab_open_resume(cab); /* a run may have been left for this */
@@ -193,7 +193,7 @@ bool cab_was_left(struct cab *cab, struct card *c)
         cab_notice(cab, CAB_NOTICE_FRAMES, "The unfinished run is lost: its file is damaged");
         return false;
     }
-    bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart(cab)->m.id) == 0;
+    bool good = card_of_demo(c, &d) && c->end == CARD_LEFT && strcmp(c->id, cab_cart(cab)->manifest.id) == 0;
     demo_free(&d);
     return good;
 }

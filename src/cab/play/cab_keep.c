@@ -25,7 +25,7 @@ enum {
 
 void cab_resume_path(struct cab *cab, char path[CAB_NAME])
 {
-    snprintf(path, CAB_NAME, "user:resume/%s.demo", cab_cart(cab)->m.id);
+    snprintf(path, CAB_NAME, "user:resume/%s.demo", cab_cart(cab)->manifest.id);
 }
 
 static struct demo_writer *writer(struct cab *cab)
@@ -79,9 +79,9 @@ static bool keep_rom(struct cab *cab)
     char path[ROMS_PATH], err[FILES_ERR];
     size_t waits;
 
-    roms_path(path, cart->m.id, rom_hash(cart->rom));
+    roms_path(path, cart->manifest.id, rom_hash(cart->rom));
     const bool known = unsaved_bytes(cab->unsaved.files, path, &waits) != NULL;
-    if (roms_keep(&cab->unsaved.files, cart->m.id, cart->rom, err, sizeof err))
+    if (roms_keep(&cab->unsaved.files, cart->manifest.id, cart->rom, err, sizeof err))
         return true;
     if (!known)
         cab_save_failed(cab, err);
@@ -91,20 +91,20 @@ static bool keep_rom(struct cab *cab)
 /* ---- score tables ---- */
 
 /* The rows of a table as they stand now. */
-static int rows_now(struct cab *cab, const char *table, const char *ship, struct nv_row rows[NV_ROWS])
+static int rows_now(struct cab *cab, const char *table, const char *ship, struct nv_row rows[NV_MAX_ROWS])
 {
     size_t size;
     uint32_t changed;
     const uint8_t *image = board_nvram(cab_live(cab), &size, &changed);
     const struct nvram nv = { .s.live = (uint32_t)size, .bytes = (uint8_t *)(uintptr_t)image }; /* is only read */
 
-    return nvram_rows(&nv, table, ship, rows);
+    return nvram_get_rows(&nv, table, ship, rows);
 }
 
 static bool row_stands(void *of, const struct card_row *row)
 {
     struct cab *cab = of;
-    struct nv_row rows[NV_ROWS];
+    struct nv_row rows[NV_MAX_ROWS];
     const int n = rows_now(cab, row->table, row->row.ship, rows);
 
     for (int i = 0; i < n; i++)
@@ -116,8 +116,8 @@ static bool row_stands(void *of, const struct card_row *row)
 /* The row that a marker tells of. */
 static bool row_of(struct cab *cab, const struct board_marker *m, struct card_row *row)
 {
-    struct nv_row rows[NV_ROWS];
-    const int n = rows_now(cab, m->name, m->of, rows);
+    struct nv_row rows[NV_MAX_ROWS];
+    const int n = rows_now(cab, m->name, m->parent, rows);
 
     if (m->value < 1 || m->value > n)
         return false;
@@ -146,7 +146,7 @@ static void take_row(struct cab *cab, const struct board_marker *m)
             k->row[k->rows++] = row;
         return;
     }
-    replays_open(&list, cab_cart(cab)->m.id);
+    replays_open(&list, cab_cart(cab)->manifest.id);
     for (int i = 0; i < list.n; i++)
         if (strcmp(list.list[i].stem, k->stem) == 0 &&
             !replays_add_row(&list, i, &row, &cab->unsaved.files, err, sizeof err))
@@ -188,7 +188,7 @@ static bool add(struct cab *cab, const uint8_t *bytes, size_t size, const struct
 
 static void describe(struct cab *cab, struct card *c, enum card_end end)
 {
-    const struct manifest *m = &cab_cart(cab)->m;
+    const struct manifest *m = &cab_cart(cab)->manifest;
     const int difficulty = board_difficulty_now(cab_live(cab));
 
     card_of_demo(c, &writer(cab)->demo);
@@ -229,7 +229,7 @@ static bool keep_run(struct cab *cab, enum card_end end)
     cab->keep.waits = false;
     if (cab->config.replays == 0 || (frames < SHORTEST && end != CARD_FAULT))
         return true;
-    uint8_t *bytes = demo_bytes_now(writer(cab), cab_live(cab), &size);
+    uint8_t *bytes = demo_encode_now(writer(cab), cab_live(cab), &size);
     if (!bytes) {
         complain(cab, "out of memory", "This run is not saved");
         return false;
@@ -251,7 +251,7 @@ static bool keep_run(struct cab *cab, enum card_end end)
 
 static void drop_spare(struct cab *cab)
 {
-    demo_spare_remove(writer(cab));
+    demo_remove_spare(writer(cab));
     cab->keep.spare = false;
 }
 
@@ -259,7 +259,7 @@ static void drop_spare(struct cab *cab)
 static void leave_spare(struct cab *cab)
 {
     cab->unsaved.left_run = cab->keep.spare;
-    demo_spare(writer(cab), NULL);
+    demo_record_spare(writer(cab), NULL);
     cab->keep.spare = false;
 }
 
@@ -269,11 +269,11 @@ static bool spare_failed(struct cab *cab)
 
     if (!w->spare_err[0])
         return false;
-    if (w->spare.lost)
+    if (w->spare.write_failed)
         cab_save_failed(cab, w->spare_err);
     else /* it is another program's now */
         complain(cab, w->spare_err, "Progress is no longer being saved");
-    cab->unsaved.spare = w->spare.lost;
+    cab->unsaved.spare = w->spare.write_failed;
     w->spare_err[0] = 0;
     return true;
 }
@@ -300,14 +300,14 @@ void cab_keep_left(struct cab *cab)
                 card.last - card.first >= SHORTEST && cab->config.replays > 0 &&
                 (d.complete || d.checksum_frames == d.frames);
     free(bytes);
-    if (good && replays_open(&list, cab_cart(cab)->m.id)) {
+    if (good && replays_open(&list, cab_cart(cab)->manifest.id)) {
         for (int i = 0; i < list.n; i++)
             there = there || (list.list[i].card.seed == card.seed && list.list[i].card.first == card.first &&
                               list.list[i].card.last >= card.last);
         replays_close(&list);
     }
     d.complete = true; /* what is there is all of it */
-    bytes = good && !there ? demo_bytes(&d, &size) : NULL;
+    bytes = good && !there ? demo_encode(&d, &size) : NULL;
     card.date = (int64_t)time(NULL);
     const bool saved = !good || there || (bytes && add(cab, bytes, size, &card, NULL, err, sizeof err));
     cab->keep.stem[0] = 0;
@@ -329,7 +329,7 @@ void cab_keep_here(struct cab *cab)
         return;
     cab->unsaved.spare = !keep_rom(cab);
     if (!cab->unsaved.spare)
-        demo_spare(writer(cab), path);
+        demo_record_spare(writer(cab), path);
     cab->keep.spare = writer(cab)->spare.path[0] != 0 && !spare_failed(cab);
 }
 
@@ -412,7 +412,7 @@ static void take_marker(struct cab *cab, const struct board_marker *m)
 
 void cab_keep_tick(struct cab *cab)
 {
-    const struct board_out *out = board_last(cab_live(cab));
+    const struct board_out *out = board_last_output(cab_live(cab));
     const uint32_t frames = writer(cab)->demo.frames;
 
     if (!keeps(cab)) {
@@ -543,7 +543,7 @@ void cab_retry_last(struct cab *cab)
     if (u->left_run && !u->runs && cab->session.now)
         cab_keep_left(cab);
     if ((!all || u->left_run) && cab->result == RESULT_DONE)
-        cab->result = RESULT_HOST;
+        cab->result = RESULT_HOST_FAILED;
     unsaved_free(&u->files);
     while (u->runs) {
         struct cab_run *run = u->runs;
@@ -559,10 +559,10 @@ void cab_check_recording(struct cab *cab, bool good)
 
     if (good)
         return;
-    if (writer->file.lost) { /* it is tried again, and the last time when the session closes */
+    if (writer->file.write_failed) { /* it is tried again, and the last time when the session closes */
         cab_save_failed(cab, cab->session.err);
         return;
     }
     cab_say(cab, "curtain: %s", cab->session.err);
-    cab->result = RESULT_HOST;
+    cab->result = RESULT_HOST_FAILED;
 }

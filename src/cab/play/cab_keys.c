@@ -25,7 +25,7 @@ static void set_sound(struct cab *cab, bool muted, int volume)
         cab_notice(cab, CAB_NOTICE_FRAMES / 2, "Sound off");
     else
         cab_notice(cab, CAB_NOTICE_FRAMES / 2, "Volume %d%%", cab->speaker.volume);
-    if (!muted && !cab->want.rate)
+    if (!muted && !cab->want.sound_rate)
         cab->quit = !cab_open_window(cab) || cab->quit;
 }
 
@@ -93,7 +93,7 @@ static void time_keys(struct cab *cab, const struct keys_read *k)
 static void mouse(struct cab *cab, const struct plat_input *in)
 {
     uint32_t frame;
-    bool held = in->mouse & 1, pressed = held && !cab->mouse;
+    bool held = in->mouse_buttons & 1, pressed = held && !cab->mouse;
 
     cab->mouse = held;
     if (cab->attracting || cab->console.open || !(cab->session.demo || cab_timebar_shown(cab)) ||
@@ -148,9 +148,9 @@ static void console_keys(struct cab *cab, const struct plat_input *in, struct ke
         cab_check_recording(cab, session_mark_touched(&cab->session));
         practice_stop_counting(&cab->practice);
     }
-    if (cab->want.text == cab->console.open)
+    if (cab->want.text_input == cab->console.open)
         return;
-    cab->want.text = cab->console.open;
+    cab->want.text_input = cab->console.open;
     cab->quit = !cab_open_window(cab) || cab->quit;
 }
 

@@ -9,11 +9,11 @@
 #include "../../machine/nvram.h"
 #include "cab_parts.h"
 
-enum { MAX_NVRAM_KEPT = 2 * NVRAM_MOST /* bytes that are kept of a damaged score file */ };
+enum { MAX_NVRAM_KEPT = 2 * MAX_NVRAM /* bytes that are kept of a damaged score file */ };
 
 static void nvram_name(struct cab *cab, char name[CAB_NAME])
 {
-    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart(cab)->m.id);
+    snprintf(name, CAB_NAME, "user:%s.nv", cab_cart(cab)->manifest.id);
 }
 
 static bool keeps_nvram(struct cab *cab)
@@ -39,7 +39,7 @@ static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image
     cab_say(cab,
             kept ? "curtain: %s is damaged; renamed to %s, and the score table starts empty"
                  : "curtain: %s is damaged and cannot be renamed to %s; scores are not saved",
-            files_shown(name, shown), files_shown(beside, shown_beside));
+            files_display_name(name, shown), files_display_name(beside, shown_beside));
 }
 
 uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
@@ -56,9 +56,9 @@ uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
     if (image && newer)
         memcpy(image, newer, waits);
     if (!image || (!newer && plat_load(name, image, (size_t)size) != size)) {
-        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_shown(name, shown));
+        cab_say(cab, "curtain: %s: cannot be read; scores are not saved", files_display_name(name, shown));
         cab->no_scores = true;
-    } else if (nvram_valid(image, (size_t)size)) {
+    } else if (nvram_is_valid(image, (size_t)size)) {
         start->nvram = image;
         start->nvram_size = (size_t)size;
         return image;

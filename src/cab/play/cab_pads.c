@@ -55,7 +55,7 @@ void cab_pads_tick(struct cab *cab, uint16_t pads[PADS])
         resume(cab, frame);
     cab->pressed_to = frame + 1;
     for (int p = 0; p < PADS; p++) {
-        const struct inspect_ship_has ship = inspect_plays(b, p);
+        const struct inspect_controls ship = inspect_player_controls(b, p);
         pads[p] =
             press_tick(&cab->press[p], &cab->modes[p], (struct press_ship){ ship.steers, ship.fires }, cab->pads[p]);
     }
@@ -70,7 +70,7 @@ void cab_seats_poll(struct cab *cab, const struct plat_input *in)
 
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         plugged[i] = plat_controller(i, &is[i]) ? &is[i] : NULL;
-    seats_poll(&cab->seats, cab->session.now ? cab_cart(cab)->m.players : 1, in->controllers, plugged);
+    seats_poll(&cab->seats, cab->session.now ? cab_cart(cab)->manifest.players : 1, in->controllers, plugged);
 }
 
 const char *cab_controller_name(const struct plat_controller *c)

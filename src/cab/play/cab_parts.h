@@ -151,7 +151,7 @@ struct cab {
     struct board_start start;
     uint8_t *nvram;             /* what start.nvram points to, if the cabinet loaded it; malloc */
     struct config config, kept; /* as it is now; as it is in the file, or goes there */
-    struct plat_want want;
+    struct plat_config want;
     char title[sizeof((struct manifest *)0)->title];
     struct session session;
     struct guard attract_guard; /* runs an attract demo */
@@ -408,7 +408,7 @@ bool cab_was_left(struct cab *cab, struct card *c);
 void cab_save_settings(struct cab *cab);
 
 /* The game asks for a screen: only in a live run's new ticks. */
-void cab_asked(struct cab *cab, enum board_ask what);
+void cab_asked(struct cab *cab, enum board_host_screen what);
 
 /* Is something on that leaving would throw away? */
 bool cab_run_is_on(const struct cab *cab);

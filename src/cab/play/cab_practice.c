@@ -39,7 +39,7 @@ static void power_anew(struct cab *cab, struct board_start start)
     cab_powered(cab, &start);
     practice_began(&cab->practice, &start);
     cab_report_ready(cab);
-    cab_log_lines(cab, board_last(cab_live(cab)));
+    cab_log_lines(cab, board_last_output(cab_live(cab)));
     if (cab_fault(cab))
         cab_report_fault(cab);
     if (reloads)
@@ -154,6 +154,6 @@ void cab_take_lang(struct cab *cab, struct board_start *start)
 {
     struct words words;
 
-    if (cart_lang(cab->options.cart, cab->config.lang, &words))
+    if (cart_open_lang(cab->options.cart, cab->config.lang, &words))
         snprintf(start->lang, sizeof start->lang, "%s", cab->config.lang);
 }

@@ -44,7 +44,7 @@ static void look_at(void *user, const struct plat_file *file)
     struct found *f = user;
     size_t n = strlen(file->name);
 
-    if (file->folder || n < 4 || n >= sizeof f->name || strcmp(file->name + n - 4, ".txt") != 0)
+    if (file->is_folder || n < 4 || n >= sizeof f->name || strcmp(file->name + n - 4, ".txt") != 0)
         return;
     f->n++;
     if (f->n > 1 && comes_before(f, file) == f->newest)
@@ -124,8 +124,8 @@ static void add_game(struct cab *cab, struct report *r)
 {
     const struct cart *cart = cab_cart(cab);
 
-    add(r, "game      %s, \"%s\", game hash %016" PRIx64 ", ROM hash %016" PRIx64 "\n", cart->m.id, cart->m.title,
-        rom_game_hash(cart->rom), rom_hash(cart->rom));
+    add(r, "game      %s, \"%s\", game hash %016" PRIx64 ", ROM hash %016" PRIx64 "\n", cart->manifest.id,
+        cart->manifest.title, rom_game_hash(cart->rom), rom_hash(cart->rom));
     add(r, "from      %s\n", cab->options.path ? cab->options.path : "built into the program");
 }
 
@@ -135,7 +135,7 @@ static void make_stem(struct cab *cab, struct report *r)
     char day[32];
 
     date(day, sizeof day, "%Y-%m-%d");
-    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, cab_cart(cab)->m.id, day);
+    snprintf(r->stem, sizeof r->stem, "%s/%s-%s", REPORTS, cab_cart(cab)->manifest.id, day);
 }
 
 /* ---- the text ---- */
@@ -172,7 +172,7 @@ static void put_demo(struct cab *cab, const struct sink *out, const struct board
     const struct session *s = &cab->session;
     const struct demo_writer *w = &s->now->writer;
     struct demo_text text;
-    struct demo_dump how = { .memory = cab->report.memory, .size = cab->report.size, .out = to_text, .user = &text };
+    struct demo_dump how = { .memory = cab->report.memory, .size = cab->report.size, .write = to_text, .user = &text };
 
     how.ticking = s->ticking;
     how.frames = s->ticking ? s->at : fault ? w->demo.frames : board_frame(s->now->guard.board);
@@ -282,7 +282,7 @@ void cab_report_last_crash(struct cab *cab)
         return;
     plat_save(TOLD, f.name, strlen(f.name));
     snprintf(path, sizeof path, "%s/%s", REPORTS, f.name);
-    cab_notice(cab, CRASH_NOTICE, "Curtain crashed last time. Report: %s", files_shown(path, shown));
+    cab_notice(cab, CRASH_NOTICE, "Curtain crashed last time. Report: %s", files_display_name(path, shown));
     cab_say(cab, "curtain: %s", cab->notice);
 }
 
@@ -333,7 +333,7 @@ static bool save(struct cab *cab, struct report *r, const struct board_fault *fa
         cab_say(cab, "curtain: cannot write a report: out of memory");
         return false;
     }
-    files_shown(name, r->where);
+    files_display_name(name, r->where);
     return cab_save(cab, name, r->text, r->used);
 }
 

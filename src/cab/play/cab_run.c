@@ -38,7 +38,7 @@ static void attract_begin(struct cab *cab, const char *name)
     if (!find_attract(cab, name, &lump))
         return;
     cab->attracting = demo_read(&cab->attract, lump.data, lump.size, err, sizeof err) &&
-                      demo_fits(&cab->attract, cab_cart(cab), err, sizeof err) &&
+                      demo_check_cart(&cab->attract, cab_cart(cab), err, sizeof err) &&
                       guard_power(&cab->attract_guard, cab_cart(cab)->rom, &cab->attract.start, err, sizeof err);
     if (cab->attracting)
         return;
@@ -50,7 +50,8 @@ static void attract_tick(struct cab *cab)
 {
     uint16_t pads[PADS];
     const struct board *b = cab->attract_guard.board;
-    if (board_last(b)->fault || board_last(b)->request == REQUEST_QUIT || board_frame(b) >= cab->attract.frames) {
+    if (board_last_output(b)->fault || board_last_output(b)->request == REQUEST_QUIT ||
+        board_frame(b) >= cab->attract.frames) {
         cab_attract_end(cab);
         return;
     }
@@ -65,7 +66,7 @@ static void attract_tick(struct cab *cab)
  * the cabinet then is not done again. */
 static void handle_output(struct cab *cab, bool fresh)
 {
-    const struct board_out *out = board_last(cab_live(cab));
+    const struct board_out *out = board_last_output(cab_live(cab));
 
     cab_log_lines(cab, out);
     play_sound(cab, cab_live(cab));
@@ -76,8 +77,8 @@ static void handle_output(struct cab *cab, bool fresh)
         cab->quit = true;
     else if (out->request == REQUEST_ATTRACT && fresh)
         attract_begin(cab, out->attract);
-    else if (out->request == REQUEST_ASK && fresh)
-        cab_asked(cab, out->ask);
+    else if (out->request == REQUEST_HOST_SCREEN && fresh)
+        cab_asked(cab, out->host_screen);
 }
 
 /* Reports, once, that a playback is not the run that was recorded. */

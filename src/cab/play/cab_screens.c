@@ -6,19 +6,19 @@
 #include "cab_parts.h"
 #include "../../../platform/platform.h"
 
-static void open_asked(struct cab *cab, enum board_ask what)
+static void open_asked(struct cab *cab, enum board_host_screen what)
 {
     switch (what) {
-    case ASK_SETTINGS:
+    case HOST_SCREEN_SETTINGS:
         cab_open_settings(cab);
         break;
-    case ASK_KEYS:
+    case HOST_SCREEN_KEYS:
         cab_open_keys(cab);
         break;
-    case ASK_REPLAYS:
+    case HOST_SCREEN_REPLAYS:
         cab_open_replays(cab);
         break;
-    case ASK_PRACTICE:
+    case HOST_SCREEN_PRACTICE:
         cab_open_practice(cab);
         break;
     default:
@@ -26,7 +26,7 @@ static void open_asked(struct cab *cab, enum board_ask what)
     }
 }
 
-void cab_asked(struct cab *cab, enum board_ask what)
+void cab_asked(struct cab *cab, enum board_host_screen what)
 {
     if (!cab->session.demo && !cab->attracting && cab->session.state == SESSION_PLAYING)
         open_asked(cab, what);
@@ -36,7 +36,7 @@ void cab_asked(struct cab *cab, enum board_ask what)
  * host that never has focus runs. */
 static void heed_focus(struct cab *cab, const struct plat_input *in)
 {
-    const bool here = in->focus && !in->hidden, left = cab->here && !here;
+    const bool here = in->has_focus && !in->hidden, left = cab->here && !here;
 
     cab->here = here;
     if (!left || !cab->config.away || cab->attracting || cab->console.open || cab->prompt.open)

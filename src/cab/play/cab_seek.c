@@ -109,7 +109,7 @@ void cab_check_folder(struct cab *cab)
 
 void cab_fit_cart(struct cab *cab)
 {
-    const struct manifest *m = &cab_cart(cab)->m;
+    const struct manifest *m = &cab_cart(cab)->manifest;
     const int w = cab->picture.fb.w, h = cab->picture.fb.h;
 
     cab->fault_reported = false;
@@ -118,11 +118,11 @@ void cab_fit_cart(struct cab *cab)
     cab_picture_close(&cab->picture);
     if (!cab_picture_open(&cab->picture, cab_live(cab))) {
         plat_log("curtain: out of memory for the picture");
-        cab->result = RESULT_HOST;
+        cab->result = RESULT_HOST_FAILED;
         cab->quit = true;
         return;
     }
     if (w != m->screen_w || h != m->screen_h || strcmp(cab->title, m->title) != 0 ||
-        cab->want.rate != cab_sound_rate(cab))
+        cab->want.sound_rate != cab_sound_rate(cab))
         cab->quit = !cab_open_window(cab) || cab->quit;
 }

@@ -23,8 +23,8 @@ enum { BLINK = 20 }; /* frames; PRESS START is there for two of three */
 bool cab_picture_open(struct picture *p, const struct board *b)
 {
     int w, h;
-    board_screen(b, &w, &h);
-    p->scratch = malloc(board_scratch(b) + 1);
+    board_screen_size(b, &w, &h);
+    p->scratch = malloc(board_scratch_size(b) + 1);
     return p->scratch && cab_picture_alloc(p, w, h);
 }
 
@@ -55,7 +55,7 @@ static const struct board *board_seen(struct cab *cab)
 static struct view view_now(struct cab *cab, struct picture *p)
 {
     return (struct view){ .dim = (enum view_dim)cab->config.dim,
-                          .soft_flashes = cab->config.flashes,
+                          .softens_flashes = cab->config.flashes,
                           .colours = (enum view_colours)cab->config.colours,
                           .shades = cab->config.dim ? shade_for(&p->shades, cab_cart(cab)) : NULL };
 }
@@ -164,7 +164,7 @@ static void hint_text(struct cab *cab, const char *message, char *text, size_t s
     char start[32], fire[32], bomb[32];
 
     text[0] = 0;
-    if (message[0] || (!cab->attracting && (!board_last(cab_live(cab))->menu || cab->session.demo)))
+    if (message[0] || (!cab->attracting && (!board_last_output(cab_live(cab))->menu_shown || cab->session.demo)))
         return;
     keys_first(&cab->config.keys, "p1.start", start, sizeof start);
     keys_first(&cab->config.keys, "p1.fire", fire, sizeof fire);
@@ -218,7 +218,7 @@ static struct canvas side_canvas(struct cab *cab, const struct canvas *picture)
     side.fb = cab_window_side(cab);
     if (!side.fb)
         return side;
-    fb_clip_all(side.fb);
+    fb_reset_clip(side.fb);
     fb_fill(side.fb, side.colour[CANVAS_DARK]);
     return side;
 }
@@ -297,7 +297,7 @@ static void save_picture(struct cab *cab, const char *name, const uint8_t *bytes
 
     if (!cab_save(cab, name, bytes, size))
         return;
-    cab_say(cab, "saved %s", files_shown(name, shown));
+    cab_say(cab, "saved %s", files_display_name(name, shown));
     cab_notice(cab, CAB_NOTICE_FRAMES, "Saved %s", shown);
 }
 

@@ -32,7 +32,7 @@ void cab_say(struct cab *cab, const char *format, ...)
 
 const char *cab_game(const struct cab *cab)
 {
-    return cab->options.path ? cab->options.path : cab->options.cart->m.id;
+    return cab->options.path ? cab->options.path : cab->options.cart->manifest.id;
 }
 
 const struct cart *cab_cart(const struct cab *cab)
@@ -47,7 +47,7 @@ struct board *cab_live(const struct cab *cab)
 
 const struct board_fault *cab_fault(const struct cab *cab)
 {
-    return board_last(cab_live(cab))->fault;
+    return board_last_output(cab_live(cab))->fault;
 }
 
 void cab_notice(struct cab *cab, int frames, const char *format, ...)
@@ -65,7 +65,7 @@ void cab_free_name(struct cab *cab, char name[CAB_NAME], const char *where, cons
     size_t size;
     int i = 1;
     do
-        snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart(cab)->m.id, i++, what);
+        snprintf(name, CAB_NAME, "%s%s-%d.%s", where, cab_cart(cab)->manifest.id, i++, what);
     while (plat_size(name) >= 0 || unsaved_bytes(cab->unsaved.files, name, &size));
 }
 

@@ -51,7 +51,7 @@ static void read_border(struct cab *cab)
 
 int cab_sound_rate(struct cab *cab)
 {
-    return board_has_sound(cab_live(cab)) && (!cab->speaker.muted || cab->want.rate) ? SPEAKER_RATE : 0;
+    return board_has_sound(cab_live(cab)) && (!cab->speaker.muted || cab->want.sound_rate) ? SPEAKER_RATE : 0;
 }
 
 /* Of the ROM that runs; a window keeps it. */
@@ -68,15 +68,15 @@ static void give_icon(struct cab *cab)
 
 bool cab_open_window(struct cab *cab)
 {
-    const struct manifest *m = &cab_cart(cab)->m;
+    const struct manifest *m = &cab_cart(cab)->manifest;
     const struct config *c = &cab->config;
 
-    cab->want.rate = cab_sound_rate(cab);
+    cab->want.sound_rate = cab_sound_rate(cab);
     cab->want.w = m->screen_w;
     cab->want.h = m->screen_h;
     quarter_size((enum quarter)c->turn, &cab->want.w, &cab->want.h);
     cab->want.scale = c->scale;
-    cab->want.any = c->scaling == SCALING_SMOOTH;
+    cab->want.fractional = c->scaling == SCALING_SMOOTH;
     cab->want.fullscreen = c->fullscreen;
     cab->want.vsync = c->vsync && !cab->speaker.exact;       /* there the card's clock leads */
     snprintf(cab->title, sizeof cab->title, "%s", m->title); /* the manifest may go */
@@ -137,7 +137,7 @@ void cab_window_begin(struct cab *cab, int w, int h)
     struct plat_window host = { 0 };
     const bool known = plat_window(&host);
 
-    cab->window.refresh = known && host.waits ? host.refresh : 0;
+    cab->window.refresh = known && host.vsync ? host.refresh : 0;
     cab->window.composes = cab->window.has_side = false;
     if (!known || cab->window.cannot)
         return;

@@ -70,14 +70,14 @@ static int row_of(const struct practice_menu *m, const char *id)
 
 static int difficulty_of(const struct practice_menu *m, const struct board_start *start)
 {
-    return start->difficulty < 0 ? m->cart->m.difficulty : start->difficulty;
+    return start->difficulty < 0 ? m->cart->manifest.difficulty : start->difficulty;
 }
 
 void practice_init(struct practice_menu *m, const struct cart *cart, const struct board_start *start)
 {
     *m = (struct practice_menu){ .cart = cart, .home = *start, .start = *start, .slow = 1 };
     memset(&m->home.practice, 0, sizeof m->home.practice);
-    records_load(&m->records, cart->m.id);
+    records_load(&m->records, cart->manifest.id);
 }
 
 void practice_began(struct practice_menu *m, const struct board_start *start)
@@ -105,7 +105,7 @@ static bool ends_well(const char *section, const struct board_marker *marker)
     char name[80];
 
     if (marker->kind == MARKER_WON) {
-        const size_t n = (size_t)snprintf(name, sizeof name, "%s/%s", marker->of, marker->name);
+        const size_t n = (size_t)snprintf(name, sizeof name, "%s/%s", marker->parent, marker->name);
         return strncmp(section, name, n) == 0 && (section[n] == '\0' || section[n] == '@');
     }
     if (marker->kind != MARKER_CLEAR || strchr(section, '/'))
@@ -116,7 +116,8 @@ static bool ends_well(const char *section, const struct board_marker *marker)
 
 static void count_marker(struct practice_menu *m, const struct board_marker *marker)
 {
-    const char *section = m->start.practice.section, *difficulty = m->cart->m.difficulties[difficulty_of(m, &m->start)];
+    const char *section = m->start.practice.section,
+               *difficulty = m->cart->manifest.difficulties[difficulty_of(m, &m->start)];
 
     if (marker->kind == MARKER_START) {
         records_attempt(&m->records, section, difficulty);
@@ -209,7 +210,7 @@ static void change(void *of, int at, int by)
 
     switch (r.kind) {
     case ROW_DIFFICULTY:
-        m->difficulty = round_to(m->difficulty + direction, 0, m->cart->m.n_difficulties - 1);
+        m->difficulty = round_to(m->difficulty + direction, 0, m->cart->manifest.n_difficulties - 1);
         break;
     case ROW_LIVES:
         m->lives = round_to(m->lives + by, 0, PRACTICE_LIVES);
@@ -253,7 +254,7 @@ static int count(void *of)
 
 static const struct record *record_of(const struct practice_menu *m, const struct section *section)
 {
-    return records_find(&m->records, section->id, m->cart->m.difficulties[m->difficulty]);
+    return records_find(&m->records, section->id, m->cart->manifest.difficulties[m->difficulty]);
 }
 
 /* Grey: never tried; yellow: never captured. */
@@ -296,7 +297,7 @@ static void describe_setting(const struct practice_menu *m, struct row r, struct
     row->changes = true;
     switch (r.kind) {
     case ROW_DIFFICULTY:
-        snprintf(row->value, sizeof row->value, "%s", m->cart->m.difficulties[m->difficulty]);
+        snprintf(row->value, sizeof row->value, "%s", m->cart->manifest.difficulties[m->difficulty]);
         break;
     case ROW_LIVES:
         snprintf(row->value, sizeof row->value, m->lives ? "%d" : "Default: %d",

@@ -9,7 +9,7 @@
 
 static int players(struct cab *cab)
 {
-    return cab_cart(cab)->m.players > 1 ? PADS : 1;
+    return cab_cart(cab)->manifest.players > 1 ? PADS : 1;
 }
 
 /* The controller of a row; -1: none is plugged in. */
@@ -45,7 +45,7 @@ static size_t describe_one(struct cab *cab, int i, char *out, size_t size)
     char label[SWITCH_NAME];
     size_t n = 0;
 
-    for (unsigned bit = 0; bit < PLAT_SWITCHES && n < size; bit++) {
+    for (unsigned bit = 0; bit < PLAT_BUTTONS && n < size; bit++) {
         if (!(cab->pressed[i] >> bit & 1))
             continue;
         switch_label(SWITCH_CONTROLLER | bit, cab->seats.is[i].kind, label, sizeof label);

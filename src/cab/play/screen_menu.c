@@ -148,7 +148,7 @@ void cab_open_menu(struct cab *cab)
 
 bool cab_run_is_on(const struct cab *cab)
 {
-    const bool in_menu = board_last(cab_live(cab))->menu && !cab->keep.on;
+    const bool in_menu = board_last_output(cab_live(cab))->menu_shown && !cab->keep.on;
 
     return !cab->session.demo && !cab_fault(cab) && board_frame(cab_live(cab)) > 0 && !in_menu;
 }

@@ -100,9 +100,9 @@ static void delete (void *of)
 static void want_text(struct cab *cab, bool on)
 {
     cab->view.typing = on;
-    if (cab->want.text == on)
+    if (cab->want.text_input == on)
         return;
-    cab->want.text = on;
+    cab->want.text_input = on;
     cab->quit = !cab_open_window(cab) || cab->quit;
 }
 
@@ -148,7 +148,7 @@ static void type(struct cab *cab, const char *text)
         cab->view.typed[0] = 0;
     cab->view.fresh = false;
     for (uint32_t c; *text;) {
-        const int n = clean_character(text, &c);
+        const int n = clean_decode_character(text, &c);
         const size_t at = strlen(cab->view.typed);
         if (c >= 32 && c != 127 && at + (size_t)n < sizeof cab->view.typed) {
             memcpy(cab->view.typed + at, text, (size_t)n);
@@ -184,7 +184,7 @@ static void keep_name(struct cab *cab)
 /* Pressed now and not at the last look. */
 static bool key(struct cab *cab, const struct plat_input *in, unsigned usage)
 {
-    return plat_key(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
+    return plat_key_held(in, usage) && !(cab->view.held[usage >> 3 & 31] >> (usage & 7) & 1);
 }
 
 static bool listen(void *of, const struct plat_input *in)
@@ -279,7 +279,7 @@ static void closed(void *of)
 static int height(void *of, int w, int h)
 {
     struct cab *cab = of;
-    const struct manifest *m = &cab_cart(cab)->m;
+    const struct manifest *m = &cab_cart(cab)->manifest;
     const int high = (m->screen_w > m->screen_h ? THUMB_SIDE * m->screen_h / m->screen_w : THUMB_SIDE) + 4;
 
     (void)w;
@@ -359,7 +359,7 @@ void cab_open_replays(struct cab *cab)
         cab_attract_end(cab);
     replays_close(&cab->view.list);
     cab->view.thumb_of = -1;
-    if (!replays_open(&cab->view.list, cab_cart(cab)->m.id))
+    if (!replays_open(&cab->view.list, cab_cart(cab)->manifest.id))
         screens_say(&cab->screens, "Out of memory: some replays are not listed");
     screens_open(&cab->screens, &replays, cab);
 }

@@ -157,7 +157,7 @@ void cab_open_settings(struct cab *cab)
 void cab_save_settings(struct cab *cab)
 {
     char err[FILES_ERR + CONFIG_LINE], path[FILES_PATH];
-    size_t folder = strlen(files_shown(CONFIG_FILE, path));
+    size_t folder = strlen(files_display_name(CONFIG_FILE, path));
 
     cab->unsaved.settings = !config_save(&cab->kept, err, sizeof err);
     if (!cab->unsaved.settings)

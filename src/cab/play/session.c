@@ -31,7 +31,7 @@ static void run_free(struct session_run *r)
     if (!r)
         return;
     guard_close(&r->guard);
-    demo_drop(&r->writer);
+    demo_writer_free(&r->writer);
     session_rom_free(r->rom);
     free(r);
 }
@@ -69,7 +69,7 @@ bool session_open(struct session *s, const struct cart *cart, const struct board
     *s = (struct session){ .start = *start, .demo = demo, .record = record };
     s->now = run_power(s, cart, NULL, start);
     if (s->now && record)
-        check_written(s, demo_keep(&s->now->writer, record));
+        check_written(s, demo_record_to(&s->now->writer, record));
     return s->now != NULL;
 }
 
@@ -80,7 +80,7 @@ static bool finish(struct session *s)
     const struct board *b = session_board(s);
     bool good = true;
 
-    if (!board_last(b)->fault && board_frame(b) < w->demo.frames)
+    if (!board_last_output(b)->fault && board_frame(b) < w->demo.frames)
         good = demo_rewind(w, board_frame(b));
     return check_written(s, demo_end(w, b) && good);
 }
@@ -111,7 +111,7 @@ bool session_restart(struct session *s, const struct board_start *start)
     s->demo = NULL;
     s->differs = 0;
     s->rewound = false;
-    return !s->record || check_written(s, demo_keep(&r->writer, s->record));
+    return !s->record || check_written(s, demo_record_to(&r->writer, s->record));
 }
 
 /* ---- forward ---- */
@@ -132,9 +132,9 @@ static void compare(struct session *s)
 {
     const struct session_run *r = s->now;
     uint64_t hashes[MAX_PARTS];
-    uint64_t missing = demo_order(s->demo, r->guard.board, r->writer.hashes, hashes);
+    uint64_t missing = demo_reorder_hashes(s->demo, r->guard.board, r->writer.hashes, hashes);
 
-    if (demo_differs(s->demo, r->writer.demo.frames, hashes) & ~missing)
+    if (demo_differing_parts(s->demo, r->writer.demo.frames, hashes) & ~missing)
         s->differs = r->writer.demo.frames;
 }
 
@@ -145,7 +145,7 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
 
     s->at = board_frame(r->guard.board);
     if (!seen)
-        demo_tick_begins(&r->writer, pads);
+        demo_begin_tick(&r->writer, pads);
     s->ticking = true;
     guard_tick(&r->guard, pads);
     s->ticking = false;
@@ -153,8 +153,8 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
         s->ticked(s->of, s);
     if (seen)
         return true;
-    bool good = demo_frame(&r->writer, r->guard.board, pads);
-    if (s->demo && !s->differs && r->writer.on && !board_last(r->guard.board)->fault)
+    bool good = demo_record_frame(&r->writer, r->guard.board, pads);
+    if (s->demo && !s->differs && r->writer.recording && !board_last_output(r->guard.board)->fault)
         compare(s);
     return check_written(s, good);
 }
@@ -163,7 +163,7 @@ bool session_replay_tick(struct session *s)
 {
     uint16_t pads[PADS];
 
-    if (board_last(session_board(s))->fault || !known_pads(s, pads))
+    if (board_last_output(session_board(s))->fault || !known_pads(s, pads))
         return true;
     return tick(s, pads);
 }
@@ -176,7 +176,7 @@ bool session_tick(struct session *s, const uint16_t pads[PADS])
 
     if (s->demo)
         return session_replay_tick(s);
-    if (board_last(b)->fault)
+    if (board_last_output(b)->fault)
         return true;
     if (board_frame(b) < w->demo.frames)
         good = check_written(s, demo_rewind(w, board_frame(b)));
@@ -192,7 +192,7 @@ uint32_t session_first(const struct session *s)
 
 uint32_t session_last(const struct session *s)
 {
-    const struct demo *d = s->demo && !board_last(session_board(s))->fault ? s->demo : &s->now->writer.demo;
+    const struct demo *d = s->demo && !board_last_output(session_board(s))->fault ? s->demo : &s->now->writer.demo;
     uint32_t frame = board_frame(session_board(s));
     bool fault = d->frames > d->checksum_frames; /* the tick that faulted makes no frame */
 
@@ -233,7 +233,7 @@ int session_progress(const struct session *s)
 bool session_take_over(struct session *s, const char *record)
 {
     const struct board *b = session_board(s);
-    uint32_t frame = board_frame(b) + (board_last(b)->fault != NULL); /* the tick that faulted is recorded too */
+    uint32_t frame = board_frame(b) + (board_last_output(b)->fault != NULL); /* the tick that faulted is recorded too */
 
     if (!s->demo)
         return fail(s, "Nothing to take over: you are already playing");
@@ -244,26 +244,26 @@ bool session_take_over(struct session *s, const char *record)
     s->record = record ? record : s->record;
     if (!check_written(s, demo_rewind(&s->now->writer, frame)))
         return false;
-    return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));
+    return !s->record || check_written(s, demo_record_to(&s->now->writer, s->record));
 }
 
 bool session_go_on(struct session *s, unsigned flags)
 {
     const struct board *b = session_board(s);
 
-    if (!s->demo || board_last(b)->fault || board_frame(b) != s->demo->frames)
+    if (!s->demo || board_last_output(b)->fault || board_frame(b) != s->demo->frames)
         return fail(s, "the run's recording does not replay to the end");
     if (s->differs)
         return fail(s, "playback diverged from the recording");
     session_stop(s);
     flags |= s->demo->flags;
     s->demo = NULL;
-    return check_written(s, demo_flag(&s->now->writer, flags));
+    return check_written(s, demo_add_flags(&s->now->writer, flags));
 }
 
 bool session_mark_assisted(struct session *s)
 {
-    return check_written(s, demo_flag(&s->now->writer, DEMO_ASSISTED));
+    return check_written(s, demo_add_flags(&s->now->writer, DEMO_ASSISTED));
 }
 
 bool session_mark_touched(struct session *s)
@@ -275,7 +275,7 @@ bool session_mark_touched(struct session *s)
     session_stop(s);
     rewind_drop(&s->now->guard.past, frame);
     guard_forget(&s->now->guard);
-    return check_written(s, demo_flag(w, DEMO_TOUCHED) && good);
+    return check_written(s, demo_add_flags(w, DEMO_TOUCHED) && good);
 }
 
 const struct demo_marker *session_markers(const struct session *s, uint32_t *n)
@@ -306,7 +306,7 @@ struct session_rom *session_rom_load(const char *path, bool nearest, char *err, 
 static bool reload_ended(struct session *s)
 {
     const struct board *b = s->next->guard.board;
-    const struct board_out *out = board_last(b);
+    const struct board_out *out = board_last_output(b);
 
     if (out->fault)
         snprintf(s->err, sizeof s->err, "%s (in frame %u of the run)", out->fault->message, (unsigned)board_frame(b));
@@ -329,9 +329,9 @@ bool session_reload(struct session *s, const char *path, bool nearest)
         session_rom_free(rom);
         return true;
     }
-    if (strcmp(rom->cart.m.id, s->now->cart->m.id) != 0) {
-        snprintf(s->err, sizeof s->err, "the folder now contains another game (\"%s\", was \"%s\")", rom->cart.m.id,
-                 s->now->cart->m.id);
+    if (strcmp(rom->cart.manifest.id, s->now->cart->manifest.id) != 0) {
+        snprintf(s->err, sizeof s->err, "the folder now contains another game (\"%s\", was \"%s\")",
+                 rom->cart.manifest.id, s->now->cart->manifest.id);
         session_rom_free(rom);
         return false;
     }
@@ -354,11 +354,11 @@ static bool finish_reload(struct session *s)
     s->next = NULL;
     s->state = SESSION_PLAYING;
     s->differs = 0;
-    const char *song = board_music(old->guard.board);
+    const char *song = board_music_name(old->guard.board);
     snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find_tune(s->now->cart, song) < 0 ? song : "");
     run_free(old);
-    demo_flag(&s->now->writer, flags);
-    return !s->record || check_written(s, demo_keep(&s->now->writer, s->record));
+    demo_add_flags(&s->now->writer, flags);
+    return !s->record || check_written(s, demo_record_to(&s->now->writer, s->record));
 }
 
 /* ---- work ---- */
@@ -370,7 +370,7 @@ static bool reload_tick(struct session *s)
 
     demo_pads(&s->now->writer.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);
-    demo_frame(&r->writer, r->guard.board, pads);
+    demo_record_frame(&r->writer, r->guard.board, pads);
     return !reload_ended(s);
 }
 
@@ -378,7 +378,7 @@ static bool arrived(const struct session *s)
 {
     const struct board *b = s->next ? s->next->guard.board : session_board(s);
 
-    return board_frame(b) >= s->to || board_last(b)->fault;
+    return board_frame(b) >= s->to || board_last_output(b)->fault;
 }
 
 /* A clock that went back has none left, either. */

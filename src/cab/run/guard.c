@@ -42,7 +42,7 @@ bool guard_back(struct guard *g, uint32_t frame)
 bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size)
 {
     rewind_forget(&g->past);
-    g->board = board_power(g->ram, g->ram_size, g->rom, start, err, err_size);
+    g->board = board_power_on(g->ram, g->ram_size, g->rom, start, err, err_size);
     if (g->board)
         return true;
     guard_close(g);

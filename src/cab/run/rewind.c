@@ -261,7 +261,7 @@ bool rewind_to(struct rewind *r, struct board *b, uint32_t frame)
         return false;
     const struct rewind_key *k = &r->key[keys_before(r, frame + 1) - 1];
     uint32_t from = board_frame(b), fill = 0;
-    if (board_last(b)->fault || from > frame || from < k->frame) {
+    if (board_last_output(b)->fault || from > frame || from < k->frame) {
         board_restore(b, k->at);
         from = k->frame;
         fill = fill_apart(r, frame - from, k->room);

@@ -59,9 +59,9 @@ uint32_t rewind_end(const struct rewind *r);
 /* The pads of the tick after a frame of it, but the last. */
 const uint16_t *rewind_pads(const struct rewind *r, uint32_t frame);
 
-/* Brings the board to a frame of its past, from any other, from a fault too. False: no such frame, and
- * nothing was done; or a tick on the way ended in a fault, as it did before, which stands in board_last. What ticks on
- * the way hand out is lost. */
+/* Brings the board to a frame of its past, from any other, from a fault too. False: no such frame, and nothing was
+ * done; or a tick on the way ended in a fault, as it did before, which stands in board_last_output. What ticks on the
+ * way hand out is lost. */
 bool rewind_to(struct rewind *r, struct board *b, uint32_t frame);
 
 /* Forgets what is after frame `present`; all of it when that is before the first. */

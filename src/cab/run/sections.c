@@ -49,12 +49,12 @@ static void add(struct sections *p, enum section_kind kind, const struct board_m
     char id[sizeof p->section[0].id];
 
     if (child)
-        snprintf(id, sizeof id, "%s%c%s", m->of, kind == SECTION_MARK ? ':' : '/', m->name);
+        snprintf(id, sizeof id, "%s%c%s", m->parent, kind == SECTION_MARK ? ':' : '/', m->name);
     else
         snprintf(id, sizeof id, "%s", m->name);
     if (has(p, kind, id)) /* a game's own task may play a section meanwhile */
         return;
-    int i = child ? place_of(p, kind == SECTION_MARK ? SECTION_STAGE : SECTION_BOSS, m->of) : p->n;
+    int i = child ? place_of(p, kind == SECTION_MARK ? SECTION_STAGE : SECTION_BOSS, m->parent) : p->n;
     struct section *at = i < 0 ? NULL : insert(p, i);
     if (!at)
         return;
@@ -112,7 +112,7 @@ static bool hear(struct sections *p, const struct board_marker *m)
 static void listen(struct sections *p, struct guard *g, bool log)
 {
     const uint16_t none[PADS] = { 0 };
-    const struct board_out *out = board_last(g->board);
+    const struct board_out *out = board_last_output(g->board);
     bool done = false;
 
     for (int f = 0; !out->fault && !done && f < PATIENCE; f++) {

@@ -204,13 +204,13 @@ static uint32_t of_keyboard(const struct plat_input *in)
     uint32_t held = 0;
 
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
-        held |= plat_key(in, keys[i].usage) ? keys[i].does : 0;
+        held |= plat_key_held(in, keys[i].usage) ? keys[i].does : 0;
     return held;
 }
 
 static uint32_t of_controllers(const struct plat_input *in)
 {
-    static const uint16_t does[PLAT_SWITCHES] = {
+    static const uint16_t does[PLAT_BUTTONS] = {
         [PLAT_DPAD_UP] = UP,
         [PLAT_DPAD_DOWN] = DOWN,
         [PLAT_DPAD_LEFT] = LEFT,
@@ -230,7 +230,7 @@ static uint32_t of_controllers(const struct plat_input *in)
     uint32_t held = 0;
 
     for (int c = 0; c < PLAT_CONTROLLERS; c++)
-        for (int i = 0; i < PLAT_SWITCHES; i++)
+        for (int i = 0; i < PLAT_BUTTONS; i++)
             held |= in->controllers[c] >> i & 1 ? does[i] : 0;
     return held;
 }
@@ -290,12 +290,12 @@ static int row_under(const struct screens *s, const struct screen_place *p, int 
  * under a mouse that rests; its left button accepts that, its right one goes back. */
 static uint32_t use_mouse(struct screens *s, struct screen_place *p, const struct plat_input *in)
 {
-    const uint8_t fresh = (uint8_t)(in->mouse & ~s->mouse);
+    const uint8_t fresh = (uint8_t)(in->mouse_buttons & ~s->mouse);
     const bool moved = s->mouse != NO_MOUSE && s->settle == 0 && s->mouse_x >= 0 &&
                        (in->mouse_x != s->mouse_x || in->mouse_y != s->mouse_y);
     const int at = in->mouse_x >= 0 ? row_under(s, p, in->mouse_x, in->mouse_y) : -1;
 
-    s->mouse = in->mouse;
+    s->mouse = in->mouse_buttons;
     s->mouse_x = in->mouse_x;
     s->mouse_y = in->mouse_y;
     if (at >= 0 && (moved || fresh))

@@ -78,7 +78,7 @@ static void escaped(const char *line, char *out)
 
 bool desktop_write(const char *program, const struct cart *cart, char *err, size_t err_size)
 {
-    char path[FILES_PATH], exec[2 * FILES_PATH], line[sizeof cart->m.title], title[2 * sizeof line];
+    char path[FILES_PATH], exec[2 * FILES_PATH], line[sizeof cart->manifest.title], title[2 * sizeof line];
     char shown[2 * FILES_PATH], name[FILES_PATH + 16], text[8 * FILES_PATH];
     uint8_t *rgba, *png = NULL;
     size_t size = 0;
@@ -87,7 +87,7 @@ bool desktop_write(const char *program, const struct cart *cart, char *err, size
     if (!plat_path(program, path, sizeof path - sizeof ".desktop"))
         return err_set(err, err_size, "%s: path too long", program);
     desktop_quote(path, exec, sizeof exec);
-    snprintf(line, sizeof line, "%s", cart->m.title);
+    snprintf(line, sizeof line, "%s", cart->manifest.title);
     clean_line(line);
     escaped(line, title);
     escaped(path, shown);

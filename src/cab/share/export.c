@@ -117,7 +117,7 @@ static bool load_player(struct export *e)
 
 static bool make_page(struct export *e)
 {
-    const struct web_game game = { e->cart.m.title, e->game, e->game_size };
+    const struct web_game game = { e->cart.manifest.title, e->game, e->game_size };
     uint8_t *player;
     size_t size;
 
@@ -234,7 +234,7 @@ static bool save_info(struct export *e)
 {
     char text[2048];
 
-    retro_info(&e->cart.m, text, sizeof text);
+    retro_info(&e->cart.manifest, text, sizeof text);
     return files_save(e->info, text, strlen(text), e->err, e->err_size);
 }
 
@@ -244,7 +244,7 @@ static bool save(struct export *e)
         return false;
     if (e->kind == EXPORT_LIBRETRO)
         return save_info(e);
-    return !kinds[e->kind].runs || plat_runnable(e->out)
+    return !kinds[e->kind].runs || plat_make_executable(e->out)
                ? true
                : result_set_host_error(e->err, e->err_size, "%s: cannot be made executable", e->out);
 }
@@ -274,16 +274,16 @@ static bool make_zip(struct export *e, struct zip *z)
 
     if (!kind->make(e))
         return false;
-    snprintf(name, sizeof name, "%s%s", e->cart.m.id, kind->ending);
+    snprintf(name, sizeof name, "%s%s", e->cart.manifest.id, kind->ending);
     zip_add(z, e->kind == EXPORT_WEB ? "index.html" : name, e->file, e->size, kind->runs);
     free(e->file);
     e->file = NULL;
     if (e->kind == EXPORT_LIBRETRO) {
-        retro_info(&e->cart.m, info, sizeof info);
-        snprintf(name, sizeof name, "%s_libretro.info", e->cart.m.id);
+        retro_info(&e->cart.manifest, info, sizeof info);
+        snprintf(name, sizeof name, "%s_libretro.info", e->cart.manifest.id);
         zip_add(z, name, info, strlen(info), false);
     }
-    readme_write(&readme, e->kind, &e->cart.m);
+    readme_write(&readme, e->kind, &e->cart.manifest);
     licences_notices(&licences);
     zip_text(z, "README.txt", &readme, kind->crlf);
     zip_text(z, "licences.txt", &licences, kind->crlf);
@@ -294,7 +294,7 @@ static bool make_zip(struct export *e, struct zip *z)
 
 static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PATH])
 {
-    const int n = snprintf(path, FILES_PATH, "%s/%s-%s.zip", e->out, e->cart.m.id, kinds[kind].option);
+    const int n = snprintf(path, FILES_PATH, "%s/%s-%s.zip", e->out, e->cart.manifest.id, kinds[kind].option);
 
     return n < FILES_PATH ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
 }
@@ -334,7 +334,7 @@ static bool name_out(struct export *e)
 {
     size_t n;
 
-    snprintf(e->name, sizeof e->name, "%s%s", e->cart.m.id,
+    snprintf(e->name, sizeof e->name, "%s%s", e->cart.manifest.id,
              e->kind == EXPORT_PROGRAM ? program_ending() : kinds[e->kind].ending);
     e->out = e->want->out ? e->want->out : e->name;
     n = strlen(e->out);

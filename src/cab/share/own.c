@@ -65,10 +65,10 @@ enum result own_open(char *err, size_t err_size)
         return RESULT_DONE;
     if (!plat_program(name, sizeof name)) {
         err_set(err, err_size, "%s, which contains the game, cannot be found on this system", itself);
-        return RESULT_HOST;
+        return RESULT_HOST_FAILED;
     }
     if (!files_read(name, itself, MOST, &file, &size, err, err_size))
-        return RESULT_HOST;
+        return RESULT_HOST_FAILED;
     enum result result = take(&file, size, &m, err, err_size);
     if (result == RESULT_DONE)
         plat_name(own.m.id);

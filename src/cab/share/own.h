@@ -18,7 +18,7 @@ struct own {
 };
 
 /* Reads the program's own game, if its mark says that there is one, and takes the game's name. To be called once, at
- * the start. RESULT_REFUSED, RESULT_HOST: the file is damaged, or cannot be read: one sentence. */
+ * the start. RESULT_REFUSED, RESULT_HOST_FAILED: the file is damaged, or cannot be read: one sentence. */
 enum result own_open(char *err, size_t err_size);
 
 /* Never NULL. */

@@ -442,7 +442,7 @@ bool pe_set_resources(uint8_t **file, size_t *size, const struct cart *cart, cha
     if (!read_directory(&pe, 0, 0, (struct resource){ 0 }))
         return err_set(err, err_size, "the program's resources are damaged");
     const bool icon = make_icons(cart, &pictures, sizes, &group);
-    make_version(&version, &cart->m);
+    make_version(&version, &cart->manifest);
     for (int i = 0; i < pe.n_old; i++)
         if (pe.old[i].type != RT_VERSION && !(icon && (pe.old[i].type == RT_ICON || pe.old[i].type == RT_GROUP_ICON)))
             add(&pe, pe.old[i]);

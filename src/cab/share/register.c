@@ -1,8 +1,8 @@
 /*
- * register.c - see register.h. Windows stores file types in its registry (plat_register). Other desktops read the files
- * of freedesktop.org's specifications: an entry of the menu, MIME types, an icon, and mimeapps.list, which says which
- * entry opens a type. They are those of tools/install.sh, written to the user's data folder, and the entry has this
- * program's path. An entry of the same name hides that of an installation for all users.
+ * register.c - see register.h. Windows stores file types in its registry (plat_register_type). Other desktops read the
+ * files of freedesktop.org's specifications: an entry of the menu, MIME types, an icon, and mimeapps.list, which says
+ * which entry opens a type. They are those of tools/install.sh, written to the user's data folder, and the entry has
+ * this program's path. An entry of the same name hides that of an installation for all users.
  */
 #include "register.h"
 
@@ -227,7 +227,7 @@ static bool find_folders(struct registration *r)
                    r->program);
 }
 
-/* An entry of the same name that this command did not write, as by make install PREFIX=~/.local, works already. */
+/* An entry of the same name that this command did not write, as by make install MAX_PREFIX=~/.local, works already. */
 static enum result register_desktop(struct registration *r)
 {
     bool second[TYPES] = { false };
@@ -248,8 +248,9 @@ static enum result register_desktop(struct registration *r)
     const bool known = run_tool(r, "update-mime-database", "mime");
     run_tool(r, "update-desktop-database", "applications");
     if (!known && !r->remove)
-        return report_line(RESULT_HOST, "register: update-mime-database failed or is not installed (Debian package: "
-                                        "shared-mime-info); install it and run this command again");
+        return report_line(RESULT_HOST_FAILED,
+                           "register: update-mime-database failed or is not installed (Debian package: "
+                           "shared-mime-info); install it and run this command again");
     for (int i = 0; i < TYPES; i++)
         print_type(i, r->remove, second[i]);
     return report_stdout(RESULT_DONE);
@@ -265,12 +266,13 @@ enum result register_command(bool remove)
     if (!own_has_window())
         return report_line(RESULT_REFUSED, "register: this program has no window; use curtain");
     for (int i = 0; i < TYPES; i++) {
-        const enum plat_registered is = plat_register(&types[i].file, !remove);
+        const enum plat_register_result is = plat_register_type(&types[i].file, !remove);
         if (is == PLAT_NO_REGISTRY)
             return register_desktop(&r);
         if (is == PLAT_NOT_REGISTERED)
-            return report_line(RESULT_HOST, "register: .%s: the registry cannot be changed", types[i].file.ending);
-        print_type(i, remove, is == PLAT_SECOND);
+            return report_line(RESULT_HOST_FAILED, "register: .%s: the registry cannot be changed",
+                               types[i].file.ending);
+        print_type(i, remove, is == PLAT_NOT_DEFAULT);
     }
     return report_stdout(RESULT_DONE);
 }

@@ -86,8 +86,8 @@ static void escape(const char *title, char *out, size_t size)
 {
     size_t n = 0;
 
-    while (*title && n + CLEAN_MARKUP < size) {
-        title += clean_markup(title, out + n);
+    while (*title && n + CLEAN_MARKUP_SIZE < size) {
+        title += clean_escape_character(title, out + n);
         if (strcmp(out + n, "@") == 0)
             strcpy(out + n, "&#64;");
         n += strlen(out + n);

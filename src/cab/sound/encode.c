@@ -7,7 +7,7 @@
 #include <string.h>
 #include "../../base/bytes.h"
 
-enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_SAMPLES - 1 };
+enum { WAYS = 4, TRIED = 3 /* codes of each way */, CODES = ADPCM_BLOCK_SAMPLES - 1 };
 
 struct way {
     struct adpcm at;
@@ -108,11 +108,11 @@ void encode_sample(uint8_t *out, const int16_t *in, uint32_t n, uint32_t rate, u
     bytes_put32(out + 4, n);
     bytes_put32(out + 8, loop);
     out[12] = (uint8_t)coding;
-    out += SAMPLE_HEADER;
+    out += SAMPLE_HEADER_SIZE;
     if (coding == SAMPLE_EXACT)
         for (uint32_t i = 0; i < n; i++)
             bytes_put16(out + 2 * (size_t)i, (uint16_t)in[i]);
     else
-        for (uint32_t i = 0; i < n; i += ADPCM_SAMPLES)
-            write_block(&s, out + (size_t)(i / ADPCM_SAMPLES) * ADPCM_BYTES, in + i, n - i);
+        for (uint32_t i = 0; i < n; i += ADPCM_BLOCK_SAMPLES)
+            write_block(&s, out + (size_t)(i / ADPCM_BLOCK_SAMPLES) * ADPCM_BLOCK_BYTES, in + i, n - i);
 }

@@ -63,7 +63,7 @@ static bool read_pass(const struct functions *f, openmpt_module *module, struct 
     *pass = (struct pcm){ .rate = SND_RATE, .channels = PCM_CHANNELS, .loop = -1, .loop_end = -1 };
     for (size_t n; (n = f->read(module, SND_RATE, PART, part)) > 0;)
         if (!pcm_add(pass, part, n))
-            return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
+            return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MAX_LENGTH);
     return pass->n > 0 ? true : err_set(err, err_size, "it contains no music");
 }
 
@@ -102,7 +102,7 @@ static bool read_loop(const struct functions *f, openmpt_module *module, struct 
 static bool decode(const struct functions *f, openmpt_module *module, bool loops, struct pcm *out, char *err,
                    size_t err_size)
 {
-    const double seconds = f->duration(module), most = (double)SAMPLE_MOST / SND_RATE;
+    const double seconds = f->duration(module), most = (double)SAMPLE_MAX_LENGTH / SND_RATE;
 
     if (!(seconds > 0 && seconds <= most))
         return err_set(err, err_size, "expected music of at most %.0f s, got %.1f", most, seconds);

@@ -23,7 +23,7 @@ static int16_t rounded(double v)
 
 static uint64_t most(const struct pcm *p)
 {
-    return p->rate <= SND_RATE ? SAMPLE_MOST : (uint64_t)SAMPLE_MOST * p->rate / SND_RATE;
+    return p->rate <= SND_RATE ? SAMPLE_MAX_LENGTH : (uint64_t)SAMPLE_MAX_LENGTH * p->rate / SND_RATE;
 }
 
 /* Makes room for n frames more. */

@@ -47,11 +47,11 @@ bool recording_read(const char *file, const uint8_t *data, size_t n, const struc
                     char *err, size_t err_size)
 {
     static const char *const library[] = { ".ogg", ".oga", ".opus", ".flac" };
-    const bool wav = files_ends(file, ".wav");
+    const bool wav = files_has_suffix(file, ".wav");
     bool sndfile = false;
 
     for (size_t i = 0; i < sizeof library / sizeof *library; i++)
-        sndfile |= files_ends(file, library[i]);
+        sndfile |= files_has_suffix(file, library[i]);
     if (!wav && !sndfile)
         return module_read(data, n, loop->kind == LOOP_OF_FILE, out, err, err_size);
     skip_id3(&data, &n);
@@ -60,7 +60,7 @@ bool recording_read(const char *file, const uint8_t *data, size_t n, const struc
 
 bool recording_prepare(struct pcm *p, const struct art_loop *loop, char *err, size_t err_size)
 {
-    const double each = loop->seconds ? p->rate : 1;
+    const double each = loop->in_seconds ? p->rate : 1;
 
     if (loop->kind != LOOP_OF_FILE) {
         p->loop = loop->kind == LOOP_NONE ? -1 : 0;
@@ -96,7 +96,7 @@ static bool write_samples(const struct pcm *p, const struct art_sound *s, size_t
     for (int i = 0; side && out->data && i < sides; i++) {
         pcm_side(p, sides == 1 ? -1 : i, side);
         encode_sample(out->data + before + one * (size_t)i, side, p->n, p->rate,
-                      p->loop < 0 ? SAMPLE_ENDS : (uint32_t)p->loop, coding);
+                      p->loop < 0 ? SAMPLE_NO_LOOP : (uint32_t)p->loop, coding);
     }
     const bool good = side && out->data;
     free(side);
@@ -140,19 +140,20 @@ static void add_event(struct writer *w, uint32_t ticks, enum tune_event event, i
 /* The next track, or its loop, begins here. */
 static void begin_track(struct writer *w)
 {
-    bytes_put32(w->bytes + TUNE_HEADER + TUNE_TITLE + 8 * w->track++, (uint32_t)w->n);
+    bytes_put32(w->bytes + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * w->track++, (uint32_t)w->n);
 }
 
 static void begin_loop(struct writer *w)
 {
-    bytes_put32(w->bytes + TUNE_HEADER + TUNE_TITLE + 8 * (w->track - 1) + 4, (uint32_t)w->n);
+    bytes_put32(w->bytes + TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * (w->track - 1) + 4, (uint32_t)w->n);
 }
 
 /* Header, title, room for the places, instruments. */
 static void add_head(struct writer *w, const struct art_sound *s, int sides, int markers, uint32_t tempo)
 {
-    const uint8_t head[] = { TUNE_FORMAT,     (uint8_t)s->volume, (uint8_t)s->priority, (uint8_t)s->limit,
-                             (uint8_t)s->bar, (uint8_t)sides,     (uint8_t)sides,       (uint8_t)markers };
+    const uint8_t head[] = { TUNE_FORMAT,       (uint8_t)s->volume,        (uint8_t)s->priority,
+                             (uint8_t)s->limit, (uint8_t)s->beats_per_bar, (uint8_t)sides,
+                             (uint8_t)sides,    (uint8_t)markers };
     const struct inst inst = { .kind = INST_SAMPLE,
                                .env = { .sustain = 32767, .release = RELEASE },
                                .root = RECORDING_NOTE * (PITCH_ONE / 256) };
@@ -163,8 +164,8 @@ static void add_head(struct writer *w, const struct art_sound *s, int sides, int
     bytes_put32(w->bytes + 8, tempo);
     w->bytes[20] = (uint8_t)sides;
     w->bytes[TUNE_DUCK_AT] = (uint8_t)s->duck;
-    snprintf((char *)w->bytes + TUNE_HEADER, TUNE_TITLE, "%s", s->title);
-    w->n = TUNE_HEADER + TUNE_TITLE + 8 * ((size_t)sides + 1);
+    snprintf((char *)w->bytes + TUNE_HEADER_SIZE, TUNE_TITLE_SIZE, "%s", s->title);
+    w->n = TUNE_HEADER_SIZE + TUNE_TITLE_SIZE + 8 * ((size_t)sides + 1);
     for (int i = 0; i < sides; i++, w->n += INST_BYTES)
         inst_write(w->bytes + w->n, &inst, none, "");
 }
@@ -174,13 +175,13 @@ static void add_track(struct writer *w, int i, int sides, bool endless, uint32_t
 {
     begin_track(w);
     add_event(w, 0, TUNE_INST, i);
-    add_event(w, 0, TUNE_PLACE, sides == 1 ? TUNE_PAN : i * 2 * TUNE_PAN);
-    add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
+    add_event(w, 0, TUNE_PANNING, sides == 1 ? TUNE_PAN_CENTRE : i * 2 * TUNE_PAN_CENTRE);
+    add_event(w, 0, TUNE_VOLUME, TUNE_MAX_VOLUME);
     add_event(w, 0, TUNE_NOTE, RECORDING_NOTE);
     if (endless) {
-        add_event(w, before, TUNE_VOLUME, TUNE_LOUD);
+        add_event(w, before, TUNE_VOLUME, TUNE_MAX_VOLUME);
         begin_loop(w);
-        add_event(w, 0, TUNE_VOLUME, TUNE_LOUD);
+        add_event(w, 0, TUNE_VOLUME, TUNE_MAX_VOLUME);
     }
     add_event(w, ticks, TUNE_END, 0);
 }
@@ -211,7 +212,7 @@ bool recording_sound(const struct pcm *p, const struct art_sound *s, struct reco
     struct art_sound about = *s;
     struct writer w;
 
-    about.bar = 4;
+    about.beats_per_bar = 4;
     add_head(&w, &about, sides, 0, SOUND_TEMPO);
     begin_track(&w);
     add_event(&w, 0, TUNE_END, 0);
@@ -312,7 +313,7 @@ static uint32_t tempo_of(const struct pcm *p, const struct art_sound *s)
 
     if (s->tempo)
         return (uint32_t)s->tempo;
-    return own >= TEMPO_LEAST && own <= TEMPO_MOST ? (uint32_t)lrint(own) : 12000;
+    return own >= TEMPO_MIN && own <= TEMPO_MAX ? (uint32_t)lrint(own) : 12000;
 }
 
 bool recording_music(const struct pcm *p, const struct art_sound *s, const struct art_marker *markers,
@@ -325,18 +326,18 @@ bool recording_music(const struct pcm *p, const struct art_sound *s, const struc
     const uint64_t once = units_of(p, endless ? p->n - (uint64_t)p->loop : 0, tempo);
     const struct span span = { end - (int64_t)once, end };
     const uint32_t loop_ticks = (uint32_t)(loop / TUNE_TICK);
-    struct place places[TUNE_MARKS];
+    struct place places[TUNE_MAX_MARKS];
     struct writer w;
 
-    if (ticks_up(all) > TUNE_PAUSE)
+    if (ticks_up(all) > TUNE_MAX_PAUSE)
         return err_set(err, err_size, "too long: %" PRIu32 " beats at that tempo, expected at most %d",
-                       ticks_up(all) / TUNE_QUARTER, TUNE_PAUSE / TUNE_QUARTER);
+                       ticks_up(all) / TUNE_QUARTER, TUNE_MAX_PAUSE / TUNE_QUARTER);
     if (!place_markers(s, markers, span, places, err, err_size) ||
         !marks_apart(s, markers, places, tempo, err, err_size))
         return false;
     add_head(&w, s, sides_of(p, s), s->n_markers, tempo);
-    for (int i = 0; i < s->n_markers; i++, w.n += TUNE_NAME)
-        snprintf((char *)w.bytes + w.n, TUNE_NAME, "%s", markers[s->first_marker + i].name);
+    for (int i = 0; i < s->n_markers; i++, w.n += TUNE_NAME_SIZE)
+        snprintf((char *)w.bytes + w.n, TUNE_NAME_SIZE, "%s", markers[s->first_marker + i].name);
     bytes_put32(w.bytes + 24, endless ? (uint32_t)(loop % TUNE_TICK) : 0);
     bytes_put32(w.bytes + 28, lead);
     add_conductor(&w, s, tempo, places, &span, endless, loop_ticks);

@@ -109,7 +109,7 @@ static bool read_frames(const struct functions *f, SNDFILE *file, sf_count_t pro
 
     for (sf_count_t n; (n = f->read(file, part, PART)) > 0;)
         if (!pcm_add(out, part, (size_t)n))
-            return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
+            return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MAX_LENGTH);
     if (f->error(file) != 0)
         return err_set(err, err_size, "damaged after frame %" PRIu32 " (%s)", out->n, f->say(file));
     if (promised != LENGTH_UNKNOWN && out->n != promised)
@@ -122,9 +122,9 @@ static bool check_info(const SF_INFO *info, char *err, size_t err_size)
 {
     if (info->channels < 1 || info->channels > PCM_CHANNELS)
         return err_set(err, err_size, "expected one or two channels, got %d", info->channels);
-    if (info->samplerate < SAMPLE_RATE || info->samplerate > PCM_RATE)
-        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %d", (int)SAMPLE_RATE, (int)PCM_RATE,
-                       info->samplerate);
+    if (info->samplerate < SAMPLE_MIN_RATE || info->samplerate > PCM_RATE)
+        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %d", (int)SAMPLE_MIN_RATE,
+                       (int)PCM_RATE, info->samplerate);
     return true;
 }
 

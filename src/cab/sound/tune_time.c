@@ -21,7 +21,7 @@ struct walk {
 
 static struct walk begin(const struct tune *t, int track)
 {
-    struct walk w = { t, track, tune_begin(t, track), 0, 0, t->tempo };
+    struct walk w = { t, track, tune_track_start(t, track), 0, 0, t->tempo };
 
     w.units = w.at.left;
     return w;
@@ -36,7 +36,7 @@ static bool step(struct walk *w)
 
     if (was == 0)
         return false;
-    while (tune_next(&run, &e))
+    while (tune_next_event(&run, &e))
         if (e.event == TUNE_TEMPO)
             w->tempo = (uint32_t)e.value;
     w->at = run.at;

@@ -40,8 +40,8 @@ static bool read_format(struct wav *w, const uint8_t *p, uint32_t n, char *err, 
         return err_set(err, err_size, "expected 32-bit floats, got %d bits", w->bits);
     if (w->bits != 8 && w->bits != 16 && w->bits != 24 && w->bits != 32)
         return err_set(err, err_size, "expected samples of 8, 16, 24 or 32 bits, got %d", w->bits);
-    if (w->rate < SAMPLE_RATE || w->rate > PCM_RATE)
-        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %" PRIu32, (int)SAMPLE_RATE,
+    if (w->rate < SAMPLE_MIN_RATE || w->rate > PCM_RATE)
+        return err_set(err, err_size, "expected a sample rate of %d to %d Hz, got %" PRIu32, (int)SAMPLE_MIN_RATE,
                        (int)PCM_RATE, w->rate);
     return true;
 }
@@ -154,5 +154,5 @@ bool wav_read(const uint8_t *data, size_t n, struct pcm *out, char *err, size_t 
     if (read_frames(&w, out))
         return true;
     pcm_free(out);
-    return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MOST);
+    return err_set(err, err_size, "too long: more than %d frames", (int)SAMPLE_MAX_LENGTH);
 }

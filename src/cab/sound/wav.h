@@ -1,8 +1,8 @@
 /*
  * wav.h - recordings in WAV files.
  *
- * PCM of 8, 16, 24 or 32 bits or floats, one or two channels, SAMPLE_RATE to PCM_RATE frames a second. The first loop
- * of the chunk "smpl" is kept.
+ * PCM of 8, 16, 24 or 32 bits or floats, one or two channels, SAMPLE_MIN_RATE to PCM_RATE frames a second. The first
+ * loop of the chunk "smpl" is kept.
  */
 #ifndef CAB_WAV_H
 #define CAB_WAV_H

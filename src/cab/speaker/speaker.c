@@ -44,7 +44,7 @@ void speaker_levels(struct speaker *s, int music, int sounds)
     s->music = music;
     s->sounds = sounds;
     if (s->memory)
-        board_sound_levels(s->memory, music, sounds);
+        board_sound_set_levels(s->memory, music, sounds);
 }
 
 /* ---- blocks ---- */
@@ -55,14 +55,14 @@ static bool ready(struct speaker *s)
     if (s->memory)
         return true;
     struct resample *r = malloc(sizeof *r);
-    void *tables = malloc(board_sound_tables());
+    void *tables = malloc(board_sound_tables_size());
     if (!r || !tables) {
         free(r);
         free(tables);
         return false;
     }
-    board_sound_open(tables);
-    board_sound_levels(tables, s->music, s->sounds);
+    board_sound_init_tables(tables);
+    board_sound_set_levels(tables, s->music, s->sounds);
     resample_open(r);
     s->memory = tables;
     s->resample = r;
@@ -169,7 +169,7 @@ void speaker_hear(struct speaker *s, const struct board *b, enum speaker_way way
         s->seen.refused++;
         return;
     }
-    board_sound(b, s->memory, block);
+    board_mix_sound(b, s->memory, block);
     find_peak(s, block);
     if (plays)
         take(s, b, block, way);

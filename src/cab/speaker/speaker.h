@@ -50,7 +50,7 @@ struct speaker {
     bool muted;
     bool exact;                /* blocks are played as they are: the rate is not adjusted, the card's clock leads */
     bool meter;                /* levels are wanted, be it muted or not */
-    void *memory;              /* of board_sound, once there is something to play; malloc */
+    void *memory;              /* of board_mix_sound, once there is something to play; malloc */
     struct resample *resample; /* malloc, as memory */
     struct drift drift;
     enum speaker_state state;

@@ -11,16 +11,16 @@
 #include "../../board/board.h"
 #include "../../common/files.h"
 
-enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND, MOST = 1 << 30 };
+enum { WAVE_HEADER = 44, WAVE_RATE = 48000, BLOCK_BYTES = 4 * BOARD_SOUND_FRAMES, MOST = 1 << 30 };
 
 bool tape_open(struct tape *t)
 {
-    *t = (struct tape){ .tables = malloc(board_sound_tables()), .room = 1 << 20 };
+    *t = (struct tape){ .tables = malloc(board_sound_tables_size()), .room = 1 << 20 };
     t->bytes = malloc(t->room);
     t->n = WAVE_HEADER;
     t->failed = t->tables == NULL || t->bytes == NULL;
     if (!t->failed)
-        board_sound_open(t->tables);
+        board_sound_init_tables(t->tables);
     return !t->failed;
 }
 
@@ -48,14 +48,14 @@ static bool has_room(struct tape *t)
 
 void tape_add(struct tape *t, const struct board *b)
 {
-    int16_t sound[2 * BOARD_SOUND];
+    int16_t sound[2 * BOARD_SOUND_FRAMES];
 
     if (!has_room(t))
         return;
-    board_sound(b, t->tables, sound);
-    for (int i = 0; i < 2 * BOARD_SOUND; i++, t->n += 2)
+    board_mix_sound(b, t->tables, sound);
+    for (int i = 0; i < 2 * BOARD_SOUND_FRAMES; i++, t->n += 2)
         bytes_put16(t->bytes + t->n, (uint16_t)sound[i]);
-    t->frames += BOARD_SOUND;
+    t->frames += BOARD_SOUND_FRAMES;
 }
 
 /* Two channels of 16 bits. */

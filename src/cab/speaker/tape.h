@@ -11,7 +11,7 @@
 struct board;
 
 struct tape {
-    void *tables;   /* of board_sound; malloc */
+    void *tables;   /* of board_mix_sound; malloc */
     uint8_t *bytes; /* the file; malloc */
     size_t n, room;
     uint32_t frames; /* stereo frames */

@@ -18,7 +18,7 @@ bool christen_name(const char *dir, char name[CHRISTEN_TITLE])
 
     tree_id(dir, name);
     while (name[at] != '\0') {
-        int n = clean_character(name + at, &c);
+        int n = clean_decode_character(name + at, &c);
         if (c == NO_CHARACTER && n == 1 && strlen(name + at) < 4 && strlen(name) > CHRISTEN_TITLE - 5)
             name[at] = '\0'; /* one that was cut */
         else
@@ -56,7 +56,7 @@ bool christen_shown(const char *name)
     uint32_t c;
 
     while (*name != '\0') {
-        name += clean_character(name, &c);
+        name += clean_decode_character(name, &c);
         if (c < 0x20 || (c > 0x7e && c < 0xa1) || c > 0xff)
             return false;
     }

@@ -245,7 +245,7 @@ enum result start_new(const char *dir, const char *from)
         return report_line(RESULT_REFUSED, "%s: this folder is not empty; choose a new or empty one", dir);
     if (!save_all(&s, err, sizeof err)) {
         take_back(&s, files == 0);
-        return report_line(RESULT_HOST, "%s", err);
+        return report_line(RESULT_HOST_FAILED, "%s", err);
     }
     say_next(&s);
     return report_stdout(RESULT_DONE);

@@ -242,7 +242,7 @@ void card_take_name(struct card *c, const char *name)
     const char *from = clean + strspn(clean, " \t");
     while (from[n]) {
         uint32_t code;
-        const size_t bytes = (size_t)clean_character(from + n, &code);
+        const size_t bytes = (size_t)clean_decode_character(from + n, &code);
         if (n + bytes >= sizeof c->name)
             break;
         n += bytes;

@@ -24,7 +24,7 @@ enum card_end { CARD_LEFT, CARD_CLEAR, CARD_OVER, CARD_QUIT, CARD_FAULT, CARD_EN
 
 /* A row that the run entered into a score table; row.ship is its table's ship. */
 struct card_row {
-    char table[NV_KEY + 1];
+    char table[NV_MAX_KEY + 1];
     struct nv_row row;
 };
 

@@ -12,7 +12,7 @@ static void put_string(FILE *out, const char *text)
     fputc('"', out);
     while (*text) {
         uint32_t c;
-        text += clean_character(text, &c);
+        text += clean_decode_character(text, &c);
         if (c == '"' || c == '\\')
             fprintf(out, "\\%c", (int)c);
         else if (c >= 32 && c < 127)

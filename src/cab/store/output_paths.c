@@ -74,7 +74,7 @@ void game_files_open(struct game_files *g, const char *game)
 bool game_files_have(const struct game_files *g, const char *path)
 {
     for (int i = 0; i < g->paths.n; i++)
-        if (plat_same(g->paths.name[i], path))
+        if (plat_same_file(g->paths.name[i], path))
             return true;
     return false;
 }
@@ -97,9 +97,9 @@ static bool is_ours(const char *path, output_ours *ours)
 static bool check_one(const struct game_files *files, const char *game, const char *demo, const struct output_path *out,
                       char *err, size_t err_size)
 {
-    if (game && plat_same(game, out->path))
+    if (game && plat_same_file(game, out->path))
         return err_set(err, err_size, "%s: %s is the game being read; choose another file", out->option, out->path);
-    if (demo && plat_same(demo, out->path))
+    if (demo && plat_same_file(demo, out->path))
         return err_set(err, err_size, "%s: %s is the demo being played; choose another file", out->option, out->path);
     if (game_files_have(files, out->path) && !(out->ours && is_ours(out->path, out->ours)))
         return err_set(err, err_size, "%s: %s is one of the game's files; choose another one", out->option, out->path);
@@ -108,7 +108,7 @@ static bool check_one(const struct game_files *files, const char *game, const ch
 
 static bool check_two(const struct output_path *a, const struct output_path *b, char *err, size_t err_size)
 {
-    if (strcmp(a->path, b->path) != 0 && !plat_same(a->path, b->path))
+    if (strcmp(a->path, b->path) != 0 && !plat_same_file(a->path, b->path))
         return true;
     return err_set(err, err_size, "%s: %s is also written by %s; choose another file", b->option, b->path, a->option);
 }

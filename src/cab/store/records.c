@@ -187,7 +187,7 @@ static void report(const char *file, const char *what)
 {
     char line[FILES_PATH + 512], shown[FILES_PATH];
 
-    snprintf(line, sizeof line, "curtain: %s: %s", files_shown(file, shown), what);
+    snprintf(line, sizeof line, "curtain: %s: %s", files_display_name(file, shown), what);
     plat_log(line);
 }
 
@@ -200,7 +200,7 @@ static bool read_file(struct records *r, const char *file, size_t size, char *er
         snprintf(err, err_size, "cannot be read, or is larger than %d bytes", RECORDS_BYTES);
     if (there) {
         text[size] = 0;
-        files_drop_mark(text, &size);
+        files_strip_bom(text, &size);
     }
     bool good = there && records_read(r, text, size, err, err_size);
     free(text);

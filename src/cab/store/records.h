@@ -4,7 +4,7 @@
  *
  * The file is plain text, ASCII. Its first line is "practice 1". A line that begins with a digit is a record:
  *
- *     CAPTURES ATTEMPTS DIFFICULTY MARK        3 12 normal queen/held
+ *     MAX_CAPTURES ATTEMPTS DIFFICULTY MARK        3 12 normal queen/held
  *
  * with one blank between fields; numbers up to 999999999, no more captures than attempts; MARK is a practice start's,
  * up to the line's end. No section has two records of one difficulty. Any other line is kept as it is, where it is. A

@@ -151,7 +151,7 @@ static void find(void *user, const struct plat_file *file)
     const size_t n = strlen(file->name);
     const bool temp = n > 4 && strcmp(file->name + n - 4, ".tmp") == 0;
 
-    if (file->folder)
+    if (file->is_folder)
         return;
     if (temp && f->temps < 32 && n < sizeof f->temp[0].name) {
         snprintf(f->temp[f->temps].name, sizeof f->temp[0].name, "%s", file->name);

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include "replays.h"
 
-/* Prints all of a game: "FILE DATE LENGTH SHIP DIFFICULTY POINTS END[, flags][ "NAME"]", or with
+/* Prints all of a game: "FILE DATE LENGTH_PARAM SHIP DIFFICULTY POINTS END[, flags][ "NAME"]", or with
  * json an object each. DATE is UTC. False: no memory for all of them. */
 bool replays_print(const char *id, bool json);
 

@@ -58,7 +58,7 @@ static void look(void *user, const struct plat_file *file)
     struct collection *c = user;
     uint64_t hash;
 
-    if (file->folder || c->n == MOST || !hash_in(file->name, c->id, &hash) || c->needed(c->of, hash))
+    if (file->is_folder || c->n == MOST || !hash_in(file->name, c->id, &hash) || c->needed(c->of, hash))
         return;
     c->gone[c->n++] = hash;
 }

@@ -39,7 +39,7 @@ static uint32_t draw(struct bot *b, uint32_t below)
 
 static uint16_t towards(const struct danger_ship *ship, fx x, fx y)
 {
-    const fx dx = x - ship->way.x, dy = y - ship->way.y;
+    const fx dx = x - ship->path.x, dy = y - ship->path.y;
 
     return (uint16_t)((dx > ship->speed    ? PAD_RIGHT
                        : dx < -ship->speed ? PAD_LEFT
@@ -72,7 +72,7 @@ static double nearness(const struct forecast *f, double x, double y, double radi
 static double worth(const struct forecast *f, const struct danger_ship *ship, int way)
 {
     const double w = (double)ship->area.x1 - ship->area.x0, h = (double)ship->area.y1 - ship->area.y0;
-    fx x = ship->way.x, y = ship->way.y;
+    fx x = ship->path.x, y = ship->path.y;
     double room = ROOM;
     int at = 0;
 
@@ -80,7 +80,7 @@ static double worth(const struct forecast *f, const struct danger_ship *ship, in
         reach_step(ship, at < FLIES ? way : 0, &x, &y);
         if (at % 2 == 0)
             continue;
-        const double here = nearness(f, x / (double)FX_ONE, y / (double)FX_ONE, ship->way.radius / (double)FX_ONE, at);
+        const double here = nearness(f, x / (double)FX_ONE, y / (double)FX_ONE, ship->path.radius / (double)FX_ONE, at);
         room = here < room ? here : room;
     }
     return at + (room < 6 ? room : 6) - fabs(x - ship->area.x0 - w / 2) / w * 4 -
@@ -151,12 +151,12 @@ static enum trial_end play_on(struct trial *t, struct bot *b, const struct trial
     uint32_t lived = 0, hits = 0;
     int mercy = 0;
 
-    danger_spare(t->b, true);
+    danger_set_invincible(t->b, true);
     while (end == TRIAL_ON && board_frame(t->b) < limit) {
         end = tick(t, b);
         if (mercy > 0)
             mercy--;
-        else if (t->moved && t->ship.steers && !t->ship.safe) {
+        else if (t->moved && t->ship.can_steer && !t->ship.is_safe) {
             out->flown[b->kind]++;
             hits += t->touched;
             mercy = t->touched ? BOTS_MERCY : 0;

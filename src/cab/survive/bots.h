@@ -20,7 +20,7 @@ struct bots {
     uint32_t frames;           /* that they lived, all together */
     uint32_t hits[BOT_KINDS];  /* of bots that fly on */
     uint32_t flown[BOT_KINDS]; /* frames in which these could be hit, all together */
-    bool fault;                /* one of these came to a script's fault, and no more flew: board_last has it */
+    bool fault;                /* one of these came to a script's fault, and no more flew: board_last_output has it */
 };
 
 /* Lets all play from there, to the section's end or the last frame: sixteen of them, each until it is hit; or so many

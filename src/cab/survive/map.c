@@ -52,7 +52,7 @@ static void put(const struct atlas *m, int x, int y, int red, int green, int blu
 
 static bool sheet_open(struct atlas *m, int n)
 {
-    const int w = m->cart->m.field_w * m->scale + GAP, h = m->cart->m.field_h * m->scale + GAP + LABEL;
+    const int w = m->cart->manifest.field_w * m->scale + GAP, h = m->cart->manifest.field_h * m->scale + GAP + LABEL;
 
     m->columns = 1;
     while (m->columns * m->columns * w < n * h)
@@ -125,7 +125,7 @@ static bool is_in(const struct reach *r, uint32_t t, int px, int py)
 /* The picture's pixel (px, py) of the field, tinted. */
 static void tint(const struct atlas *m, uint32_t t, int px, int py, int out[3])
 {
-    const struct manifest *f = &m->cart->m;
+    const struct manifest *f = &m->cart->manifest;
     const uint32_t rgb = m->rgb[m->fb.pix[(f->field_y + py) * m->fb.pitch + f->field_x + px]];
     const bool could = is_in(&m->could, t, px, py), leads = could && is_in(&m->leads, t, px, py);
     const int *colour = leads ? leads_colour : dead_colour;
@@ -140,11 +140,11 @@ static void cross(const struct atlas *m, int x0, int y0)
 {
     struct danger_ship ship;
 
-    danger_ship(m->s->trial.b, 0, &ship);
-    if (!ship.in)
+    danger_get_ship(m->s->trial.b, 0, &ship);
+    if (!ship.in_game)
         return;
-    const int x = x0 + (int)((int64_t)ship.way.x * m->scale / FX_ONE);
-    const int y = y0 + (int)((int64_t)ship.way.y * m->scale / FX_ONE);
+    const int x = x0 + (int)((int64_t)ship.path.x * m->scale / FX_ONE);
+    const int y = y0 + (int)((int64_t)ship.path.y * m->scale / FX_ONE);
     for (int i = -5 * m->scale; i <= 5 * m->scale; i++) {
         if (abs(i) < 2 * m->scale)
             continue;
@@ -155,7 +155,7 @@ static void cross(const struct atlas *m, int x0, int y0)
 
 static void add_picture(struct atlas *m, uint32_t frame)
 {
-    const struct manifest *f = &m->cart->m;
+    const struct manifest *f = &m->cart->manifest;
     const int x0 = GAP + m->count % m->columns * (f->field_w * m->scale + GAP);
     const int y0 = GAP + LABEL + m->count / m->columns * (f->field_h * m->scale + GAP + LABEL);
     char text[32];
@@ -192,9 +192,9 @@ static bool map_open(struct atlas *m, int n)
 
     if (!trial_again(&s->trial, s->err, sizeof s->err))
         return false;
-    board_screen(s->trial.b, &w, &h);
+    board_screen_size(s->trial.b, &w, &h);
     m->screen = malloc(fb_size(w, h));
-    m->scratch = malloc(board_scratch(s->trial.b) + 1);
+    m->scratch = malloc(board_scratch_size(s->trial.b) + 1);
     if (!m->screen || !m->scratch || !sheet_open(m, n))
         return false;
     fb_init(&m->fb, m->screen, w, h);
@@ -217,12 +217,12 @@ static void map_run(struct atlas *m, const uint32_t *frame, int n)
     for (uint32_t f = 0; next < n; f++) {
         for (; next < n && frame[next] == f; next++)
             add_picture(m, f);
-        if (next == n || board_last(t->b)->fault)
+        if (next == n || board_last_output(t->b)->fault)
             return;
         uint16_t pads[PADS] = { 0 };
         pads[0] = f < k->frames ? k->pads[f] : trial_steers(t) ? PAD_FIRE : trial_press(t);
         if (f >= k->frames)
-            danger_spare(t->b, true);
+            danger_set_invincible(t->b, true);
         trial_tick(t, pads);
     }
 }

@@ -31,7 +31,7 @@ static bool fits(const struct forecast *f, fx grown, fx x, fx y)
 static bool run_fits(const struct forecast *f, fx grown)
 {
     for (uint32_t i = 0; i < f->frames; i++)
-        if (plan_hits(f, i, &f->frame[i].ship.way, grown))
+        if (plan_hits(f, i, &f->frame[i].ship.path, grown))
             return false;
     return true;
 }
@@ -64,19 +64,19 @@ static const struct danger *find(const struct forecast *f, uint32_t frame, const
     while (lo < hi) {
         const uint32_t mid = (lo + hi) / 2;
         const struct danger *e = &f->list[at->first + mid];
-        if (e->of < d->of || (e->of == d->of && e->slot < d->slot))
+        if (e->source < d->source || (e->source == d->source && e->slot < d->slot))
             lo = mid + 1;
         else
             hi = mid;
     }
     const struct danger *e = lo < at->n ? &f->list[at->first + lo] : NULL;
-    return e && e->of == d->of && e->slot == d->slot ? e : NULL;
+    return e && e->source == d->source && e->slot == d->slot ? e : NULL;
 }
 
 /* Frames until it would hit a ship that stays where it is; 0: it would not. */
 static int until_hit(const struct forecast *f, uint32_t frame, const struct danger *d)
 {
-    struct danger_path stay = f->frame[frame].ship.way;
+    struct danger_path stay = f->frame[frame].ship.path;
 
     stay.was_x = stay.x;
     stay.was_y = stay.y;
@@ -86,7 +86,7 @@ static int until_hit(const struct forecast *f, uint32_t frame, const struct dang
         const struct danger *now = find(f, frame + i, d);
         if (!now || now->age < d->age)
             return 0;
-        if (danger_touches(now, &stay))
+        if (danger_would_hit(now, &stay))
             return (int)i;
     }
     return 0;
@@ -105,7 +105,7 @@ static void measure_reaction(struct measure *m, const struct forecast *f)
         const struct forecast_frame *at = &f->frame[i];
         for (uint32_t k = 0; k < at->n; k++) {
             const struct danger *d = &f->list[at->first + k];
-            const int until = d->of == DANGER_BULLET && (d->age == 0 || i == 0) ? until_hit(f, i, d) : 0;
+            const int until = d->source == DANGER_BULLET && (d->age == 0 || i == 0) ? until_hit(f, i, d) : 0;
             if (until && m->aimed < (int)m->fired)
                 frames[m->aimed++] = until;
         }
@@ -122,12 +122,12 @@ void measure_run(struct measure *m, const struct forecast *course, fx x, fx y)
     for (uint32_t i = 0; i < course->frames; i++) {
         m->fired += course->frame[i].fired;
         m->most = course->frame[i].n > m->most ? course->frame[i].n : m->most;
-        if (course->frame[i].ship.in)
-            m->ship = (int)((int64_t)course->frame[i].ship.way.radius * 20 / FX_ONE);
+        if (course->frame[i].ship.in_game)
+            m->ship = (int)((int64_t)course->frame[i].ship.path.radius * 20 / FX_ONE);
     }
     m->seconds100 = course->frames * 100 / 60;
     for (uint32_t i = 0; course->frames && i < course->frame[0].n; i++) /* those that were there */
-        m->fired += course->list[i].of != DANGER_ENEMY && course->list[i].age > 0;
+        m->fired += course->list[i].source != DANGER_ENEMY && course->list[i].age > 0;
     measure_reaction(m, course);
     measure_gap(m, course, x, y);
 }

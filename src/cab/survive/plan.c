@@ -40,7 +40,7 @@ bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_pat
             continue;
         if (d->shape != DANGER_BAR && (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my))
             continue;
-        if (danger_touches(d, &wide))
+        if (danger_would_hit(d, &wide))
             return true;
     }
     return false;
@@ -125,7 +125,7 @@ static bool go_on(struct search *s, uint32_t t)
     const int way = at->order[at->next++];
     struct danger_path move = { .was_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
 
-    move.radius = frame->ship.way.radius;
+    move.radius = frame->ship.path.radius;
     if (frame->moves)
         reach_step(&frame->ship, way, &move.x, &move.y);
     s->plan->tried++;

@@ -37,7 +37,7 @@ static void move_of(const struct danger_ship *ship, int way, fx *mx, fx *my)
 {
     const uint16_t pads = reach_pads(way);
     const int dx = !!(pads & PAD_RIGHT) - !!(pads & PAD_LEFT), dy = !!(pads & PAD_DOWN) - !!(pads & PAD_UP);
-    fx speed = pads & PAD_FOCUS ? ship->focus : ship->speed;
+    fx speed = pads & PAD_FOCUS ? ship->focused_speed : ship->speed;
 
     if (dx && dy)
         speed = fx_mul(speed, PLAYER_DIAGONAL);
@@ -259,7 +259,7 @@ static void mark_all(struct reach *r, const struct forecast_frame *frame, fx mx,
     if (frame->safe || w.x1 < w.x0 || w.y1 < w.y0)
         return;
     for (uint32_t i = 0; i < frame->n; i++)
-        mark(r, &r->f->list[frame->first + i], frame->ship.way.radius + r->grown, mx, my, &w);
+        mark(r, &r->f->list[frame->first + i], frame->ship.path.radius + r->grown, mx, my, &w);
 }
 
 /* ---- a frame on ---- */
@@ -377,7 +377,7 @@ static void frame_on(struct reach *r, const struct forecast_frame *frame)
     for (uint32_t i = 0; i < frame->n; i++) {
         struct danger d = r->f->list[frame->first + i];
         d.swept = false;
-        mark(r, &d, frame->ship.way.radius + r->grown, 0, 0, &all);
+        mark(r, &d, frame->ship.path.radius + r->grown, 0, 0, &all);
     }
     for (size_t i = (size_t)r->y0 * (size_t)r->w; i < (size_t)(r->y1 + 1) * (size_t)r->w; i++)
         r->from[i] &= (uint8_t)~r->dead[i];

@@ -30,13 +30,13 @@ static bool run_again(struct section_run *s, struct trial_mark *start)
         if (f == s->seek.begin) {
             if (!trial_save(t, start))
                 return result_set_host_error(s->err, sizeof s->err, "out of memory");
-            s->x = start->ship.way.x;
-            s->y = start->ship.way.y;
+            s->x = start->ship.path.x;
+            s->y = start->ship.path.y;
             forecast_clear(&s->course, f);
             t->into = &s->course;
         }
         if (f >= lived)
-            danger_spare(t->b, true);
+            danger_set_invincible(t->b, true);
         end = trial_tick(t, pads);
     }
     t->into = NULL;

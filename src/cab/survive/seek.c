@@ -75,7 +75,7 @@ static enum trial_end tick(struct trial *t, uint16_t pads)
 bool seek_begin(struct seek *s)
 {
     struct trial *t = s->t;
-    enum trial_end end = board_last(t->b)->fault ? TRIAL_FAULT : TRIAL_ON;
+    enum trial_end end = board_last_output(t->b)->fault ? TRIAL_FAULT : TRIAL_ON;
 
     s->verdict = SEEK_NO_SHIP;
     if (!room_for(s, s->limit)) {
@@ -108,7 +108,7 @@ static enum trial_end foresee(struct work *w, uint32_t frames, const uint16_t *p
 
     forecast_clear(&w->forecast, board_frame(t->b));
     t->into = &w->forecast;
-    danger_spare(t->b, true);
+    danger_set_invincible(t->b, true);
     for (uint32_t f = 0; f < frames && end == TRIAL_ON && !w->forecast.full; f++) {
         end = tick(t, held(t, f < n ? pads[f] : 0));
         if (f % TELL_EVERY == 0)
@@ -177,7 +177,7 @@ static void probe(struct work *w, const struct trial_mark *start, uint32_t frame
         forecast_clear(&w->forecast, s->begin);
         s->t->into = &w->forecast;
         s->t->astray = false;
-        danger_spare(s->t->b, true);
+        danger_set_invincible(s->t->b, true);
         for (uint32_t f = 0; f < frames && !s->reacts; f++) {
             random = random * 1664525u + 1013904223u;
             if (f % (4 + 4 * s->probes) == 0)
@@ -202,7 +202,7 @@ static bool try_all(struct work *w, const struct trial_mark *start, fx cell)
     struct plan p = { 0 };
     uint32_t lived;
     bool decided = false, good;
-    const fx x = start->ship.way.x, y = start->ship.way.y;
+    const fx x = start->ship.path.x, y = start->ship.path.y;
 
     good = reach_open(&r, &w->forecast, cell, 0, x, y);
     if (good && reach_ended(&r)) {
@@ -291,7 +291,7 @@ static enum trial_end turn(struct work *w, uint32_t *best, uint16_t keep[AHEAD])
     struct plan p = { 0 };
     uint32_t lived = 0;
     enum trial_end end = TRIAL_HIT;
-    const fx x = at->mark.ship.way.x, y = at->mark.ship.way.y;
+    const fx x = at->mark.ship.path.x, y = at->mark.ship.path.y;
 
     trial_restore(s->t, &at->mark);
     foresee(w, left < AHEAD ? left : AHEAD, w->guess, w->guessed);

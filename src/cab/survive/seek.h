@@ -12,7 +12,7 @@ enum seek_verdict {
     SEEK_CANNOT,    /* no buttons bring a ship through */
     SEEK_NOT_FOUND, /* within the effort */
     SEEK_NO_SHIP,   /* there was none to be steered */
-    SEEK_FAULT,     /* of a script; board_last has it */
+    SEEK_FAULT,     /* of a script; board_last_output has it */
     SEEK_NO_MEMORY,
     SEEK_BOTS /* no way was looked for: bots alone flew */
 };

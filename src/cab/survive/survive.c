@@ -37,7 +37,7 @@ static void reached(void *user, uint32_t done, uint32_t of)
 
 static const char *difficulty_name(const struct survive *s, int32_t difficulty)
 {
-    const struct manifest *m = &s->a->cart->m;
+    const struct manifest *m = &s->a->cart->manifest;
     const int i = difficulty >= 0 ? difficulty : m->difficulty;
 
     return m->n_difficulties > 1 && i < m->n_difficulties ? m->difficulties[i] : "";
@@ -55,9 +55,9 @@ static enum result look(struct survive *s, struct section_run *run, const struct
                                  : section_look(run, s->a->rom, start, true, &host);
     progress_end();
     if (!good)
-        return report_line(host ? RESULT_HOST : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
+        return report_line(host ? RESULT_HOST_FAILED : RESULT_REFUSED, "%s: %s", s->a->path, run->err);
     if (run->seek.verdict == SEEK_FAULT)
-        return report_fault(board_last(run->trial.b)->fault, s->a->verbose);
+        return report_fault(board_last_output(run->trial.b)->fault, s->a->verbose);
     return RESULT_DONE;
 }
 
@@ -82,8 +82,8 @@ static enum result save_picture(const char *path, uint8_t *png, size_t size)
 
     free(png);
     if (!png)
-        return report_line(RESULT_HOST, "%s: out of memory", path);
-    return good ? RESULT_DONE : report_line(RESULT_HOST, "%s", err);
+        return report_line(RESULT_HOST_FAILED, "%s: out of memory", path);
+    return good ? RESULT_DONE : report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static bool is_demo(const uint8_t *head, size_t n)
@@ -129,7 +129,7 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
         of->demo = demo;
         if (!trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, demo, s->a->prints, err,
                           sizeof err))
-            result = report_line(RESULT_HOST, "%s", err);
+            result = report_line(RESULT_HOST_FAILED, "%s", err);
     } else if (result == RESULT_DONE) {
         if (!other_ending(demo, picture, size))
             return report_line(RESULT_REFUSED, "-o: path too long");
@@ -151,7 +151,7 @@ static enum result one_section(struct survive *s)
     char picture[FILES_PATH], err[FILES_ERR];
 
     if (!run)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     if (!s->a->bots && !may_write(s, err, sizeof err)) {
         free(run);
         return report_line(RESULT_REFUSED, "%s", err);
@@ -215,7 +215,7 @@ static enum result keep_demo(struct survive *s, struct section_run *run, struct 
         return report_line(RESULT_REFUSED, "%s", err);
     if (trial_record(&run->trial, s->a->cart, run->seek.pads, run->seek.frames, path, s->a->prints, err, sizeof err))
         return RESULT_DONE;
-    return report_line(RESULT_HOST, "%s", err);
+    return report_line(RESULT_HOST_FAILED, "%s", err);
 }
 
 static void tell_any_row(const struct survive *s, const struct tell_of *of, const struct section_run *run)
@@ -238,7 +238,7 @@ static bool is_empty(const struct survive *s, const struct section_run *run)
 /* A section at each difficulty that is asked for. */
 static enum result one_row(struct survive *s, const char *section, struct section_run run[2])
 {
-    const struct manifest *m = &s->a->cart->m;
+    const struct manifest *m = &s->a->cart->manifest;
     const int first = s->a->difficulty ? s->a->start.difficulty : 0;
     const int last = s->a->difficulty || m->n_difficulties < 1 ? first : m->n_difficulties - 1;
     enum result result = RESULT_DONE;
@@ -289,7 +289,7 @@ static enum result all_sections(struct survive *s)
     if (!list || !run) {
         free(list);
         free(run);
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     }
     sections_list(list, s->a->rom, &s->a->start, false);
     for (int i = 0; i < list->n && result < RESULT_REFUSED; i++)

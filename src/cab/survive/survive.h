@@ -23,7 +23,7 @@ struct survive_options {
     const char *map; /* NULL: none */
     uint32_t frames, effort;
     int bots;   /* so many fly on when they are hit, and no way is looked for; 0: a way is looked for */
-    int prints; /* of demos, as enum demo_prints */
+    int prints; /* of demos, as enum demo_checksum_rate */
     bool json, verbose;
 };
 

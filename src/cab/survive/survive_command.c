@@ -14,7 +14,7 @@ enum result survive_command(const struct args *a)
     char err[1024];
 
     if (!g)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     if ((a->n_spans && !one_frame) || !game_open(g, a->n_words ? a->words[0] : NULL, a, err, sizeof err)) {
         free(g);
         if (a->n_spans && !one_frame)

@@ -60,7 +60,7 @@ static void add_danger(void *context, const struct danger *d)
         f->list = list;
         f->list_room = room;
     }
-    frame->fired += d->age == 0 && d->of != DANGER_ENEMY;
+    frame->fired += d->age == 0 && d->source != DANGER_ENEMY;
     fold_danger(&frame->print, d);
     f->list[f->n++] = *d;
     frame->n++;
@@ -90,9 +90,9 @@ static void look_for_foe(void *context, const struct inspect_body *body)
 {
     struct foe *foe = context;
     const int32_t x = body->x - foe->field.x * FX_ONE, y = body->y - foe->field.y * FX_ONE;
-    const int32_t away = fx_abs(x - foe->ship->way.x);
+    const int32_t away = fx_abs(x - foe->ship->path.x);
 
-    if (body->kind != INSPECT_ENEMY || y < 0 || y > foe->ship->way.y || x < 0 || x > foe->field.w * FX_ONE ||
+    if (body->kind != INSPECT_ENEMY || y < 0 || y > foe->ship->path.y || x < 0 || x > foe->field.w * FX_ONE ||
         away >= foe->away)
         return;
     foe->away = away;
@@ -108,12 +108,12 @@ static void write_frame(struct trial *t)
         return;
     struct forecast_frame *frame = &f->frame[f->frames];
     *frame = (struct forecast_frame){ .first = f->n };
-    danger_ship(t->b, t->who, &frame->ship);
-    frame->moves = t->moved && frame->ship.steers;
-    frame->safe = frame->ship.safe;
-    fold(&frame->print, (uint64_t)frame->moves << 2 | (uint64_t)frame->safe << 1 | frame->ship.in);
-    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.speed << 32 | (uint32_t)frame->ship.focus);
-    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.way.radius);
+    danger_get_ship(t->b, t->who, &frame->ship);
+    frame->moves = t->moved && frame->ship.can_steer;
+    frame->safe = frame->ship.is_safe;
+    fold(&frame->print, (uint64_t)frame->moves << 2 | (uint64_t)frame->safe << 1 | frame->ship.in_game);
+    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.speed << 32 | (uint32_t)frame->ship.focused_speed);
+    fold(&frame->print, (uint64_t)(uint32_t)frame->ship.path.radius);
     danger_each(t->b, add_danger, f);
     struct foe foe = { .away = FX_MAX, .ship = &frame->ship, .field = inspect_field(t->b) };
     foe.x = foe.field.w * (FX_ONE / 2);
@@ -143,7 +143,7 @@ bool trial_again(struct trial *t, char *err, size_t err_size)
     t->starts = 0;
     t->moved = t->astray = t->touched = false;
     t->ship = (struct danger_ship){ 0 };
-    t->b = board_power(ram, t->size, t->rom, t->start, err, err_size);
+    t->b = board_power_on(ram, t->size, t->rom, t->start, err, err_size);
     return t->b != NULL;
 }
 
@@ -159,12 +159,12 @@ void trial_close(struct trial *t)
 static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
 {
     int dx = !!(pads & PAD_RIGHT) - !!(pads & PAD_LEFT), dy = !!(pads & PAD_DOWN) - !!(pads & PAD_UP);
-    fx speed = pads & PAD_FOCUS ? s->focus : s->speed;
+    fx speed = pads & PAD_FOCUS ? s->focused_speed : s->speed;
 
     if (dx && dy)
         speed = fx_mul(speed, PLAYER_DIAGONAL);
-    *x = fx_clamp(s->way.was_x + dx * speed, s->area.x0, s->area.x1);
-    *y = fx_clamp(s->way.was_y + dy * speed, s->area.y0, s->area.y1);
+    *x = fx_clamp(s->path.was_x + dx * speed, s->area.x0, s->area.x1);
+    *y = fx_clamp(s->path.was_y + dy * speed, s->area.y0, s->area.y1);
 }
 
 struct tick {
@@ -175,37 +175,37 @@ struct tick {
 static void look_for_touch(void *context, const struct danger *d)
 {
     struct tick *tick = context;
-    const struct danger_path *way = &tick->t->ship.way;
+    const struct danger_path *way = &tick->t->ship.path;
     const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + way->radius +
                           fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
 
     if (d->shape != DANGER_BAR && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
                                    (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
         return;
-    tick->t->touched |= danger_touches(d, way);
+    tick->t->touched |= danger_would_hit(d, way);
 }
 
 static void motion_done(void *context, enum board_phase phase)
 {
     struct tick *tick = context;
     struct trial *t = tick->t;
-    const struct danger_path before = t->ship.way;
-    const bool was_in = t->ship.in;
+    const struct danger_path before = t->ship.path;
+    const bool was_in = t->ship.in_game;
     fx x, y;
 
     if (phase != PHASE_MOTION)
         return;
     t->moved = true;
-    danger_ship(t->b, t->who, &t->ship);
+    danger_get_ship(t->b, t->who, &t->ship);
     if (t->into)
         write_frame(t);
-    if (t->ship.in && !t->ship.safe)
+    if (t->ship.in_game && !t->ship.is_safe)
         danger_each(t->b, look_for_touch, tick);
-    if (!t->ship.in || !was_in || !t->ship.steers)
+    if (!t->ship.in_game || !was_in || !t->ship.can_steer)
         return;
     steered(&t->ship, tick->pads, &x, &y);
     t->astray |=
-        t->ship.way.was_x != before.x || t->ship.way.was_y != before.y || x != t->ship.way.x || y != t->ship.way.y;
+        t->ship.path.was_x != before.x || t->ship.path.was_y != before.y || x != t->ship.path.x || y != t->ship.path.y;
 }
 
 /* Does a part of a stage end there? Practice at a mark passes that mark first. */
@@ -249,9 +249,9 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
         over |= is_over(t, &out->marker[i]);
         hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1' + t->who;
     }
-    danger_ship(t->b, t->who, &now);
-    hit |= t->touched && now.safe && !before->safe;
-    hit |= now.in && (now.hit || (before->in && now.lives < before->lives));
+    danger_get_ship(t->b, t->who, &now);
+    hit |= t->touched && now.is_safe && !before->is_safe;
+    hit |= now.in_game && (now.is_hit || (before->in_game && now.lives < before->lives));
     return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
 }
 
@@ -260,7 +260,7 @@ enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
     struct danger_ship before;
     struct tick tick = { t, pads[t->who] };
 
-    danger_ship(t->b, t->who, &before);
+    danger_get_ship(t->b, t->who, &before);
     t->moved = t->touched = false;
     board_on_phase(t->b, motion_done, &tick);
     const struct board_out *out = board_tick(t->b, pads);
@@ -278,8 +278,8 @@ bool trial_steers(const struct trial *t)
 {
     struct danger_ship now;
 
-    danger_ship(t->b, t->who, &now);
-    return now.in && now.steers;
+    danger_get_ship(t->b, t->who, &now);
+    return now.in_game && now.can_steer;
 }
 
 uint16_t trial_press(const struct trial *t)
@@ -287,8 +287,8 @@ uint16_t trial_press(const struct trial *t)
     const uint32_t frame = board_frame(t->b);
     struct danger_ship now;
 
-    danger_ship(t->b, t->who, &now);
-    if (now.in) /* it is talked; start would pause that */
+    danger_get_ship(t->b, t->who, &now);
+    if (now.in_game) /* it is talked; start would pause that */
         return frame % 75 == 60 ? PAD_FIRE : 0;
     return frame % 75 == 60 ? PAD_FIRE : frame % 75 == 20 ? PAD_START : 0;
 }
@@ -310,7 +310,7 @@ bool trial_save(const struct trial *t, struct trial_mark *m)
         m->at = (void *)(((uintptr_t)m->block + ALIGN - 1) / ALIGN * ALIGN);
     }
     board_save(t->b, m->at);
-    danger_ship(t->b, t->who, &m->ship);
+    danger_get_ship(t->b, t->who, &m->ship);
     m->starts = t->starts;
     m->frame = board_frame(t->b);
     return true;
@@ -337,15 +337,16 @@ bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads
     struct demo_writer w = { 0 };
     bool good = trial_again(t, err, err_size);
 
-    if (good && (!demo_begin(&w, path, cart, t->b, t->start, 0) || !demo_prints(&w, (enum demo_prints)prints)))
+    if (good && (!demo_begin(&w, path, cart, t->b, t->start, 0) ||
+                 !demo_set_checksum_rate(&w, (enum demo_checksum_rate)prints)))
         good = err_set(err, err_size, "%s", w.err);
     for (uint32_t f = 0; good && f < frames; f++) {
         const uint16_t now[PADS] = { pads[f], 0 };
         trial_tick(t, now);
-        if (!demo_frame(&w, t->b, now))
+        if (!demo_record_frame(&w, t->b, now))
             good = err_set(err, err_size, "%s", w.err);
     }
-    if (w.on && !demo_end(&w, t->b) && good)
+    if (w.recording && !demo_end(&w, t->b) && good)
         good = err_set(err, err_size, "%s", w.err);
     demo_free(&w.demo);
     return good;

@@ -37,7 +37,7 @@ enum trial_end {
     TRIAL_ON,    /* it flies, or is not in the game yet */
     TRIAL_HIT,   /* it was hit in this tick */
     TRIAL_ENDED, /* the section is over, and it was not hit */
-    TRIAL_FAULT  /* of a script: board_last has it */
+    TRIAL_FAULT  /* of a script: board_last_output has it */
 };
 
 struct trial {
@@ -87,8 +87,8 @@ uint16_t trial_press(const struct trial *t);
 /* Can the ship be steered now? Between frames. */
 bool trial_steers(const struct trial *t);
 
-/* A demo of so many frames of pads (of player 1) from power-on, to that path, with such prints (enum demo_prints).
- * False and one sentence. */
+/* A demo of so many frames of pads (of player 1) from power-on, to that path, with such prints (enum
+ * demo_checksum_rate). False and one sentence. */
 struct cart;
 bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads, uint32_t frames, const char *path,
                   int prints, char *err, size_t err_size);

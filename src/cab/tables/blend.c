@@ -79,11 +79,12 @@ static int blended(int under, int over, int mix)
     return (under * (100 - mix) + over * mix + 50) / 100;
 }
 
-bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND])
+bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND_SIZE])
 {
     if (mix <= BLEND_RULE) {
-        for (int i = 0; i < CART_BLEND; i++)
-            table[i] = blit_ramp((enum blit_mix)(BLEND_RULE + BLIT_RAMP_ADD - mix), (uint8_t)(i >> 8), (uint8_t)i);
+        for (int i = 0; i < CART_BLEND_SIZE; i++)
+            table[i] =
+                blit_ramp_entry((enum blit_mix)(BLEND_RULE + BLIT_RAMP_ADD - mix), (uint8_t)(i >> 8), (uint8_t)i);
         return true;
     }
     struct grid *g = calloc(1, sizeof *g);

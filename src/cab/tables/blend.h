@@ -18,6 +18,6 @@ enum {
  * most 255 a channel, when mix is BLEND_ADD; else mix percent (1 to 99) of `over` and the rest of `under`, each channel
  * to the nearest, halves up. The entry is the nearest of those that games show, entry 0 and columns 1 to 15 of all
  * banks: the least sum of the channels' squared differences, the lowest of equals. False: out of memory. */
-bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND]);
+bool blend_make(const uint8_t *rgb, int mix, uint8_t table[CART_BLEND_SIZE]);
 
 #endif

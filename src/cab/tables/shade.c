@@ -41,7 +41,7 @@ static uint8_t shade(const uint8_t *rgb, int entry, int dim, int before)
     return (uint8_t)(best >= 0 ? best : before);
 }
 
-void shade_make(const uint8_t rgb[CART_PALETTE], uint8_t tables[CART_SHADES])
+void shade_make(const uint8_t rgb[CART_PALETTE_SIZE], uint8_t tables[CART_SHADES_SIZE])
 {
     for (int i = 0; i < 256; i++) {
         uint8_t before = (uint8_t)i;
@@ -56,7 +56,7 @@ const uint8_t *shade_for(struct shade_kept *k, const struct cart *cart)
 {
     const uint8_t *palette = cart_palette(cart, "main");
 
-    if (cart->main.shades)
+    if (cart->main_look.shades)
         return NULL;
     if (!k->made || memcmp(k->of, palette, sizeof k->of) != 0) {
         memcpy(k->of, palette, sizeof k->of);

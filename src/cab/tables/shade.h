@@ -12,12 +12,12 @@
  * are no brighter than what the dim before shows, or than the entry itself: the least sum of the channels' squared
  * differences, the lowest of equals. Brightness is 2 red + 3 green + blue. Where none is, it is what the dim before
  * shows. So nothing that is dimmed is ever brighter. */
-void shade_make(const uint8_t rgb[CART_PALETTE], uint8_t tables[CART_SHADES]);
+void shade_make(const uint8_t rgb[CART_PALETTE_SIZE], uint8_t tables[CART_SHADES_SIZE]);
 
 /* Tables that are made when a game is shown; all zero: none yet. */
 struct shade_kept {
     bool made;
-    uint8_t of[CART_PALETTE], tables[CART_SHADES];
+    uint8_t of[CART_PALETTE_SIZE], tables[CART_SHADES_SIZE];
 };
 
 /* For a view: tables of a ROM that has none of its own, an older one; NULL for one that has. They are made anew only

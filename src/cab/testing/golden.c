@@ -63,8 +63,8 @@ static bool draw(const struct board *b, struct picture *p)
 {
     struct fb fb;
 
-    board_screen(b, &p->w, &p->h);
-    void *memory = malloc(fb_size(p->w, p->h)), *scratch = malloc(board_scratch(b) + 1);
+    board_screen_size(b, &p->w, &p->h);
+    void *memory = malloc(fb_size(p->w, p->h)), *scratch = malloc(board_scratch_size(b) + 1);
     p->rgb = malloc((size_t)p->w * (size_t)p->h * 3);
     p->pix = malloc((size_t)p->w * (size_t)p->h);
     const bool good = memory && scratch && p->rgb && p->pix;
@@ -249,7 +249,7 @@ static size_t write_hashes(const struct board *b, char *text, size_t size)
     for (int i = 0; i < board_parts(b); i++) {
         const uint64_t hash = board_part_hash(b, i);
         if (hash)
-            n += (size_t)snprintf(text + n, size - n, "%s %016" PRIx64 "\n", board_part(b, i), hash);
+            n += (size_t)snprintf(text + n, size - n, "%s %016" PRIx64 "\n", board_part_name(b, i), hash);
     }
     return n;
 }
@@ -272,9 +272,9 @@ static bool compare_hashes(const struct board *b, const char *shown, const char 
     int parts = 0;
 
     for (int i = 0; i < board_parts(b); i++) {
-        if (find_hash(kept, board_part(b, i)) == board_part_hash(b, i))
+        if (find_hash(kept, board_part_name(b, i)) == board_part_hash(b, i))
             continue;
-        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", board_part(b, i));
+        n += (size_t)snprintf(list + n, sizeof list - n, "%s%s", n ? ", " : "", board_part_name(b, i));
         parts++;
     }
     if (!parts)

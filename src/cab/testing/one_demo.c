@@ -38,7 +38,7 @@ static void tell(const struct testing *t, const char *name, struct demo_test *d,
     char text[1400], doubt[160], picture[80];
 
     replay_text(&d->replay, &d->demo, &d->verdict, text, sizeof text);
-    const char *why = demo_doubt(&d->demo, t->cart, doubt, sizeof doubt);
+    const char *why = demo_replay_warning(&d->demo, t->cart, doubt, sizeof doubt);
     outcome_say(out, SAYS_WRONG, "%s: %s%s%s%s", name, text, why ? " (" : "", why ? why : "", why ? ")" : "");
     if (d->verdict.kind == VERDICT_DIFFERS) {
         picture_name(name, picture, sizeof picture);
@@ -50,7 +50,7 @@ static uint32_t judge(const struct testing *t, const char *name, struct demo_tes
 {
     char err[600];
 
-    if (!demo_fits(&d->demo, t->cart, err, sizeof err)) {
+    if (!demo_check_cart(&d->demo, t->cart, err, sizeof err)) {
         outcome_say(out, SAYS_WRONG, "%s: %s", name, err);
         return 0;
     }
@@ -60,7 +60,7 @@ static uint32_t judge(const struct testing *t, const char *name, struct demo_tes
     }
     const enum result result = replay_run(&d->replay, t->cart, &d->demo, NULL, &d->verdict, err, sizeof err);
     if (result != RESULT_DONE)
-        outcome_say(out, result == RESULT_HOST ? SAYS_HOST : SAYS_WRONG, "%s: %s", name, err);
+        outcome_say(out, result == RESULT_HOST_FAILED ? SAYS_HOST : SAYS_WRONG, "%s: %s", name, err);
     else if (d->verdict.kind != VERDICT_HOLDS)
         tell(t, name, d, out);
     return result == RESULT_DONE ? d->verdict.frame : 0;

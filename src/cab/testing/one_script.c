@@ -83,7 +83,7 @@ static bool load_demo(struct stage *s, struct run *r, const char *name, char *er
         return err_set(err, err_size, "demo: path too long");
     if (!demo_load(&r->demo, path, err, err_size))
         return false;
-    if (!demo_fits(&r->demo, s->t->cart, why, sizeof why))
+    if (!demo_check_cart(&r->demo, s->t->cart, why, sizeof why))
         return err_set(err, err_size, "%s: %s", name, why);
     r->plays = true;
     return true;

@@ -37,7 +37,7 @@ static void list_file(void *user, const struct plat_file *file)
 {
     struct listing *l = user;
 
-    if (!file->folder && file->name[0] != '.' && files_ends(file->name, l->ending))
+    if (!file->is_folder && file->name[0] != '.' && files_has_suffix(file->name, l->ending))
         tree_add(l->files, l->folder, file->name);
 }
 
@@ -106,7 +106,7 @@ static enum result choose(struct all *a, const struct tree *files)
     const char *word = nobody(a->t, files);
 
     if (files->failed)
-        return report_line(RESULT_HOST, "%s: %s", a->t->dir, tree_failed(files));
+        return report_line(RESULT_HOST_FAILED, "%s: %s", a->t->dir, tree_failed(files));
     if (files->n <= 0)
         return report_line(RESULT_REFUSED, "%s: no tests: no demos/*.demo and no tests/*.lua (see curtain help test)",
                            a->t->dir);
@@ -114,12 +114,12 @@ static enum result choose(struct all *a, const struct tree *files)
         return unknown_test(a, files, word);
     a->tests = calloc((size_t)files->n, sizeof *a->tests);
     if (!a->tests)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     for (int i = 0; i < files->n; i++) {
         if (!is_wanted(a->t, files->name[i]))
             continue;
         const int width = (int)strlen(files->name[i]);
-        a->tests[a->n++] = (struct test){ .name = files->name[i], .script = files_ends(files->name[i], ".lua") };
+        a->tests[a->n++] = (struct test){ .name = files->name[i], .script = files_has_suffix(files->name[i], ".lua") };
         a->width = width > a->width ? width : a->width;
     }
     a->sums.tests = a->n;
@@ -136,10 +136,10 @@ struct stale {
 static void list_stale(void *user, const struct plat_file *file)
 {
     struct stale *s = user;
-    const bool ours = files_ends(file->name, ".expected.png") || files_ends(file->name, ".got.png") ||
-                      files_ends(file->name, ".difference.png") || !strcmp(file->name, "failed.html");
+    const bool ours = files_has_suffix(file->name, ".expected.png") || files_has_suffix(file->name, ".got.png") ||
+                      files_has_suffix(file->name, ".difference.png") || !strcmp(file->name, "failed.html");
 
-    if (!file->folder && ours)
+    if (!file->is_folder && ours)
         tree_add(&s->files, FAILED, file->name);
 }
 
@@ -253,7 +253,7 @@ static void waits(void *context)
 static bool report_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
 {
     char err[FILES_ERR], *text = NULL;
-    FILE *out = plat_scratch();
+    FILE *out = plat_open_scratch();
     bool good = out != NULL;
     long size = -1;
 
@@ -266,16 +266,16 @@ static bool report_file(const struct all *a, const char *path, void (*write)(FIL
         fclose(out);
     }
     if (!good)
-        report_line(RESULT_HOST, "%s: cannot create a temporary file", path);
+        report_line(RESULT_HOST_FAILED, "%s: cannot create a temporary file", path);
     else if (!(good = files_save(path, text, (size_t)size, err, sizeof err)))
-        report_line(RESULT_HOST, "%s", err);
+        report_line(RESULT_HOST_FAILED, "%s", err);
     free(text);
     return good;
 }
 
 static const char *title_of(const struct all *a)
 {
-    return a->t->cart->m.title;
+    return a->t->cart->manifest.title;
 }
 
 static void write_page(FILE *out, const struct all *a)
@@ -339,23 +339,24 @@ static enum result reports(struct all *a)
         report_print("%spage: %s\n", a->t->tap ? "# " : "", path);
     else
         good = good && !fails;
-    return a->sums.host || !good ? RESULT_HOST : fails ? RESULT_DIFFERS : RESULT_DONE;
+    return a->sums.host || !good ? RESULT_HOST_FAILED : fails ? RESULT_DIFFERS : RESULT_DONE;
 }
 
 static enum result run_all(struct all *a)
 {
-    const struct plat_work work = { .context = a, .work = do_one, .done = done, .waits = waits };
+    const struct plat_work work = { .context = a, .run = do_one, .done = done, .on_wait = waits };
     const uint64_t begun = plat_usec();
 
     clear_failed(a->t);
     if (a->t->tap)
         told_tap_plan(a->n);
     progress_begin();
-    const bool good = plat_each(a->n, a->t->jobs ? a->t->jobs : plat_cores(), &work);
+    const bool good = plat_run_jobs(a->n, a->t->jobs ? a->t->jobs : plat_cores(), &work);
     progress_end();
     a->sums.usec = clock_since(begun);
     if (!good || a->no_memory)
-        return report_line(RESULT_HOST, good ? "out of memory" : "test: cannot start a process, or out of memory");
+        return report_line(RESULT_HOST_FAILED,
+                           good ? "out of memory" : "test: cannot start a process, or out of memory");
     return reports(a);
 }
 

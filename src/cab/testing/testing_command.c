@@ -95,7 +95,7 @@ enum result testing_command(const struct args *a)
     struct tested *t = calloc(1, sizeof *t);
 
     if (!t)
-        return report_line(RESULT_HOST, "out of memory");
+        return report_line(RESULT_HOST_FAILED, "out of memory");
     t->a = a;
     const enum result result = test_game(t);
     free(t);

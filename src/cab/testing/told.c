@@ -84,10 +84,10 @@ void told_tap(const struct test *t, int number)
 
 void told_escaped(FILE *out, const char *text)
 {
-    char as[CLEAN_MARKUP];
+    char as[CLEAN_MARKUP_SIZE];
 
     while (*text) {
-        text += clean_markup(text, as);
+        text += clean_escape_character(text, as);
         fputs(as, out);
     }
 }

@@ -151,8 +151,8 @@ static void reword(struct board_fault *f, const struct output *o)
     if (f->kind == FAULT_LOOP && loop)
         snprintf(loop, sizeof f->message - at, "infinite loop: more than %d instructions in one test", TRIAL_WORK);
     else if (f->kind == FAULT_MEMORY)
-        snprintf(f->message, sizeof f->message, "%sout of memory (%d MiB for a test)%s", o->shortage, TRIAL_HEAP >> 20,
-                 o->deep ? " (calls nested deeply: infinite recursion?)" : "");
+        snprintf(f->message, sizeof f->message, "%sout of memory (%d MiB for a test)%s", o->shortage_place,
+                 TRIAL_HEAP >> 20, o->in_deep_calls ? " (calls nested deeply: infinite recursion?)" : "");
 }
 
 size_t trial_size(void)
@@ -171,13 +171,13 @@ bool trial_script(void *memory, const struct trial_host *host, const char *chunk
     t->chunk = chunk;
     t->text = text;
     t->text_size = n;
-    t->values = (struct values){ .bytes = t->value_bytes, .room = sizeof t->value_bytes };
+    t->values = (struct values){ .bytes = t->value_bytes, .capacity = sizeof t->value_bytes };
     t->board.output = &t->output;
     t->board.tasks.current = NO_SLOT;
     host_enter(&settings);
     bool good = vm_open(&t->board, (uint8_t *)memory + trial_size() - TRIAL_HEAP, TRIAL_HEAP);
     if (good) {
-        vm_begin(&t->board, TRIAL_WORK);
+        vm_reset_work(&t->board, TRIAL_WORK);
         good = vm_call(&t->board, run_script);
     }
     host_leave(&settings);

@@ -120,7 +120,7 @@ static void gather_moments(lua_State *L, const struct trial_run *r, const struct
         lua_setfield(L, -2, "value");
         set_text(L, "kind", kinds[m->kind]);
         set_text(L, "name", m->name);
-        set_text(L, "of", m->of);
+        set_text(L, "of", m->parent);
         set_text(L, "title", m->title);
         append(L);
     }
@@ -140,7 +140,7 @@ static void gather_sounds(lua_State *L, struct trial_run *r)
     struct board_cue cue;
 
     for (int i = 0; i < TRIAL_CUES && board_cue(r->b, i, &cue); i++) {
-        const uint32_t began = cue.name && cue.first ? cue.began + 1 : 0;
+        const uint32_t began = cue.name && cue.is_first_track ? cue.start_frame + 1 : 0;
         if (began && began != r->began[i])
             count_sound(L, r, cue.name);
         r->began[i] = began;
@@ -149,7 +149,7 @@ static void gather_sounds(lua_State *L, struct trial_run *r)
 
 static void gather(lua_State *L, struct trial_run *r)
 {
-    const struct board_out *out = board_last(r->b);
+    const struct board_out *out = board_last_output(r->b);
 
     luaL_checkstack(L, 8, NULL);
     gather_log(L, r, out);
@@ -160,7 +160,7 @@ static void gather(lua_State *L, struct trial_run *r)
 /* A fault of the game is one of the test, unless that is what it wants to see. */
 static void look_for_fault(lua_State *L, const struct trial_run *r)
 {
-    const struct board_fault *fault = board_last(r->b)->fault;
+    const struct board_fault *fault = board_last_output(r->b)->fault;
 
     if (fault && !r->may_fault)
         vm_fault(L, FAULT_SCRIPT, "the game stopped at frame %d: %s", (int)board_frame(r->b), fault->message);
@@ -198,12 +198,12 @@ static bool tick(lua_State *L, struct trial_run *r)
 {
     struct trial *t = trial_of(L);
 
-    if (board_last(r->b)->fault)
+    if (board_last_output(r->b)->fault)
         return false;
     if (t->frames == TRIAL_FRAMES)
         vm_fault(L, FAULT_LOOP, "more than %d frames (an hour of play) in one test (infinite loop?)", TRIAL_FRAMES);
     ask_held(L, r);
-    if (board_last(r->b)->fault) /* by the function's own doing */
+    if (board_last_output(r->b)->fault) /* by the function's own doing */
         return false;
     t->frames++;
     t->host->tick(t->host->context, number_of(L, r));
@@ -311,8 +311,8 @@ static int evaluate(lua_State *L, const char *what, bool changes)
 
     if (lua_type(L, 2) != LUA_TSTRING)
         return vm_fault(L, FAULT_SCRIPT, "%s: expected a line of Lua as a string, got %s", what, luaL_typename(L, 2));
-    if (board_last(r->b)->fault)
-        return vm_fault(L, FAULT_SCRIPT, "%s: the game has stopped: %s", what, board_last(r->b)->fault->message);
+    if (board_last_output(r->b)->fault)
+        return vm_fault(L, FAULT_SCRIPT, "%s: the game has stopped: %s", what, board_last_output(r->b)->fault->message);
     if (!t->host->keep(t->host->context, number))
         return vm_fault(L, FAULT_SCRIPT, "%s: out of memory", what);
     const bool good = board_eval_values(r->b, lua_tostring(L, 2), &t->values, err, sizeof err);
@@ -360,7 +360,7 @@ int trial_run_wait(lua_State *L)
 
     lua_settop(L, 2);
     for (uint32_t i = 0;; i++) {
-        const bool is = !board_last(r->b)->fault && holds(L);
+        const bool is = !board_last_output(r->b)->fault && holds(L);
         if (is || i == most || !tick(L, r)) {
             lua_pushboolean(L, is);
             return 1;
@@ -372,7 +372,7 @@ static const char *check_part(lua_State *L, const struct trial_run *r, const cha
 {
     const char *name = luaL_checkstring(L, 2);
 
-    if (board_live(r->b, name) < 0)
+    if (board_live_count(r->b, name) < 0)
         vm_fault(L, FAULT_SCRIPT, "%s: unknown part \"%s\" (curtain hash --parts lists them)", what, name);
     return name;
 }
@@ -381,7 +381,7 @@ int trial_run_live(lua_State *L)
 {
     struct trial_run *r = check_run(L, 1);
 
-    lua_pushinteger(L, board_live(r->b, check_part(L, r, "run:live")));
+    lua_pushinteger(L, board_live_count(r->b, check_part(L, r, "run:live")));
     return 1;
 }
 
@@ -389,7 +389,7 @@ int trial_run_refused(lua_State *L)
 {
     struct trial_run *r = check_run(L, 1);
 
-    lua_pushinteger(L, board_refused(r->b, check_part(L, r, "run:refused")));
+    lua_pushinteger(L, board_refused_count(r->b, check_part(L, r, "run:refused")));
     return 1;
 }
 
@@ -476,7 +476,7 @@ static void push_hash(lua_State *L, const struct trial_run *r)
 
 static void push_fault(lua_State *L, const struct trial_run *r)
 {
-    const struct board_fault *fault = board_last(r->b)->fault;
+    const struct board_fault *fault = board_last_output(r->b)->fault;
 
     if (fault)
         lua_pushstring(L, fault->message);
@@ -508,9 +508,9 @@ static int field(lua_State *L)
     else if (!strcmp(name, "fault"))
         push_fault(L, r);
     else if (!strcmp(name, "music"))
-        push_name(L, board_music(r->b));
+        push_name(L, board_music_name(r->b));
     else if (!strcmp(name, "difficulty"))
-        push_name(L, r->b->cart.m.difficulties[board_difficulty_now(r->b)]);
+        push_name(L, r->b->cart.manifest.difficulties[board_difficulty_now(r->b)]);
     else if (!strcmp(name, "log"))
         push_kept(L, r, KEPT_LOG);
     else if (!strcmp(name, "moments"))

@@ -51,12 +51,12 @@ static int settings(lua_State *L, const char *field, const char *list[TRIAL_SETT
     if (!lua_istable(L, table))
         wrong(L, field, "a table { NAME = value }");
     luaL_checkstack(L, TRIAL_SETTINGS + 8, NULL);
-    const int n = api_sorted_names(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
+    const int n = api_read_sorted_keys(L, "test.run", field, expected, table, list, TRIAL_SETTINGS);
     for (int i = 0; i < n; i++) {
         const int type = lua_getfield(L, table, list[i]);
         if (type != LUA_TSTRING && type != LUA_TNUMBER)
             vm_fault(L, FAULT_SCRIPT, "test.run: %s.%s: expected a string or a number, got %s", field, list[i],
-                     api_push_got(L, -1));
+                     api_push_description(L, -1));
         lua_pushfstring(L, "%s=%s", list[i], lua_tostring(L, -1));
         list[i] = lua_tostring(L, -1);
         lua_remove(L, -2);
@@ -165,7 +165,7 @@ static bool knows_option(lua_State *L, const char *key, const void *of)
 
 static void check_names(lua_State *L)
 {
-    if (!luakeys_push_stray(L, 1, knows_option, NULL))
+    if (!luakeys_push_unknown(L, 1, knows_option, NULL))
         return;
     if (!luakeys_text(L, -1))
         vm_fault(L, FAULT_SCRIPT, "test.run: expected a table such as { stage = \"one\", frames = 600 }");

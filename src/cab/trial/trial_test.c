@@ -14,7 +14,7 @@
 static void fails(lua_State *L)
 {
     const struct trial_host *host = trial_of(L)->host;
-    char place[VM_PLACE];
+    char place[VM_PLACE_SIZE];
 
     vm_where(L, place, sizeof place);
     lua_pushfstring(L, "%s%s", place, lua_tostring(L, -1));
@@ -110,7 +110,7 @@ bool trial_same(lua_State *L, int a, int b, int depth)
 {
     bool same = true;
 
-    if (!lua_istable(L, a) || !lua_istable(L, b) || depth > VALUES_DEEP)
+    if (!lua_istable(L, a) || !lua_istable(L, b) || depth > VALUES_MAX_DEPTH)
         return lua_compare(L, a, b, LUA_OPEQ);
     luaL_checkstack(L, 8, NULL);
     if (entries(L, a) != entries(L, b))

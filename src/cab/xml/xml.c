@@ -123,7 +123,7 @@ static uint32_t reference(const char *s, size_t n)
     if (n < 2 || s[0] != '#' || n == 1 + (size_t)hex)
         return 0;
     for (size_t i = 1 + (size_t)hex; i < n; i++) {
-        const int digit = cursor_hex(s[i]);
+        const int digit = cursor_hex_value(s[i]);
         if (digit < 0 || (!hex && digit > 9) || code > UTF8_MAX)
             return 0;
         code = code * (hex ? 16 : 10) + (uint32_t)digit;

@@ -5,7 +5,7 @@
 #include "../lasers_run.h"
 #include "hit_parts.h"
 
-struct visit {
+struct visitor {
     void (*each)(void *context, const struct danger *d);
     void *context;
 };
@@ -18,7 +18,7 @@ static uint16_t age_of(const struct board *b, uint32_t born)
 }
 
 /* Calls v->each for each piece of an entity. d: the members that all pieces share. */
-static void tell_pieces(const struct visit *v, struct danger d, const struct body *piece, uint32_t n)
+static void visit_pieces(const struct visitor *v, struct danger d, const struct body *piece, uint32_t n)
 {
     for (uint32_t i = 0; i < n; i++) {
         if (piece[i].shape == SHAPE_NONE)
@@ -37,53 +37,54 @@ static void tell_pieces(const struct visit *v, struct danger d, const struct bod
     }
 }
 
-static void tell_bullets(const struct board *b, const struct visit *v)
+static void visit_bullets(const struct board *b, const struct visitor *v)
 {
     const struct bullets *s = &b->bullets;
     const struct bullet_kinds *k = &b->bullet_kinds;
-    struct body piece[SHAPE_PARTS];
+    struct body piece[SHAPE_MAX_CIRCLES];
 
     EACH_LIVE (i, &s->s) {
         const unsigned flags = k->flags[s->kind[i]];
         if (s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
             continue;
         const uint32_t n = hit_bullet_pieces(s, k, i, piece);
-        tell_pieces(v,
-                    (struct danger){
-                        .of = DANGER_BULLET, .swept = flags & KIND_SWEPT, .age = age_of(b, s->born[i]), .slot = i },
-                    piece, n);
+        visit_pieces(
+            v,
+            (struct danger){
+                .source = DANGER_BULLET, .swept = flags & KIND_SWEPT, .age = age_of(b, s->born[i]), .slot = i },
+            piece, n);
     }
 }
 
-static void tell_enemies(const struct board *b, const struct visit *v)
+static void visit_enemies(const struct board *b, const struct visitor *v)
 {
-    struct body piece[SHAPE_PARTS];
+    struct body piece[SHAPE_MAX_CIRCLES];
 
     EACH_LIVE (i, &b->enemies.s) {
         const unsigned flags = b->enemy_kinds.flags[b->enemies.kind[i]];
         if (!(flags & ENEMY_TOUCH) || b->enemies.flags[i] & ENEMY_DYING)
             continue;
         const uint32_t n = hit_enemy_pieces(b, i, piece);
-        tell_pieces(v, (struct danger){ .of = DANGER_ENEMY, .swept = flags & ENEMY_SWEPT, .slot = i }, piece, n);
+        visit_pieces(v, (struct danger){ .source = DANGER_ENEMY, .swept = flags & ENEMY_SWEPT, .slot = i }, piece, n);
     }
 }
 
-static void tell_laser(const struct board *b, const struct visit *v, uint32_t i)
+static void visit_laser(const struct board *b, const struct visitor *v, uint32_t i)
 {
-    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1, age = lasers_age(b, i);
+    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1, age = lasers_age(b, i);
     const fx reach = hit_laser_reach(b, i, age);
 
     if (reach < 0 || b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS)
         return;
-    for (uint32_t k = 0; k < last; k++) {
+    for (uint32_t k = 0; k < segments; k++) {
         const uint32_t next = k + 1 < n ? k + 1 : k;
-        struct danger d = { .shape = DANGER_BAR, .of = DANGER_LASER, .swept = true, .slot = i, .a = reach };
+        struct danger d = { .shape = DANGER_BAR, .source = DANGER_LASER, .swept = true, .slot = i, .a = reach };
         fx was_x, was_y, was_to_x, was_to_y;
         d.age = (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
-        lasers_corner(b, i, k, &d.x, &d.y);
-        lasers_corner(b, i, next, &d.b, &d.c);
-        lasers_corner_was(b, i, k, &was_x, &was_y);
-        lasers_corner_was(b, i, next, &was_to_x, &was_to_y);
+        lasers_get_corner(b, i, k, &d.x, &d.y);
+        lasers_get_corner(b, i, next, &d.b, &d.c);
+        lasers_get_old_corner(b, i, k, &was_x, &was_y);
+        lasers_get_old_corner(b, i, next, &was_to_x, &was_to_y);
         d.mx = d.x - was_x;
         d.my = d.y - was_y;
         d.d = d.b - was_to_x;
@@ -94,60 +95,60 @@ static void tell_laser(const struct board *b, const struct visit *v, uint32_t i)
 
 void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context)
 {
-    const struct visit v = { each, context };
+    const struct visitor v = { each, context };
 
-    tell_bullets(b, &v);
+    visit_bullets(b, &v);
     EACH_LIVE (i, &b->lasers.s)
-        tell_laser(b, &v, i);
-    tell_enemies(b, &v);
+        visit_laser(b, &v, i);
+    visit_enemies(b, &v);
 }
 
-static bool bar_touches(const struct danger *d, const struct danger_path *way)
+static bool bar_would_hit(const struct danger *d, const struct danger_path *path)
 {
-    const int64_t mx = (int64_t)way->x - way->was_x, my = (int64_t)way->y - way->was_y;
+    const int64_t mx = (int64_t)path->x - path->was_x, my = (int64_t)path->y - path->was_y;
     const struct geom_bar bar = {
-        (int64_t)d->x - d->mx - way->was_x, (int64_t)d->y - d->my - way->was_y, d->mx - mx, d->my - my,
-        (int64_t)d->b - d->d - way->was_x,  (int64_t)d->c - d->e - way->was_y,  d->d - mx,  d->e - my
+        (int64_t)d->x - d->mx - path->was_x, (int64_t)d->y - d->my - path->was_y, d->mx - mx, d->my - my,
+        (int64_t)d->b - d->d - path->was_x,  (int64_t)d->c - d->e - path->was_y,  d->d - mx,  d->e - my
     };
 
-    return geom_swept_bar(&bar, (int64_t)d->a + way->radius);
+    return geom_swept_bar(&bar, (int64_t)d->a + path->radius);
 }
 
-bool danger_touches(const struct danger *d, const struct danger_path *way)
+bool danger_would_hit(const struct danger *d, const struct danger_path *path)
 {
     static const uint8_t shapes[] = { SHAPE_CIRCLE, SHAPE_BOX, SHAPE_CAPSULE };
 
     if (d->shape == DANGER_BAR)
-        return bar_touches(d, way);
+        return bar_would_hit(d, path);
     const struct body p = { shapes[d->shape], d->a, d->b, d->x, d->y, d->mx, d->my, d->c };
     const struct body q = { .shape = SHAPE_CIRCLE,
-                            .a = way->radius,
-                            .x = way->x,
-                            .y = way->y,
-                            .mx = way->x - way->was_x,
-                            .my = way->y - way->was_y };
+                            .a = path->radius,
+                            .x = path->x,
+                            .y = path->y,
+                            .mx = path->x - path->was_x,
+                            .my = path->y - path->was_y };
     return hit_pieces_touch(&p, 1, &q, 1, d->swept);
 }
 
-void danger_ship(const struct board *b, int i, struct danger_ship *out)
+void danger_get_ship(const struct board *b, int i, struct danger_ship *out)
 {
     const struct player *p = &b->player;
     const struct player_kinds *k = &b->player_kinds;
     const uint16_t kind = p->kind[i];
 
-    *out = (struct danger_ship){ .in = p->in[i], .area = b->area };
-    if (!out->in)
+    *out = (struct danger_ship){ .in_game = p->in_game[i], .area = b->area };
+    if (!out->in_game)
         return;
-    out->steers = !b->core.frozen && !p->deathbomb_left[i] && !(board_withheld(b, (uint32_t)i) & PAD_UP);
-    out->hit = p->deathbomb_left[i] > 0;
-    out->safe = p->safe[i] > 0;
+    out->can_steer = !b->core.frozen && !p->deathbomb_left[i] && !(board_withheld_buttons(b, (uint32_t)i) & PAD_UP);
+    out->is_hit = p->deathbomb_left[i] > 0;
+    out->is_safe = p->safe_left[i] > 0;
     out->lives = p->lives[i];
-    out->way = (struct danger_path){ p->was_x[i], p->was_y[i], p->x[i], p->y[i], k->radius[kind] };
+    out->path = (struct danger_path){ p->prev_x[i], p->prev_y[i], p->x[i], p->y[i], k->radius[kind] };
     out->speed = k->speed[kind];
-    out->focus = k->focus[kind];
+    out->focused_speed = k->focus_speed[kind];
 }
 
-void danger_spare(struct board *b, bool spared)
+void danger_set_invincible(struct board *b, bool invincible)
 {
-    b->start.practice.invincible = spared;
+    b->start.practice.invincible = invincible;
 }

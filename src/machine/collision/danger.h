@@ -3,7 +3,7 @@
  * and the state of a player's ship. For code that searches for a safe path.
  *
  * Call these functions at the end of PHASE_MOTION (board_on_phase), when all entities have moved and no hit has been
- * detected yet. Only danger_spare changes the board.
+ * detected yet. Only danger_set_invincible changes the board.
  */
 #ifndef MACHINE_DANGER_H
 #define MACHINE_DANGER_H
@@ -22,11 +22,11 @@ enum danger_shape {
     DANGER_BAR
 };
 
-enum danger_of { DANGER_BULLET, DANGER_ENEMY, DANGER_LASER };
+enum danger_source { DANGER_BULLET, DANGER_ENEMY, DANGER_LASER };
 
 /* A shape at the end of its move by (mx, my) in this frame. Lengths in px. */
 struct danger {
-    uint8_t shape, of;
+    uint8_t shape, source;
     bool swept;    /* tested along its whole path; otherwise only at its final position */
     uint16_t age;  /* frames since the first move of a bullet or laser, at most 65535 */
     uint32_t slot; /* of the entity; several shapes may belong to one entity */
@@ -40,27 +40,27 @@ struct danger_path {
 
 /* The state and abilities of a player's ship. */
 struct danger_ship {
-    bool in;     /* the ship is in the game; if not, only `area` is set */
-    bool steers; /* the player can steer: the ship was not hit, no dialogue runs and the game is not frozen */
-    bool hit;    /* the ship was hit, and a bomb can still save it */
-    bool safe;   /* nothing can hit the ship */
+    bool in_game;   /* the ship is in the game; if not, only `area` is set */
+    bool can_steer; /* the player can steer: the ship was not hit, no dialogue runs and the game is not frozen */
+    bool is_hit;    /* the ship was hit, and a bomb can still save it */
+    bool is_safe;   /* nothing can hit the ship */
     int32_t lives;
-    struct danger_path way; /* path in this frame */
-    fx speed, focus;        /* normal and focused speed, px/frame */
-    struct box area;        /* where the ship can be, edges included */
+    struct danger_path path; /* path in this frame */
+    fx speed, focused_speed; /* normal and focused speed, px/frame */
+    struct box area;         /* where the ship can be, edges included */
 };
 
 /* Calls `each` for every shape that could hit a player in this frame. */
 void danger_each(const struct board *b, void (*each)(void *context, const struct danger *d), void *context);
 
 /* Returns whether this shape would hit a ship on this path, by the test that hit_run uses. */
-bool danger_touches(const struct danger *d, const struct danger_path *way);
+bool danger_would_hit(const struct danger *d, const struct danger_path *path);
 
 /* Stores the state of the ship of player p, 0 or 1. */
-void danger_ship(const struct board *b, int p, struct danger_ship *out);
+void danger_get_ship(const struct board *b, int p, struct danger_ship *out);
 
 /* Sets whether players are invincible, as practice.invincible does. A restore resets the setting. Scripts cannot read
  * it. */
-void danger_spare(struct board *b, bool spared);
+void danger_set_invincible(struct board *b, bool invincible);
 
 #endif

@@ -6,8 +6,8 @@
  * tested at their final positions.
  *
  * The broad phase for bullets is in bullets_move, which finds the bullets near a player; players have already moved.
- * hit_player is the narrow phase. The search distance, `reach`, covers the largest shape of a bullet, the hitbox or
- * graze ring, and the player's movement. Shots against enemies are in hit_shots.c.
+ * raise_bullet_hits is the narrow phase. The search distance, `reach`, covers the largest shape of a bullet, the hitbox
+ * or graze ring, and the player's movement. Shots against enemies are in hit_shots.c.
  *
  * Entities that leave the field are tested too, because they may touch something on the way out. bullets_move holds the
  * bullets that leave near a player, and all shots that leave. hit_run releases the held bullets that touch no player,
@@ -22,19 +22,19 @@
 static int64_t reach_of(const struct board *b, const struct body *c, fx graze)
 {
     const struct shape_columns shapes = hit_bullet_shapes(&b->bullet_kinds);
-    fx most = 0;
+    fx max_extent = 0;
 
     for (uint32_t i = 0; i < b->bullet_kinds.s.live; i++) {
         struct extent e = hit_extent(&shapes, i);
-        most = fx_max(most, fx_max(e.x, e.y));
+        max_extent = fx_max(max_extent, fx_max(e.x, e.y));
     }
-    return (int64_t)most + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
+    return (int64_t)max_extent + fx_max(c->a, graze) + fx_max(fx_abs(c->mx), fx_abs(c->my));
 }
 
 enum verdict { MISS, HIT, GRAZE };
 
 /* Returns whether the path of bullet i in this frame may come within reach of the player on both axes. */
-static inline bool within(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
+static inline bool is_within_reach(const struct bullets *s, uint32_t i, const struct body *c, int64_t reach)
 {
     const int64_t dx = (int64_t)s->x[i] - c->x, dy = (int64_t)s->y[i] - c->y;
 
@@ -76,7 +76,7 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
     const uint16_t kind = s->kind[i];
     const unsigned flags = k->flags[kind];
 
-    if (!within(s, i, c, reach) || s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
+    if (!is_within_reach(s, i, c, reach) || s->flags[i] & BULLET_DELAYED || flags & KIND_HARMLESS)
         return MISS;
     b->counts.tested++;
     const bool can_graze = flags & KIND_GRAZE && !(s->flags[i] >> p & BULLET_GRAZED), swept = flags & KIND_SWEPT;
@@ -88,7 +88,7 @@ static inline enum verdict test_bullet(struct board *b, uint32_t p, const struct
 
 /* The narrow phase: tests the bullets that bullets_move found near player p, raises an event for each that hits or
  * grazes, and clears the `near` bits of the others. */
-static void hit_player(struct board *b, uint32_t p, const struct body *c)
+static void raise_bullet_hits(struct board *b, uint32_t p, const struct body *c)
 {
     struct bullets *s = &b->bullets;
     int64_t reach = -1;
@@ -106,8 +106,8 @@ static void hit_player(struct board *b, uint32_t p, const struct body *c)
             }
             b->counts.hit += v == HIT;
             b->counts.grazed += v == GRAZE;
-            board_event(b, v == GRAZE ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p),
-                        board_handle(b, H_BULLET, (int32_t)i));
+            board_raise_event(b, v == GRAZE ? EV_GRAZE : EV_HIT, board_handle(b, H_PLAYER, (int32_t)p),
+                              board_handle(b, H_BULLET, (int32_t)i));
         }
     }
 }
@@ -136,34 +136,35 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
                 continue;
             struct body e = hit_enemy_body(b, i);
             if (hit_enemy_touches(b, i, &e, c, flags & ENEMY_SWEPT))
-                board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ENEMY, (int32_t)i));
+                board_raise_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p),
+                                  board_handle(b, H_ENEMY, (int32_t)i));
         }
 }
 
-void hit_queries(struct board *b, struct bullets_query query[PADS])
+void hit_get_queries(struct board *b, struct bullets_query query[PADS])
 {
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = hit_player_body(b, p);
         fx graze = b->player_kinds.graze_radius[b->player.kind[p]];
-        query[p] = (struct bullets_query){ c.x, c.y, b->player.in[p] ? reach_of(b, &c, graze) : -1 };
+        query[p] = (struct bullets_query){ c.x, c.y, b->player.in_game[p] ? reach_of(b, &c, graze) : -1 };
     }
 }
 
 /* Raises an event for each enemy that left the field. Call after the events of all entities that touched it. */
-static void enemies_leave(struct board *b)
+static void raise_enemy_leaves(struct board *b)
 {
     EACH_LIVE (i, &b->enemies.s)
         if (b->enemies.flags[i] & ENEMY_LEAVING)
-            board_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
+            board_raise_event(b, EV_LEAVE, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
 void hit_run(struct board *b)
 {
     for (uint32_t p = 0; p < PADS; p++) {
         struct body c = hit_player_body(b, p);
-        if (!b->player.in[p])
+        if (!b->player.in_game[p])
             continue;
-        hit_player(b, p, &c);
+        raise_bullet_hits(b, p, &c);
         if (b->lasers.s.live)
             hit_lasers(b, p, &c);
         raise_enemy_hits(b, p, &c);
@@ -172,12 +173,12 @@ void hit_run(struct board *b)
         release_missed(&b->bullets);
     hit_shots(b);
     if (b->lasers.s.live)
-        hit_lasers_shoot(b);
+        hit_player_lasers(b);
     hit_blocks(b);
-    if (b->bullets.meets)
+    if (b->bullets.n_meets)
         hit_meets(b);
-    if (b->enemies.leaving)
-        enemies_leave(b);
+    if (b->enemies.n_leaving)
+        raise_enemy_leaves(b);
     if (b->items.s.top)
         hit_items(b);
 }

@@ -32,24 +32,24 @@ struct body {
  * of pieces. The ends of a bullet's capsule are computed by one trig_polar, the position of a rotated circle by the sum
  * of two. */
 uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
-                           struct body piece[SHAPE_PARTS]);
-uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS]);
+                           struct body piece[SHAPE_MAX_CIRCLES]);
+uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES]);
 
 /* Stores the queries by which bullets_move, the broad phase, finds the bullets near each player. Call when the players
  * have moved. */
-void hit_queries(struct board *b, struct bullets_query query[PADS]);
+void hit_get_queries(struct board *b, struct bullets_query query[PADS]);
 
 /* Returns whether any shot of this frame can hit a bullet. If so, the moves must hold bullets that leave the field. */
-bool hit_solid_possible(const struct board *b);
+bool hit_solid_is_possible(const struct board *b);
 
 /* Returns the distance from the laser's line within which laser i hits at this age, or -1 if it hits nothing. */
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age);
 
-/* Counts the work of one call of hit_laser_enemy with the same arguments. */
-void hit_laser_work(struct board *b, uint32_t i, uint32_t foe);
+/* Counts the work of one call of hit_laser_touches_enemy with the same arguments. */
+void hit_charge_laser(struct board *b, uint32_t i, uint32_t enemy);
 
-/* Returns whether laser i, in its present state, touches enemy `foe` in this frame. */
-bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe);
+/* Returns whether laser i, in its present state, touches enemy `enemy` in this frame. */
+bool hit_laser_touches_enemy(const struct board *b, uint32_t i, uint32_t enemy);
 
 /* Raises the events of this frame's hits. */
 void hit_run(struct board *b);

@@ -12,12 +12,12 @@ static struct body item_body(const struct board *b, uint32_t i)
                           .a = b->item_kinds.radius[s->kind[i]],
                           .x = s->x[i],
                           .y = s->y[i],
-                          .mx = fx_sub(s->x[i], s->was_x[i]),
-                          .my = fx_sub(s->y[i], s->was_y[i]) };
+                          .mx = fx_sub(s->x[i], s->prev_x[i]),
+                          .my = fx_sub(s->y[i], s->prev_y[i]) };
 }
 
 /* Returns the squared distance between p and q before they moved. */
-static uint64_t were_apart(const struct body *p, const struct body *q)
+static uint64_t start_distance_sq(const struct body *p, const struct body *q)
 {
     uint64_t dx = geom_gap(p->x - p->mx, q->x - q->mx), dy = geom_gap(p->y - p->my, q->y - q->my);
 
@@ -25,16 +25,16 @@ static uint64_t were_apart(const struct body *p, const struct body *q)
 }
 
 /* Returns the player that takes item i, 0 or 1, or PADS if none does. */
-static uint32_t taker(const struct board *b, uint32_t i, const struct body body[PADS])
+static uint32_t find_taker(const struct board *b, uint32_t i, const struct body body[PADS])
 {
     const struct body item = item_body(b, i);
     uint64_t nearest = UINT64_MAX;
     uint32_t found = PADS;
 
     for (uint32_t p = 0; p < PADS; p++) {
-        if (!b->player.in[p] || !hit_touches(&item, &body[p], true))
+        if (!b->player.in_game[p] || !hit_touches(&item, &body[p], true))
             continue;
-        uint64_t d = were_apart(&item, &body[p]);
+        uint64_t d = start_distance_sq(&item, &body[p]);
         if (d < nearest) {
             nearest = d;
             found = p;
@@ -49,10 +49,11 @@ void hit_items(struct board *b)
     const struct items *s = &b->items;
 
     EACH_LIVE (i, &s->s) {
-        uint32_t p = taker(b, i, body);
+        uint32_t p = find_taker(b, i, body);
         if (p < PADS)
-            board_event(b, EV_TAKE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ITEM, (int32_t)i));
-        else if (s->x[i] < b->keep.x0 || s->x[i] > b->keep.x1 || s->y[i] < b->keep.y0 || s->y[i] > b->keep.y1)
+            board_raise_event(b, EV_TAKE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ITEM, (int32_t)i));
+        else if (s->x[i] < b->keep_box.x0 || s->x[i] > b->keep_box.x1 || s->y[i] < b->keep_box.y0 ||
+                 s->y[i] > b->keep_box.y1)
             slots_drop(&b->items.s, i);
     }
 }

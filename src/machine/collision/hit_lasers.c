@@ -8,12 +8,15 @@
 #include "hit_parts.h"
 #include "../lasers_run.h"
 
-enum { A_LASER = 2, A_CORNER = 8 /* work per laser and enemy; per corner of the laser and piece of the enemy */ };
+enum {
+    WORK_PER_LASER = 2,
+    WORK_PER_CORNER = 8 /* work per laser and enemy; per corner of the laser and piece of the enemy */
+};
 
 fx hit_laser_reach(const struct board *b, uint32_t i, uint32_t age)
 {
     const struct lasers *l = &b->lasers;
-    const fx share = b->laser_kinds.share[b->laser_heads.kind[i]];
+    const fx share = b->laser_kinds.hit_share[b->laser_heads.kind[i]];
     const enum laser_state s = lasers_state_of(b, i, age);
 
     if (share < 0 || s == LASER_WARN || s == LASER_FADE)
@@ -28,21 +31,21 @@ static int64_t reach_of(const struct board *b, uint32_t i)
 
 /* Returns the box around this frame's movement of circle c, grown by `reach`: a laser line that never enters the box is
  * never within `reach` of the circle. */
-static struct box way_of(const struct body *c, int64_t reach)
+static struct box swept_box(const struct body *c, int64_t reach)
 {
-    const int64_t far = reach + c->a;
+    const int64_t margin = reach + c->a;
     const fx was_x = fx_sub(c->x, c->mx), was_y = fx_sub(c->y, c->my);
 
-    return (struct box){ fx_sat(fx_min(c->x, was_x) - far), fx_sat(fx_min(c->y, was_y) - far),
-                         fx_sat(fx_max(c->x, was_x) + far), fx_sat(fx_max(c->y, was_y) + far) };
+    return (struct box){ fx_sat(fx_min(c->x, was_x) - margin), fx_sat(fx_min(c->y, was_y) - margin),
+                         fx_sat(fx_max(c->x, was_x) + margin), fx_sat(fx_max(c->y, was_y) + margin) };
 }
 
-struct spot {
+struct point {
     fx x, y;
 };
 
 /* Returns whether all n points are beyond the same side of the box; then so is their convex hull. */
-static bool beyond(const struct box *w, const struct spot *p, int n)
+static bool all_beyond_side(const struct box *w, const struct point *p, int n)
 {
     int left = 0, right = 0, above = 0, below = 0;
 
@@ -64,46 +67,46 @@ static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w
     return box.x0 <= w->x1 && box.x1 >= w->x0 && box.y0 <= w->y1 && box.y1 >= w->y0;
 }
 
-static bool piece_is_near(const struct board *b, uint32_t i, uint32_t k, const struct box *w)
+static bool segment_is_near(const struct board *b, uint32_t i, uint32_t k, const struct box *w)
 {
-    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
-    struct spot p[4];
+    const uint32_t next = k + 1 < lasers_corner_count(b, i) ? k + 1 : k;
+    struct point p[4];
 
-    lasers_corner(b, i, k, &p[0].x, &p[0].y);
-    lasers_corner(b, i, next, &p[1].x, &p[1].y);
-    lasers_corner_was(b, i, next, &p[2].x, &p[2].y);
-    if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_STILL))
-        return !beyond(w, p, 3); /* corner k moved here from p[1], where the next corner is now */
-    lasers_corner_was(b, i, k, &p[3].x, &p[3].y);
-    return !beyond(w, p, 4);
+    lasers_get_corner(b, i, k, &p[0].x, &p[0].y);
+    lasers_get_corner(b, i, next, &p[1].x, &p[1].y);
+    lasers_get_old_corner(b, i, next, &p[2].x, &p[2].y);
+    if (b->lasers.form[i] == LASER_CURVE && !(b->lasers.flags[i] & LASER_UNSWEPT))
+        return !all_beyond_side(w, p, 3); /* corner k moved here from p[1], where the next corner is now */
+    lasers_get_old_corner(b, i, k, &p[3].x, &p[3].y);
+    return !all_beyond_side(w, p, 4);
 }
 
 /* Returns segment k of laser i relative to a body that was at (x, y) before it moved by (mx, my). */
-static struct geom_bar piece_of(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
-                                int64_t my)
+static struct geom_bar segment_bar(const struct board *b, uint32_t i, uint32_t k, int64_t x, int64_t y, int64_t mx,
+                                   int64_t my)
 {
-    const uint32_t next = k + 1 < lasers_corners(b, i) ? k + 1 : k;
+    const uint32_t next = k + 1 < lasers_corner_count(b, i) ? k + 1 : k;
     fx ax, ay, bx, by, cx, cy, dx, dy;
 
-    lasers_corner_was(b, i, k, &ax, &ay);
-    lasers_corner_was(b, i, next, &bx, &by);
-    lasers_corner(b, i, k, &cx, &cy);
-    lasers_corner(b, i, next, &dx, &dy);
+    lasers_get_old_corner(b, i, k, &ax, &ay);
+    lasers_get_old_corner(b, i, next, &bx, &by);
+    lasers_get_corner(b, i, k, &cx, &cy);
+    lasers_get_corner(b, i, next, &dx, &dy);
     return (struct geom_bar){ ax - x, ay - y, (int64_t)cx - ax - mx, (int64_t)cy - ay - my,
                               bx - x, by - y, (int64_t)dx - bx - mx, (int64_t)dy - by - my };
 }
 
-bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
+bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach)
 {
-    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
-    const struct box way = way_of(c, reach);
+    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1;
+    const struct box swept = swept_box(c, reach);
 
-    if (b->lasers.form[i] == LASER_CURVE && !curve_is_near(b, i, &way))
+    if (b->lasers.form[i] == LASER_CURVE && !curve_is_near(b, i, &swept))
         return false;
-    for (uint32_t k = 0; k < last; k++) {
-        if (!piece_is_near(b, i, k, &way))
+    for (uint32_t k = 0; k < segments; k++) {
+        if (!segment_is_near(b, i, k, &swept))
             continue;
-        struct geom_bar bar = piece_of(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
+        struct geom_bar bar = segment_bar(b, i, k, (int64_t)c->x - c->mx, (int64_t)c->y - c->my, c->mx, c->my);
         if (geom_swept_bar(&bar, reach + c->a))
             return true;
     }
@@ -111,14 +114,14 @@ bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, i
 }
 
 /* Returns whether laser i touches e, a box or capsule, both at their final positions of the frame. */
-static bool touches_where_it_is(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
+static bool touches_at_end(const struct board *b, uint32_t i, const struct body *e, int64_t reach)
 {
-    const uint32_t n = lasers_corners(b, i), last = n > 1 ? n - 1 : 1;
+    const uint32_t n = lasers_corner_count(b, i), segments = n > 1 ? n - 1 : 1;
     fx ax, ay, bx, by;
 
-    for (uint32_t k = 0; k < last; k++) {
-        lasers_corner(b, i, k, &ax, &ay);
-        lasers_corner(b, i, k + 1 < n ? k + 1 : k, &bx, &by);
+    for (uint32_t k = 0; k < segments; k++) {
+        lasers_get_corner(b, i, k, &ax, &ay);
+        lasers_get_corner(b, i, k + 1 < n ? k + 1 : k, &bx, &by);
         const int64_t dx = (int64_t)ax - e->x, dy = (int64_t)ay - e->y, wx = (int64_t)bx - ax, wy = (int64_t)by - ay;
         const int64_t hx = e->b, hy = e->c;
         const struct geom_bar bar = {
@@ -131,37 +134,38 @@ static bool touches_where_it_is(const struct board *b, uint32_t i, const struct 
     return false;
 }
 
-bool hit_laser_enemy(const struct board *b, uint32_t i, uint32_t foe)
+bool hit_laser_touches_enemy(const struct board *b, uint32_t i, uint32_t enemy)
 {
     const int64_t reach = reach_of(b, i);
-    struct body piece[SHAPE_PARTS];
-    const uint32_t n = hit_enemy_pieces(b, foe, piece);
+    struct body piece[SHAPE_MAX_CIRCLES];
+    const uint32_t n = hit_enemy_pieces(b, enemy, piece);
 
     for (uint32_t k = 0; k < n && reach >= 0; k++) {
         if (piece[k].shape == SHAPE_NONE)
             continue;
-        if (piece[k].shape == SHAPE_CIRCLE ? hit_laser_circle(b, i, &piece[k], reach)
-                                           : touches_where_it_is(b, i, &piece[k], reach))
+        if (piece[k].shape == SHAPE_CIRCLE ? hit_laser_touches_circle(b, i, &piece[k], reach)
+                                           : touches_at_end(b, i, &piece[k], reach))
             return true;
     }
     return false;
 }
 
-static void too_much(struct board *b, const char *what, uint32_t n)
+static void raise_overload(struct board *b, const char *pool, uint32_t n)
 {
-    board_too_much(b,
-                   "laser hits: too much work in one frame (%u lasers, %u %s); lower `board.lasers` or `board.%s` in "
-                   "rom.lua or make curves shorter",
-                   b->lasers.s.live, n, what, what);
+    board_raise_overload(
+        b,
+        "laser hits: too much work in one frame (%u lasers, %u %s); lower `board.lasers` or `board.%s` in "
+        "rom.lua or make curves shorter",
+        b->lasers.s.live, n, pool, pool);
 }
 
-void hit_laser_work(struct board *b, uint32_t i, uint32_t foe)
+void hit_charge_laser(struct board *b, uint32_t i, uint32_t enemy)
 {
-    const uint16_t kind = b->enemies.kind[foe];
+    const uint16_t kind = b->enemies.kind[enemy];
     const uint32_t pieces = b->enemy_kinds.shape[kind] == SHAPE_CIRCLES ? (uint32_t)b->enemy_kinds.b[kind] + 1 : 1;
 
-    if (!board_work(b, A_LASER + A_CORNER * (uint64_t)lasers_corners(b, i) * pieces))
-        too_much(b, "enemies", b->enemies.s.live);
+    if (!board_charge_work(b, WORK_PER_LASER + WORK_PER_CORNER * (uint64_t)lasers_corner_count(b, i) * pieces))
+        raise_overload(b, "enemies", b->enemies.s.live);
 }
 
 /* Raises the event of laser i hitting player p or, if it does not hit, of grazing the player. */
@@ -175,16 +179,17 @@ static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_
     if (reach < 0 || k->flags[kind] & LASER_SHOOTS)
         return;
     b->counts.tested++;
-    if (hit_laser_circle(b, i, c, reach)) {
+    if (hit_laser_touches_circle(b, i, c, reach)) {
         b->counts.hit++;
-        board_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), laser);
+        board_raise_event(b, EV_HIT, board_handle(b, H_PLAYER, (int32_t)p), laser);
         return;
     }
     ring.a = b->player_kinds.graze_radius[b->player.kind[p]];
-    if (!k->graze[kind] || b->core.clock < b->lasers.again[i * PADS + p] || !hit_laser_circle(b, i, &ring, reach))
+    if (!k->graze_interval[kind] || b->core.clock < b->lasers.rehit_clock[i * PADS + p] ||
+        !hit_laser_touches_circle(b, i, &ring, reach))
         return;
     b->counts.grazed++;
-    board_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), laser);
+    board_raise_event(b, EV_GRAZE, board_handle(b, H_PLAYER, (int32_t)p), laser);
 }
 
 void hit_lasers(struct board *b, uint32_t p, const struct body *c)
@@ -193,22 +198,22 @@ void hit_lasers(struct board *b, uint32_t p, const struct body *c)
         raise_hit(b, p, c, i);
 }
 
-static bool touches_any(struct board *b, uint32_t i)
+static bool touches_any_enemy(struct board *b, uint32_t i)
 {
     EACH_LIVE (e, &b->enemies.s) {
         if (b->enemies.flags[e] & ENEMY_DYING)
             continue;
-        hit_laser_work(b, i, e);
-        if (hit_laser_enemy(b, i, e))
+        hit_charge_laser(b, i, e);
+        if (hit_laser_touches_enemy(b, i, e))
             return true;
     }
     return false;
 }
 
-void hit_lasers_shoot(struct board *b)
+void hit_player_lasers(struct board *b)
 {
     EACH_LIVE (i, &b->lasers.s)
-        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS && b->core.clock >= b->lasers.again[i * PADS] &&
-            touches_any(b, i))
-            board_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
+        if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS &&
+            b->core.clock >= b->lasers.rehit_clock[i * PADS] && touches_any_enemy(b, i))
+            board_raise_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
 }

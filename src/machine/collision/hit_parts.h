@@ -34,8 +34,8 @@ static inline struct body hit_player_body(const struct board *b, uint32_t p)
                           .a = b->player_kinds.radius[pl->kind[p]],
                           .x = pl->x[p],
                           .y = pl->y[p],
-                          .mx = pl->x[p] - pl->was_x[p],
-                          .my = pl->y[p] - pl->was_y[p] };
+                          .mx = pl->x[p] - pl->prev_x[p],
+                          .my = pl->y[p] - pl->prev_y[p] };
 }
 
 /* hit_bullet_body returns the body of bullet or shot i, not split into pieces; hit_enemy_body that of enemy i. */
@@ -52,8 +52,8 @@ static inline struct body hit_enemy_body(const struct board *b, uint32_t i)
     const struct enemy_kinds *k = &b->enemy_kinds;
     uint16_t kind = e->kind[i];
 
-    return (struct body){ k->shape[kind],        k->a[kind], k->b[kind], e->x[i], e->y[i], e->x[i] - e->was_x[i],
-                          e->y[i] - e->was_y[i], 0 };
+    return (struct body){ k->shape[kind],         k->a[kind], k->b[kind], e->x[i], e->y[i], e->x[i] - e->prev_x[i],
+                          e->y[i] - e->prev_y[i], 0 };
 }
 
 /* Returns whether any of the n pieces p touches any of the m pieces q. swept: as in hit_touches. */
@@ -63,9 +63,9 @@ bool hit_pieces_touch(const struct body *p, uint32_t n, const struct body *q, ui
 static inline bool hit_bullet_touches(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
                                       const struct body *bullet, const struct body *circle, bool swept)
 {
-    struct body piece[SHAPE_PARTS];
+    struct body piece[SHAPE_MAX_CIRCLES];
 
-    if (bullet->shape <= SHAPE_PLAIN)
+    if (bullet->shape <= SHAPE_MAX_PLAIN)
         return hit_touches(bullet, circle, swept);
     return hit_pieces_touch(piece, hit_bullet_pieces(s, k, i, piece), circle, 1, swept);
 }
@@ -74,23 +74,23 @@ static inline bool hit_bullet_touches(const struct bullets *s, const struct bull
 static inline bool hit_enemy_touches(const struct board *b, uint32_t i, const struct body *enemy,
                                      const struct body *circle, bool swept)
 {
-    struct body piece[SHAPE_PARTS];
+    struct body piece[SHAPE_MAX_CIRCLES];
 
-    if (enemy->shape <= SHAPE_PLAIN)
+    if (enemy->shape <= SHAPE_MAX_PLAIN)
         return hit_touches(enemy, circle, swept);
     return hit_pieces_touch(piece, hit_enemy_pieces(b, i, piece), circle, 1, swept);
 }
 
-/* Returns whether bullet or shot i touches enemy `foe`, both of any shape; like hit_touches. */
+/* Returns whether bullet or shot i touches enemy `enemy_slot`, both of any shape; like hit_touches. */
 static inline bool hit_shot_touches(const struct board *b, const struct bullets *pool, const struct bullet_kinds *kinds,
-                                    uint32_t i, const struct body *shot, uint32_t foe, const struct body *enemy,
+                                    uint32_t i, const struct body *shot, uint32_t enemy_slot, const struct body *enemy,
                                     bool swept)
 {
-    struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
+    struct body p[SHAPE_MAX_CIRCLES], q[SHAPE_MAX_CIRCLES];
 
-    if ((shot->shape | enemy->shape) <= SHAPE_PLAIN)
+    if ((shot->shape | enemy->shape) <= SHAPE_MAX_PLAIN)
         return hit_touches(shot, enemy, swept);
-    return hit_pieces_touch(p, hit_bullet_pieces(pool, kinds, i, p), q, hit_enemy_pieces(b, foe, q), swept);
+    return hit_pieces_touch(p, hit_bullet_pieces(pool, kinds, i, p), q, hit_enemy_pieces(b, enemy_slot, q), swept);
 }
 
 /*
@@ -108,7 +108,7 @@ static inline struct extent hit_extent(const struct shape_columns *k, uint32_t k
 {
     fx a = k->a[kind], h = k->shape[kind] == SHAPE_BOX ? k->b[kind] : a;
 
-    if (k->shape[kind] > SHAPE_PLAIN)
+    if (k->shape[kind] > SHAPE_MAX_PLAIN)
         return hit_pieces_extent(k, kind);
     return (struct extent){ a, h, fx_min(a, h) };
 }
@@ -125,8 +125,8 @@ static inline struct shape_columns hit_enemy_shapes(const struct enemy_kinds *k)
 
 /* The bullets that shots can hit in this frame. */
 struct hit_solids {
-    bool some;     /* some bullets can be hit by any shot */
-    int64_t reach; /* the farthest that a bullet's shape extends from its position */
+    bool any_solid; /* some bullets can be hit by any shot */
+    int64_t reach;  /* the farthest that a bullet's shape extends from its position */
 };
 
 /* Finds the bullets that shots can hit. Returns false if no shot can hit any. */
@@ -135,11 +135,11 @@ bool hit_find_solids(struct board *b, struct hit_solids *f);
 /* Handles of the targets that a piercing shot cannot hit again yet, because it hit them recently or in this frame. */
 struct hit_passed {
     int n;
-    int64_t entity[PIERCED];
+    int64_t entity[MAX_PIERCED_TARGETS];
 };
 
 /* Returns whether `passed` contains the entity of this kind and slot. A NULL `passed` is empty. */
-static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
+static inline bool hit_passed_contains(const struct hit_passed *passed, enum handle_kind kind, uint32_t slot)
 {
     for (int k = 0; passed && k < passed->n; k++)
         if (handle_kind(passed->entity[k]) == kind && handle_slot(passed->entity[k]) == slot)
@@ -148,15 +148,15 @@ static inline bool hit_has_passed(const struct hit_passed *passed, enum handle_k
 }
 
 /* Returns the bullet that shot i hits, or NO_SLOT: of the bullets it touches, the one that was nearest before both
- * moved; ties go to the lowest slot. Only bullets whose squared distance from the shot was below *apart count. If there
- * is one, its squared distance is stored in *apart. */
-int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
-                  uint64_t *apart);
+ * moved; ties go to the lowest slot. Only bullets whose squared distance from the shot was below *distance_sq count. If
+ * there is one, its squared distance is stored in *distance_sq. */
+int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                               uint64_t *distance_sq);
 
 /* Tests shots against enemies and bullets: raises an event for each shot that hits. A piercing shot raises one for each
- * target it passes through, nearest first, and one for the target that stops it. It stores at most PIERCED targets that
- * it cannot hit again yet; while that list is full, the shot hits nothing. Targets that no longer exist are removed
- * from the list here. */
+ * target it passes through, nearest first, and one for the target that stops it. It stores at most MAX_PIERCED_TARGETS
+ * targets that it cannot hit again yet; while that list is full, the shot hits nothing. Targets that no longer exist
+ * are removed from the list here. */
 void hit_shots(struct board *b);
 
 /* Tests bullets against enemies that block: raises an event for each bullet that touches one. */
@@ -176,11 +176,11 @@ void hit_items(struct board *b);
 
 /* Returns whether laser i, which hits within `reach` of its line, touches circle c at any time during this frame's
  * movement. */
-bool hit_laser_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
+bool hit_laser_touches_circle(const struct board *b, uint32_t i, const struct body *c, int64_t reach);
 
 /* hit_lasers tests lasers against player p, whose body is c, and raises an event for each laser that hits or grazes.
- * hit_lasers_shoot tests players' lasers against enemies, and raises an event for each laser that touches one. */
+ * hit_player_lasers tests players' lasers against enemies, and raises an event for each laser that touches one. */
 void hit_lasers(struct board *b, uint32_t p, const struct body *c);
-void hit_lasers_shoot(struct board *b);
+void hit_player_lasers(struct board *b);
 
 #endif

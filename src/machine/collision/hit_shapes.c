@@ -5,7 +5,7 @@
 #include "../../base/trig.h"
 
 /* Rotates (x, y) by dir: adds the rotated vectors (x, 0) and (0, y), each rounded once. */
-static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
+static void rotate(fx x, fx y, ang dir, fx *tx, fx *ty)
 {
     fx across_x, across_y;
 
@@ -16,18 +16,18 @@ static void turn(fx x, fx y, ang dir, fx *tx, fx *ty)
 }
 
 /* Replaces the body in piece[0] by its circles; returns their number. is_rotated: rotate them by dir. */
-static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool is_rotated, ang dir,
-                        struct body piece[SHAPE_PARTS])
+static uint32_t split_circles(const struct shape_columns *k, uint32_t kind, bool is_rotated, ang dir,
+                              struct body piece[SHAPE_MAX_CIRCLES])
 {
-    const struct body at = piece[0];
-    uint32_t n = (uint32_t)at.b + 1;
+    const struct body whole = piece[0];
+    uint32_t n = (uint32_t)whole.b + 1;
 
     for (uint32_t i = 0; i < n; i++) {
         const uint32_t row = kind + i; /* the first circle is in ROW_KIND, the others from ROW_CIRCLES on */
         fx x = k->x[row], y = k->y[row];
         if (is_rotated)
-            turn(x, y, dir, &x, &y);
-        piece[i] = at;
+            rotate(x, y, dir, &x, &y);
+        piece[i] = whole;
         piece[i].shape = SHAPE_CIRCLE;
         piece[i].a = k->a[row];
         piece[i].x += x;
@@ -37,26 +37,26 @@ static uint32_t circles(const struct shape_columns *k, uint32_t kind, bool is_ro
 }
 
 uint32_t hit_bullet_pieces(const struct bullets *s, const struct bullet_kinds *k, uint32_t i,
-                           struct body piece[SHAPE_PARTS])
+                           struct body piece[SHAPE_MAX_CIRCLES])
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
 
     piece[0] = hit_bullet_body(s, k, i);
     if (piece[0].shape == SHAPE_CIRCLES)
-        return circles(&shapes, s->kind[i], k->flags[s->kind[i]] & KIND_TURNS, s->dir[i], piece);
+        return split_circles(&shapes, s->kind[i], k->flags[s->kind[i]] & KIND_TURNS, s->dir[i], piece);
     if (piece[0].shape == SHAPE_CAPSULE)
         trig_polar(piece[0].b, s->dir[i], &piece[0].b, &piece[0].c);
     return 1;
 }
 
-uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_PARTS])
+uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[SHAPE_MAX_CIRCLES])
 {
     const struct shape_columns shapes = hit_enemy_shapes(&b->enemy_kinds);
     uint16_t kind = b->enemies.kind[i];
 
     piece[0] = hit_enemy_body(b, i);
     if (piece[0].shape == SHAPE_CIRCLES)
-        return circles(&shapes, kind, false, 0, piece);
+        return split_circles(&shapes, kind, false, 0, piece);
     if (piece[0].shape == SHAPE_CAPSULE) {
         piece[0].b = shapes.x[kind];
         piece[0].c = shapes.y[kind];
@@ -74,30 +74,31 @@ struct extent hit_pieces_extent(const struct shape_columns *k, uint32_t kind)
         return (struct extent){ a + k->b[kind] + x, a + k->b[kind] + y, a };
     }
     for (uint32_t i = kind, end = kind + (uint32_t)k->b[kind] + 1; i < end; i++) {
-        fx away = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
-        e.x = e.y = fx_max(e.x, away + k->a[i]);
-        e.inner = fx_max(e.inner, k->a[i] - away);
+        fx distance = fx_abs(k->x[i]) + fx_abs(k->y[i]) + slack;
+        e.x = e.y = fx_max(e.x, distance + k->a[i]);
+        e.inner = fx_max(e.inner, k->a[i] - distance);
     }
     return e;
 }
 
 static bool pieces_touch(const struct body *p, const struct body *q, bool swept)
 {
-    const struct body *bar = p->shape == SHAPE_CAPSULE ? p : q, *other = bar == p ? q : p;
-    int64_t wx = swept ? (int64_t)bar->mx - other->mx : 0, wy = swept ? (int64_t)bar->my - other->my : 0;
-    int64_t dx = (int64_t)bar->x - other->x - wx, dy = (int64_t)bar->y - other->y - wy;
+    const struct body *capsule = p->shape == SHAPE_CAPSULE ? p : q, *other = capsule == p ? q : p;
+    int64_t wx = swept ? (int64_t)capsule->mx - other->mx : 0, wy = swept ? (int64_t)capsule->my - other->my : 0;
+    int64_t dx = (int64_t)capsule->x - other->x - wx, dy = (int64_t)capsule->y - other->y - wy;
 
-    if (bar->shape != SHAPE_CAPSULE)
+    if (capsule->shape != SHAPE_CAPSULE)
         return hit_touches(p, q, swept);
     switch (other->shape) {
     case SHAPE_NONE:
         return false;
     case SHAPE_CIRCLE:
-        return geom_swept_capsule(dx, dy, wx, wy, bar->b, bar->c, (int64_t)bar->a + other->a, 0, 0);
+        return geom_swept_capsule(dx, dy, wx, wy, capsule->b, capsule->c, (int64_t)capsule->a + other->a, 0, 0);
     case SHAPE_BOX:
-        return geom_swept_capsule(dx, dy, wx, wy, bar->b, bar->c, bar->a, other->a, other->b);
+        return geom_swept_capsule(dx, dy, wx, wy, capsule->b, capsule->c, capsule->a, other->a, other->b);
     default:
-        return geom_swept_capsules(dx, dy, wx, wy, bar->b, bar->c, other->b, other->c, (int64_t)bar->a + other->a);
+        return geom_swept_capsules(dx, dy, wx, wy, capsule->b, capsule->c, other->b, other->c,
+                                   (int64_t)capsule->a + other->a);
     }
 }
 

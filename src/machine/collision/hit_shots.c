@@ -22,45 +22,46 @@
 #include "hit.h"
 
 enum {
-    GRID_MIN = 4,                     /* with fewer shots, the grid has one cell */
-    SPREAD_MAX = 4,                   /* most enemies per shot for which listing each enemy in three rows pays off */
-    BATCH = 8,                        /* places compared at a time; nine cells nearly always hold fewer */
-    MAX_FILLED = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
-    MAX_CELLS = 4 * (MAX_FILLED + 3),
+    MIN_GRID_SHOTS = 4,       /* with fewer shots, the grid has one cell */
+    MAX_ENEMIES_PER_SHOT = 4, /* most enemies per shot for which listing each enemy in three rows pays off */
+    BATCH = 8,                /* places compared at a time; nine cells nearly always hold fewer */
+    MAX_INNER_CELLS = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
+    MAX_CELLS = 4 * (MAX_INNER_CELLS + 3),
     NO_ENEMY = MAX_ENEMIES,
-    /* work: A_RUN per run of cells searched and per FEW places in the run, A_TEST and A_LONG_TEST per test of shapes */
-    A_RUN = 1,
-    FEW = 2,
-    A_TEST = 4,
-    A_LONG_TEST = 4 * SHAPE_PARTS * SHAPE_PARTS
+    /* work: WORK_PER_RUN per run of cells searched and per FEW places in the run, WORK_PER_TEST and WORK_PER_LONG_TEST
+     * per test of shapes */
+    WORK_PER_RUN = 1,
+    PLACES_PER_WORK = 2,
+    WORK_PER_TEST = 4,
+    WORK_PER_LONG_TEST = 4 * SHAPE_MAX_CIRCLES * SHAPE_MAX_CIRCLES
 };
 
-/* The position of an enemy before its move, relative to the grid's top left corner. square: the squared distance from
- * that corner times 2^bits, with the enemy's slot in the low bits. */
+/* The position of an enemy before its move, relative to the grid's top left corner. distance_key: the squared distance
+ * from that corner times 2^bits, with the enemy's slot in the low bits. */
 struct place {
     uint32_t x, y;
-    int64_t square;
+    int64_t distance_key;
 };
 
 /* The enemies that shots can hit, by cell, row by row. The outermost cells are empty. */
 struct grid {
     uint32_t n;
     int64_t left, top;        /* the grid's top left corner */
-    int64_t wide, high;       /* size of the grid */
+    int64_t width, height;    /* size of the grid */
     int64_t reach_x, reach_y; /* farthest that an enemy extends from its position before the move */
     int64_t inner;            /* a point nearer than this to an enemy's position is inside the enemy */
     int64_t scale;            /* factor from fx to 2^-32 of a cell */
-    int64_t cell;             /* 2^32 / scale, rounded down: the width and height of a cell */
+    int64_t cell_size;        /* 2^32 / scale, rounded down: the width and height of a cell */
     int64_t cols, rows;
     int64_t spread;             /* cells above and below its own in which an enemy is also listed: 1 or 0 */
-    int bits;                   /* number of bits of a slot number */
-    uint32_t mask;              /* mask of a slot number */
-    int64_t minus_two;          /* -2 * 2^bits */
+    int slot_bits;              /* number of bits of a slot number */
+    uint32_t slot_mask;         /* mask of a slot number */
+    int64_t key_factor;         /* -2 * 2^bits */
     bool dense;                 /* use target_nearest */
     uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
     struct place place[MAX_ENEMIES + BATCH];
     uint16_t begin[MAX_CELLS + 1]; /* index of each cell's first place; at the end, the number of places */
-    int64_t sure
+    int64_t sure_hit_sq
         [MAX_KINDS]; /* if dense: a shot of this kind hits every enemy whose squared distance from it is below this */
 };
 
@@ -81,14 +82,14 @@ struct search {
     uint64_t work;          /* work done by the search */
 };
 
-static inline uint64_t squares(int64_t dx, int64_t dy)
+static inline uint64_t sum_of_squares(int64_t dx, int64_t dy)
 {
     return (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
 }
 
-static inline uint32_t slot_of(const struct grid *g, int64_t square)
+static inline uint32_t slot_of(const struct grid *g, int64_t distance_key)
 {
-    return (uint32_t)square & g->mask;
+    return (uint32_t)distance_key & g->slot_mask;
 }
 
 /* ---- the grid ---- */
@@ -100,14 +101,14 @@ static inline int64_t cell_of(const struct grid *g, int64_t v)
 }
 
 /* Converts a distance in 2^-32 of a cell to fx, rounded down. */
-static inline int64_t length(const struct grid *g, int64_t share)
+static inline int64_t cells_to_fx(const struct grid *g, int64_t cells)
 {
-    return (share >> 16) * g->cell >> 16;
+    return (cells >> 16) * g->cell_size >> 16;
 }
 
 /* Lists the enemies that can be hit and whose kinds have all of `flags`. Measures the box around the enemies' positions
  * before the move, and their largest reach and smallest inner radius. */
-static void gather(struct grid *g, const struct board *b, uint8_t flags)
+static void list_enemies(struct grid *g, const struct board *b, uint8_t flags)
 {
     const struct enemies *e = &b->enemies;
     const struct enemy_kinds *k = &b->enemy_kinds;
@@ -121,8 +122,8 @@ static void gather(struct grid *g, const struct board *b, uint8_t flags)
         for (uint64_t bits = e->s.used[word]; bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
             uint16_t kind = e->kind[i];
-            fx x = e->was_x[i], y = e->was_y[i];
-            struct extent of = hit_extent(&shapes, kind);
+            fx x = e->prev_x[i], y = e->prev_y[i];
+            struct extent extent = hit_extent(&shapes, kind);
             if (e->flags[i] & ENEMY_DYING || k->shape[kind] == SHAPE_NONE || flags & ~k->flags[kind])
                 continue;
             g->slot[n++] = (uint16_t)i;
@@ -130,62 +131,62 @@ static void gather(struct grid *g, const struct board *b, uint8_t flags)
             right = x > right ? x : right;
             top = y < top ? y : top;
             bottom = y > bottom ? y : bottom;
-            inner = int64_min(inner, of.inner);
-            reach_x = int64_max(reach_x, of.x + int64_abs((int64_t)e->x[i] - x));
-            reach_y = int64_max(reach_y, of.y + int64_abs((int64_t)e->y[i] - y));
+            inner = int64_min(inner, extent.inner);
+            reach_x = int64_max(reach_x, extent.x + int64_abs((int64_t)e->x[i] - x));
+            reach_y = int64_max(reach_y, extent.y + int64_abs((int64_t)e->y[i] - y));
         }
     g->n = n;
     g->left = left;
     g->top = top;
-    g->wide = (int64_t)right - left;
-    g->high = (int64_t)bottom - top;
+    g->width = (int64_t)right - left;
+    g->height = (int64_t)bottom - top;
     g->reach_x = reach_x;
     g->reach_y = reach_y;
     g->inner = inner;
 }
 
-/* Makes the cells as small as the maximum number of cells allows. slots: all enemies' slots are below this. */
-static void set_cells(struct grid *g, uint32_t shots, uint32_t slots)
+/* Makes the cells as small as the maximum number of cells allows. slot_end: all enemies' slots are below this. */
+static void set_cells(struct grid *g, uint32_t shots, uint32_t slot_end)
 {
-    const uint32_t cells = shots < GRID_MIN ? 1 : g->n * 5 / 4;
+    const uint32_t cells = shots < MIN_GRID_SHOTS ? 1 : g->n * 5 / 4;
 
     g->scale = 2;
     for (int64_t bit = 1 << 16; bit > 1; bit >>= 1) {
         int64_t finer = g->scale | bit;
-        if (((g->wide * finer >> 32) + 1) * ((g->high * finer >> 32) + 1) <= cells)
+        if (((g->width * finer >> 32) + 1) * ((g->height * finer >> 32) + 1) <= cells)
             g->scale = finer;
     }
-    g->cell = ((int64_t)1 << 32) / g->scale;
-    g->left -= g->cell + 1;
-    g->top -= g->cell + 1;
-    g->cols = cell_of(g, g->wide + g->cell + 1) + 2;
-    g->rows = cell_of(g, g->high + g->cell + 1) + 2;
-    g->wide = g->cols * (g->cell + 1);
-    g->high = g->rows * (g->cell + 1);
-    for (g->bits = 0; slots > (uint32_t)1 << g->bits; g->bits++)
+    g->cell_size = ((int64_t)1 << 32) / g->scale;
+    g->left -= g->cell_size + 1;
+    g->top -= g->cell_size + 1;
+    g->cols = cell_of(g, g->width + g->cell_size + 1) + 2;
+    g->rows = cell_of(g, g->height + g->cell_size + 1) + 2;
+    g->width = g->cols * (g->cell_size + 1);
+    g->height = g->rows * (g->cell_size + 1);
+    for (g->slot_bits = 0; slot_end > (uint32_t)1 << g->slot_bits; g->slot_bits++)
         ;
-    g->mask = ((uint32_t)1 << g->bits) - 1;
-    g->minus_two = -2 * ((int64_t)1 << g->bits);
-    g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * SPREAD_MAX;
-    g->dense = g->spread && int64_max(g->wide, g->high) <= INT32_MAX &&
-               squares(g->wide, g->high) < (uint64_t)INT64_MAX >> g->bits && g->reach_x * 2 > g->cell &&
-               g->reach_y * 2 > g->cell;
+    g->slot_mask = ((uint32_t)1 << g->slot_bits) - 1;
+    g->key_factor = -2 * ((int64_t)1 << g->slot_bits);
+    g->spread = g->n <= MAX_ENEMIES / 3 && g->n <= shots * MAX_ENEMIES_PER_SHOT;
+    g->dense = g->spread && int64_max(g->width, g->height) <= INT32_MAX &&
+               sum_of_squares(g->width, g->height) < (uint64_t)INT64_MAX >> g->slot_bits &&
+               g->reach_x * 2 > g->cell_size && g->reach_y * 2 > g->cell_size;
 }
 
 /* Sorts the enemies into the cells, with a counting sort. */
-static void sort(struct grid *g, const struct enemies *e)
+static void sort_into_cells(struct grid *g, const struct enemies *e)
 {
     uint16_t cell[MAX_ENEMIES], *begin = g->begin;
     const size_t cells = (size_t)(g->cols * g->rows), n = g->n;
     const int64_t left = g->left, top = g->top, cols = g->cols;
     const int64_t scale = g->scale;
-    const int bits = g->bits;
+    const int bits = g->slot_bits;
     uint32_t sum = 0;
 
     memset(begin, 0, (cells + 1) * sizeof *begin);
     for (size_t i = 0; i < n; i++) {
         uint32_t slot = g->slot[i];
-        cell[i] = (uint16_t)(((e->was_y[slot] - top) * scale >> 32) * cols + ((e->was_x[slot] - left) * scale >> 32));
+        cell[i] = (uint16_t)(((e->prev_y[slot] - top) * scale >> 32) * cols + ((e->prev_x[slot] - left) * scale >> 32));
         begin[cell[i]]++;
         if (g->spread) {
             begin[cell[i] - cols]++;
@@ -198,8 +199,8 @@ static void sort(struct grid *g, const struct enemies *e)
     }
     for (size_t i = n; i-- > 0;) {
         uint32_t slot = g->slot[i];
-        int64_t x = e->was_x[slot] - left, y = e->was_y[slot] - top;
-        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(squares(x, y) << bits | slot) };
+        int64_t x = e->prev_x[slot] - left, y = e->prev_y[slot] - top;
+        struct place p = { (uint32_t)x, (uint32_t)y, (int64_t)(sum_of_squares(x, y) << bits | slot) };
         g->place[--begin[cell[i]]] = p;
         if (g->spread) {
             g->place[--begin[cell[i] - cols]] = p;
@@ -218,18 +219,18 @@ static void search_run(struct search *s, int64_t row, int64_t from, int64_t to)
 {
     const uint16_t *begin = s->g->begin + row * s->g->cols;
 
-    s->work += A_RUN + (uint32_t)(begin[to + 1] - begin[from]) / FEW;
+    s->work += WORK_PER_RUN + (uint32_t)(begin[to + 1] - begin[from]) / PLACES_PER_WORK;
     for (uint32_t i = begin[from]; i < begin[to + 1]; i++) {
         const struct place *p = &s->g->place[i];
         const int64_t x = p->x, y = p->y;
-        uint32_t slot = slot_of(s->g, p->square);
+        uint32_t slot = slot_of(s->g, p->distance_key);
         if (x < s->x0 || x > s->x1 || y < s->y0 || y > s->y1)
             continue;
-        uint64_t d = squares(s->x - x, s->y - y);
-        if (d > s->best || (d == s->best && slot > s->found) || hit_has_passed(s->passed, H_ENEMY, slot))
+        uint64_t d = sum_of_squares(s->x - x, s->y - y);
+        if (d > s->best || (d == s->best && slot > s->found) || hit_passed_contains(s->passed, H_ENEMY, slot))
             continue;
         struct body e = hit_enemy_body(s->b, slot);
-        s->work += (s->shot.shape | e.shape) <= SHAPE_PLAIN ? A_TEST : A_LONG_TEST;
+        s->work += (s->shot.shape | e.shape) <= SHAPE_MAX_PLAIN ? WORK_PER_TEST : WORK_PER_LONG_TEST;
         if (hit_shot_touches(s->b, s->pool, s->kinds, s->slot, &s->shot, slot, &e, s->swept)) {
             s->best = d;
             s->found = slot;
@@ -250,9 +251,9 @@ static bool set_bounds(struct search *s)
     s->x = x - p->mx;
     s->y = y - p->my;
     s->x0 = int64_max(int64_min(x, s->x) - ex, 0);
-    s->x1 = int64_min(int64_max(x, s->x) + ex, g->wide - 1);
+    s->x1 = int64_min(int64_max(x, s->x) + ex, g->width - 1);
     s->y0 = int64_max(int64_min(y, s->y) - ey, 0);
-    s->y1 = int64_min(int64_max(y, s->y) + ey, g->high - 1);
+    s->y1 = int64_min(int64_max(y, s->y) + ey, g->height - 1);
     return s->x0 <= s->x1 && s->y0 <= s->y1;
 }
 
@@ -269,10 +270,10 @@ static void search_rings(struct search *s)
     const int64_t top = int64_max(cell_of(g, s->y0), 1), bottom = int64_min(cell_of(g, s->y1), g->rows - 2);
     const int64_t x = int64_clamp(cell_of(g, s->x), left, right), y = int64_clamp(cell_of(g, s->y), top, bottom);
     const int64_t w = g->spread, step = 2 * w + 1;
-    const int64_t in_x = s->x * g->scale, in_y = s->y * g->scale;
+    const int64_t x_q32 = s->x * g->scale, y_q32 = s->y * g->scale;
     const int64_t gap_x = int64_max(int64_max(s->x0 - s->x, s->x - s->x1), 0);
     const int64_t gap_y = int64_max(int64_max(s->y0 - s->y, s->y - s->y1), 0);
-    const int64_t far = INT64_MAX;
+    const int64_t unbounded = INT64_MAX;
 
     if (left > right || top > bottom)
         return;
@@ -291,25 +292,27 @@ static void search_rings(struct search *s)
             if (x1 - 2 * w <= right)
                 search_run(s, row, x1 - 2 * w, to);
         }
-        int64_t dx = int64_min(x0 > left ? in_x - (x0 << 32) : far, x1 < right ? ((x1 + 1) << 32) - in_x : far);
-        int64_t dy = int64_min(y0 > top ? in_y - (y0 << 32) : far, y1 < bottom ? ((y1 + 1) << 32) - in_y : far);
-        if ((dx == far || s->best < squares(length(g, dx), gap_y)) &&
-            (dy == far || s->best < squares(length(g, dy), gap_x)))
+        int64_t dx =
+            int64_min(x0 > left ? x_q32 - (x0 << 32) : unbounded, x1 < right ? ((x1 + 1) << 32) - x_q32 : unbounded);
+        int64_t dy =
+            int64_min(y0 > top ? y_q32 - (y0 << 32) : unbounded, y1 < bottom ? ((y1 + 1) << 32) - y_q32 : unbounded);
+        if ((dx == unbounded || s->best < sum_of_squares(cells_to_fx(g, dx), gap_y)) &&
+            (dy == unbounded || s->best < sum_of_squares(cells_to_fx(g, dy), gap_x)))
             return;
     }
 }
 
-static void too_much(struct board *b, bool blocks)
+static void raise_overload(struct board *b, bool is_blocking)
 {
-    if (blocks)
-        board_too_much(b,
-                       "enemies that block bullets: too much work in one frame (%u enemies, %u bullets); lower "
-                       "`board.enemies` or `board.bullets` in rom.lua",
-                       b->enemies.s.live, b->bullets.s.live);
-    board_too_much(b,
-                   "shots that hit enemies: too much work in one frame (%u shots, %u enemies); lower "
-                   "`board.shots` or `board.enemies` in rom.lua",
-                   b->shots.s.live, b->enemies.s.live);
+    if (is_blocking)
+        board_raise_overload(b,
+                             "enemies that block bullets: too much work in one frame (%u enemies, %u bullets); lower "
+                             "`board.enemies` or `board.bullets` in rom.lua",
+                             b->enemies.s.live, b->bullets.s.live);
+    board_raise_overload(b,
+                         "shots that hit enemies: too much work in one frame (%u shots, %u enemies); lower "
+                         "`board.shots` or `board.enemies` in rom.lua",
+                         b->shots.s.live, b->enemies.s.live);
 }
 
 static uint32_t target_by_rings(struct board *b, const struct grid *g, const struct bullets *pool,
@@ -324,8 +327,8 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
     if (s.shot.shape == SHAPE_NONE || !set_bounds(&s))
         return NO_ENEMY;
     search_rings(&s);
-    if (!board_work(b, s.work))
-        too_much(b, pool == &b->bullets);
+    if (!board_charge_work(b, s.work))
+        raise_overload(b, pool == &b->bullets);
     return s.found;
 }
 
@@ -337,21 +340,22 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
  * slot in the low bits. (x, y): the shot's position relative to the corner, times -2^(bits + 1). The
  * sum fits in an int64_t; its terms may not.
  */
-static inline int64_t key(const struct place *p, int64_t x, int64_t y)
+static inline int64_t place_key(const struct place *p, int64_t x, int64_t y)
 {
-    return (int64_t)((uint64_t)p->square + p->x * (uint64_t)x + p->y * (uint64_t)y);
+    return (int64_t)((uint64_t)p->distance_key + p->x * (uint64_t)x + p->y * (uint64_t)y);
 }
 
 /* Returns the lowest key of BATCH places. Two independent chains of comparisons run in parallel, because within a chain
  * each comparison waits for the previous one. */
 static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t y)
 {
-    int64_t a = int64_min(key(p, x, y), key(p + 1, x, y)), b = int64_min(key(p + 2, x, y), key(p + 3, x, y));
+    int64_t a = int64_min(place_key(p, x, y), place_key(p + 1, x, y)),
+            b = int64_min(place_key(p + 2, x, y), place_key(p + 3, x, y));
 
-    a = int64_min(a, key(p + 4, x, y));
-    b = int64_min(b, key(p + 5, x, y));
-    a = int64_min(a, key(p + 6, x, y));
-    b = int64_min(b, key(p + 7, x, y));
+    a = int64_min(a, place_key(p + 4, x, y));
+    b = int64_min(b, place_key(p + 5, x, y));
+    a = int64_min(a, place_key(p + 6, x, y));
+    b = int64_min(b, place_key(p + 7, x, y));
     return int64_min(a, b);
 }
 
@@ -360,7 +364,7 @@ static inline int64_t lowest_of_batch(const struct place *p, int64_t x, int64_t 
  * complete the last batch. There is usually one batch, so the loop's branch is predicted well, unlike a loop over the
  * enemies of a few cells.
  */
-static inline int64_t lowest(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
+static inline int64_t lowest_key(const struct grid *g, uint32_t i, uint32_t end, int64_t x, int64_t y, int64_t best)
 {
     for (; i < end; i += BATCH)
         best = int64_min(best, lowest_of_batch(&g->place[i], x, y));
@@ -373,7 +377,7 @@ struct starts {
     uint32_t x[SLOTS_BLOCK], y[SLOTS_BLOCK];
 };
 
-static void locate(struct starts *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
+static void find_starts(struct starts *f, const struct bullets *s, uint32_t first, uint32_t left, uint32_t top)
 {
     const fx *x = s->x + first, *y = s->y + first, *vx = s->vx + first, *vy = s->vy + first;
 
@@ -387,30 +391,30 @@ static void locate(struct starts *f, const struct bullets *s, uint32_t first, ui
  * nearest enemy may be outside the cells searched. (x, y): the shot's position, from struct starts. */
 static inline uint32_t target_nearest(const struct board *b, const struct grid *g, uint32_t i, int64_t x, int64_t y)
 {
-    const int64_t in_x = x * g->scale, in_y = y * g->scale, one = (int64_t)1 << 32;
-    const int64_t col = in_x >> 32, row = in_y >> 32;
+    const int64_t x_q32 = x * g->scale, y_q32 = y * g->scale, one = (int64_t)1 << 32;
+    const int64_t col = x_q32 >> 32, row = y_q32 >> 32;
 
     if ((uint64_t)(col - 1) >= (uint64_t)(g->cols - 2) || (uint64_t)(row - 1) >= (uint64_t)(g->rows - 2))
         return NO_ENEMY;
     const uint16_t *begin = g->begin + row * g->cols + col;
     const uint32_t from = begin[-1], to = begin[2];
-    const int64_t kx = x * g->minus_two, ky = y * g->minus_two;
-    const int64_t off_x = in_x & (one - 1), off_y = in_y & (one - 1);
-    const int64_t edge = length(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
-    int64_t best = lowest(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
-    const int64_t here = x * x + y * y;
-    int64_t d = (best >> g->bits) + here; /* squared distance between shot and enemy */
+    const int64_t kx = x * g->key_factor, ky = y * g->key_factor;
+    const int64_t off_x = x_q32 & (one - 1), off_y = y_q32 & (one - 1);
+    const int64_t edge = cells_to_fx(g, int64_min(int64_min(off_x, one - off_x), int64_min(off_y, one - off_y)) + one);
+    int64_t best = lowest_key(g, from + BATCH, to, kx, ky, lowest_of_batch(&g->place[from], kx, ky));
+    const int64_t corner_sq = x * x + y * y;
+    int64_t d = (best >> g->slot_bits) + corner_sq; /* squared distance between shot and enemy */
     if (d >= edge * edge) {
         const int64_t a = int64_max(-2, -col), z = int64_min(3, g->cols - col), cols = g->cols;
-        best = lowest(g, begin[a - cols], begin[z - cols], kx, ky, best);
-        best = lowest(g, begin[a + cols], begin[z + cols], kx, ky, best);
-        d = (best >> g->bits) + here;
-        if (d >= (edge + g->cell) * (edge + g->cell))
+        best = lowest_key(g, begin[a - cols], begin[z - cols], kx, ky, best);
+        best = lowest_key(g, begin[a + cols], begin[z + cols], kx, ky, best);
+        d = (best >> g->slot_bits) + corner_sq;
+        if (d >= (edge + g->cell_size) * (edge + g->cell_size))
             return NO_ENEMY;
     }
     const struct bullets *s = &b->shots;
     const uint32_t slot = slot_of(g, best);
-    if (d < g->sure[s->kind[i]])
+    if (d < g->sure_hit_sq[s->kind[i]])
         return slot;
     struct body shot = hit_bullet_body(s, &b->shot_kinds, i), e = hit_enemy_body(b, slot);
     return hit_shot_touches(b, s, &b->shot_kinds, i, &shot, slot, &e, b->shot_kinds.flags[s->kind[i]] & KIND_SWEPT)
@@ -418,7 +422,7 @@ static inline uint32_t target_nearest(const struct board *b, const struct grid *
                : NO_ENEMY;
 }
 
-/* Sets `sure` from the inner radii: a swept shot hits every enemy that it touches before both move. */
+/* Sets `sure_hit_sq` from the inner radii: a swept shot hits every enemy that it touches before both move. */
 static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
@@ -426,17 +430,17 @@ static void find_sure_radii(struct grid *g, const struct bullet_kinds *k)
     for (uint32_t i = 0; i < k->s.live; i++) {
         bool sure = k->shape[i] != SHAPE_NONE && k->flags[i] & KIND_SWEPT;
         int64_t r = sure ? int64_clamp(hit_extent(&shapes, i).inner + g->inner, 0, FX_MAX) : 0;
-        g->sure[i] = r * r;
+        g->sure_hit_sq[i] = r * r;
     }
 }
 
-/* Inlined board_event for EV_SHOT; calls board_event itself only if the event list is full. */
-static inline void raise_shot(struct board *b, uint32_t shot, int64_t whom)
+/* Inlined board_raise_event for EV_SHOT; calls board_raise_event itself only if the event list is full. */
+static inline void raise_shot(struct board *b, uint32_t shot, int64_t target)
 {
-    int64_t who = handle_of(H_SHOT, b->shots.s.gen[shot], shot);
+    int64_t shot_handle = handle_make(H_SHOT, b->shots.s.gen[shot], shot);
 
-    if (!events_push(&b->events, EV_SHOT, who, whom))
-        board_event(b, EV_SHOT, who, whom);
+    if (!events_push(&b->events, EV_SHOT, shot_handle, target))
+        board_raise_event(b, EV_SHOT, shot_handle, target);
 }
 
 /* Returns the slot of the enemy that shot i hits, or NO_ENEMY. */
@@ -447,24 +451,26 @@ static inline uint32_t find_target(struct board *b, const struct grid *g, const 
     return slot == NO_ENEMY ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, NULL) : slot;
 }
 
-/* Returns the bullet that shot i hits if that bullet was nearer than enemy `foe`, otherwise NO_SLOT. foe: NO_ENEMY if
- * the shot hits no enemy. */
-static int32_t nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe,
-                            const struct hit_passed *passed)
+/* Returns the bullet that shot i hits if that bullet was nearer than enemy `enemy`, otherwise NO_SLOT. enemy: NO_ENEMY
+ * if the shot hits no enemy. */
+static int32_t find_nearer_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t enemy,
+                                 const struct hit_passed *passed)
 {
     const struct bullets *s = &b->shots;
     const struct enemies *e = &b->enemies;
-    uint64_t apart = UINT64_MAX;
+    uint64_t distance_sq = UINT64_MAX;
 
-    if (foe != NO_ENEMY)
-        apart = squares((int64_t)s->x[i] - s->vx[i] - e->was_x[foe], (int64_t)s->y[i] - s->vy[i] - e->was_y[foe]);
-    return hit_solid(b, f, i, passed, &apart);
+    if (enemy != NO_ENEMY)
+        distance_sq = sum_of_squares((int64_t)s->x[i] - s->vx[i] - e->prev_x[enemy],
+                                     (int64_t)s->y[i] - s->vy[i] - e->prev_y[enemy]);
+    return hit_find_nearest_solid(b, f, i, passed, &distance_sq);
 }
 
-/* If shot i hits a bullet that was nearer than enemy `foe` (see nearer_solid), raises the event and returns true. */
-static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t foe)
+/* If shot i hits a bullet that was nearer than enemy `enemy` (see find_nearer_solid), raises the event and returns
+ * true. */
+static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i, uint32_t enemy)
 {
-    int32_t bullet = nearer_solid(b, f, i, foe, NULL);
+    int32_t bullet = find_nearer_solid(b, f, i, enemy, NULL);
 
     if (bullet != NO_SLOT)
         raise_shot(b, i, board_handle(b, H_BULLET, bullet));
@@ -476,14 +482,14 @@ static bool raise_solid(struct board *b, const struct hit_solids *f, uint32_t i,
 /* Lists in *passed the targets that shot i cannot hit again yet, and removes the others from its `pierced` list. */
 static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 {
-    int64_t *entity = b->shots.pierced + (size_t)i * PIERCED;
-    const uint32_t *again = b->shots.rehit_clock + (size_t)i * PIERCED;
+    int64_t *entity = b->shots.pierced + (size_t)i * MAX_PIERCED_TARGETS;
+    const uint32_t *rehit_clock = b->shots.rehit_clock + (size_t)i * MAX_PIERCED_TARGETS;
 
     passed->n = 0;
-    for (int k = 0; k < PIERCED; k++) {
+    for (int k = 0; k < MAX_PIERCED_TARGETS; k++) {
         if (!entity[k])
             continue;
-        if (again[k] <= b->core.clock || !board_there(b, entity[k]))
+        if (rehit_clock[k] <= b->core.clock || !board_is_readable(b, entity[k]))
             entity[k] = 0;
         else
             passed->entity[passed->n++] = entity[k];
@@ -491,38 +497,38 @@ static void find_passed(struct board *b, uint32_t i, struct hit_passed *passed)
 }
 
 /* Returns the handle of the nearest target that shot i hits and has not passed, or 0. */
-static int64_t next_entity(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
-                           const struct hit_passed *passed)
+static int64_t find_next_target(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i,
+                                const struct hit_passed *passed)
 {
-    uint32_t foe = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
-    int32_t bullet = solids ? nearer_solid(b, solids, i, foe, passed) : NO_SLOT;
+    uint32_t enemy = g->n ? target_by_rings(b, g, &b->shots, &b->shot_kinds, i, passed) : NO_ENEMY;
+    int32_t bullet = solids ? find_nearer_solid(b, solids, i, enemy, passed) : NO_SLOT;
 
     if (bullet != NO_SLOT)
         return board_handle(b, H_BULLET, bullet);
-    return foe != NO_ENEMY ? board_handle(b, H_ENEMY, (int32_t)foe) : 0;
+    return enemy != NO_ENEMY ? board_handle(b, H_ENEMY, (int32_t)enemy) : 0;
 }
 
-static bool stops_all(const struct board *b, int64_t entity)
+static bool stops_any_shot(const struct board *b, int64_t entity)
 {
     return handle_kind(entity) == H_BULLET && b->bullets.hp && b->bullets.hp[handle_slot(entity)] == HP_FOREVER;
 }
 
 /* Raises the events of piercing shot i. Returns false if the shot hits nothing. */
-static bool raise_through(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
+static bool raise_piercing(struct board *b, const struct grid *g, const struct hit_solids *solids, uint32_t i)
 {
-    const int32_t through = b->shots.pierce[i];
+    const int32_t pierce = b->shots.pierce_left[i];
     struct hit_passed passed;
     int n = 0;
 
     find_passed(b, i, &passed);
-    while (passed.n < PIERCED && (through == PIERCE_FOREVER || n <= through)) {
-        int64_t entity = next_entity(b, g, solids, i, &passed);
+    while (passed.n < MAX_PIERCED_TARGETS && (pierce == PIERCE_FOREVER || n <= pierce)) {
+        int64_t entity = find_next_target(b, g, solids, i, &passed);
         if (!entity)
             break;
         raise_shot(b, i, entity);
         passed.entity[passed.n++] = entity;
         n++;
-        if (stops_all(b, entity))
+        if (stops_any_shot(b, entity))
             break;
     }
     return n > 0;
@@ -535,7 +541,7 @@ static bool pierces(const struct board *b, uint32_t i)
 
 /* Raises the events of all shots, and releases the shots that left the field and hit nothing. solids: NULL if shots can
  * hit no bullet. */
-static void target_all(struct board *b, const struct grid *g, const struct hit_solids *solids)
+static void raise_all_shots(struct board *b, const struct grid *g, const struct hit_solids *solids)
 {
     const struct slots *s = &b->shots.s;
     struct starts f;
@@ -543,18 +549,18 @@ static void target_all(struct board *b, const struct grid *g, const struct hit_s
     for (uint32_t word = 0; word < s->top / 64; word++) {
         uint64_t missed = 0;
         if (g->dense)
-            locate(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
+            find_starts(&f, &b->shots, word * 64, (uint32_t)g->left, (uint32_t)g->top);
         for (uint64_t bits = slots_live_or_held(s, word); bits; bits &= bits - 1) {
             uint32_t i = word * 64 + bits_lowest(bits);
             if (pierces(b, i)) {
-                missed |= raise_through(b, g, solids, i) ? 0 : bits & -bits;
+                missed |= raise_piercing(b, g, solids, i) ? 0 : bits & -bits;
                 continue;
             }
             uint32_t slot = g->n ? find_target(b, g, &f, i) : NO_ENEMY;
             if (solids && raise_solid(b, solids, i, slot))
                 continue;
             if (slot != NO_ENEMY)
-                raise_shot(b, i, handle_of(H_ENEMY, b->enemies.s.gen[slot], slot));
+                raise_shot(b, i, handle_make(H_ENEMY, b->enemies.s.gen[slot], slot));
             else
                 missed |= bits & -bits;
         }
@@ -568,28 +574,28 @@ void hit_shots(struct board *b)
     const struct slots *s = &b->shots.s;
     struct hit_solids solids;
     struct grid g;
-    bool some = hit_solid_possible(b) && hit_find_solids(b, &solids);
+    bool hits_solids = hit_solid_is_possible(b) && hit_find_solids(b, &solids);
 
     g.n = 0;
     g.dense = false;
-    if ((s->live || s->holding) && b->enemies.s.live)
-        gather(&g, b, 0);
-    if (!g.n && !some) {
+    if ((s->live || s->held_count) && b->enemies.s.live)
+        list_enemies(&g, b, 0);
+    if (!g.n && !hits_solids) {
         bullets_release_all(&b->shots);
         return;
     }
     if (g.n) {
-        set_cells(&g, s->live + s->holding, b->enemies.s.top);
-        sort(&g, &b->enemies);
+        set_cells(&g, s->live + s->held_count, b->enemies.s.top);
+        sort_into_cells(&g, &b->enemies);
         if (g.dense)
             find_sure_radii(&g, &b->shot_kinds);
     }
-    target_all(b, &g, some ? &solids : NULL);
+    raise_all_shots(b, &g, hits_solids ? &solids : NULL);
 }
 
 /* ---- enemies that block bullets ---- */
 
-static bool some_block(const struct board *b)
+static bool any_enemy_blocks(const struct board *b)
 {
     for (uint32_t i = 0; i < b->enemy_kinds.s.live; i++)
         if (b->enemy_kinds.flags[i] & ENEMY_BLOCKS)
@@ -601,18 +607,19 @@ void hit_blocks(struct board *b)
 {
     struct grid g;
 
-    if (!some_block(b))
+    if (!any_enemy_blocks(b))
         return;
-    gather(&g, b, ENEMY_BLOCKS);
+    list_enemies(&g, b, ENEMY_BLOCKS);
     if (!g.n)
         return;
     set_cells(&g, b->bullets.s.live, b->enemies.s.top);
-    sort(&g, &b->enemies);
+    sort_into_cells(&g, &b->enemies);
     EACH_LIVE (i, &b->bullets.s) {
         if (b->bullets.flags[i] & BULLET_DELAYED)
             continue;
-        uint32_t foe = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
-        if (foe != NO_ENEMY)
-            board_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i), board_handle(b, H_ENEMY, (int32_t)foe));
+        uint32_t enemy = target_by_rings(b, &g, &b->bullets, &b->bullet_kinds, i, NULL);
+        if (enemy != NO_ENEMY)
+            board_raise_event(b, EV_BLOCK, board_handle(b, H_BULLET, (int32_t)i),
+                              board_handle(b, H_ENEMY, (int32_t)enemy));
     }
 }

@@ -10,9 +10,9 @@
 #include "../../base/int.h"
 #include "hit.h"
 
-enum { A_BLOCK = 4, A_TEST = 4 /* work per block searched; per pair of pieces tested */ };
+enum { WORK_PER_BLOCK = 4, WORK_PER_TEST = 4 /* work per block searched; per pair of pieces tested */ };
 
-static bool any_cancels(const struct bullet_kinds *k)
+static bool any_kind_cancels(const struct bullet_kinds *k)
 {
     for (uint32_t i = 0; i < k->s.live; i++)
         if (k->flags[i] & KIND_CANCELS)
@@ -20,16 +20,16 @@ static bool any_cancels(const struct bullet_kinds *k)
     return false;
 }
 
-bool hit_solid_possible(const struct board *b)
+bool hit_solid_is_possible(const struct board *b)
 {
     const struct slots *s = &b->shots.s;
 
-    return (s->live || s->holding) && b->bullets.s.live + b->bullets.s.holding &&
-           (b->bullets.hp || any_cancels(&b->shot_kinds));
+    return (s->live || s->held_count) && b->bullets.s.live + b->bullets.s.held_count &&
+           (b->bullets.hp || any_kind_cancels(&b->shot_kinds));
 }
 
 /* Returns the farthest that a kind's shape extends from its position. */
-static fx extent(const struct bullet_kinds *k, uint32_t kind)
+static fx max_extent(const struct bullet_kinds *k, uint32_t kind)
 {
     const struct shape_columns shapes = hit_bullet_shapes(k);
     const struct extent e = hit_extent(&shapes, kind);
@@ -39,45 +39,45 @@ static fx extent(const struct bullet_kinds *k, uint32_t kind)
 
 static void add_work(struct board *b, uint64_t work)
 {
-    if (!board_work(b, work))
-        board_too_much(b,
-                       "shots that hit bullets: too much work in one frame (%u shots, %u bullets); lower "
-                       "`board.shots` or `board.bullets` in rom.lua or fire fewer shots that cancel",
-                       b->shots.s.live, b->bullets.s.live);
+    if (!board_charge_work(b, work))
+        board_raise_overload(b,
+                             "shots that hit bullets: too much work in one frame (%u shots, %u bullets); lower "
+                             "`board.shots` or `board.bullets` in rom.lua or fire fewer shots that cancel",
+                             b->shots.s.live, b->bullets.s.live);
 }
 
-static bool touches(struct board *b, uint32_t i, const struct body *shot, uint32_t k, const struct body *bullet,
-                    bool swept)
+static bool shot_touches(struct board *b, uint32_t i, const struct body *shot, uint32_t k, const struct body *bullet,
+                         bool swept)
 {
-    struct body p[SHAPE_PARTS], q[SHAPE_PARTS];
+    struct body p[SHAPE_MAX_CIRCLES], q[SHAPE_MAX_CIRCLES];
 
-    if ((shot->shape | bullet->shape) <= SHAPE_PLAIN) {
-        add_work(b, A_TEST);
+    if ((shot->shape | bullet->shape) <= SHAPE_MAX_PLAIN) {
+        add_work(b, WORK_PER_TEST);
         return hit_touches(shot, bullet, swept);
     }
     const uint32_t n = hit_bullet_pieces(&b->shots, &b->shot_kinds, i, p),
                    m = hit_bullet_pieces(&b->bullets, &b->bullet_kinds, k, q);
-    add_work(b, (uint64_t)A_TEST * n * m);
+    add_work(b, (uint64_t)WORK_PER_TEST * n * m);
     return hit_pieces_touch(p, n, q, m, swept);
 }
 
 bool hit_find_solids(struct board *b, struct hit_solids *f)
 {
-    f->some = b->bullets.hp && bullets_find_solid(&b->bullets);
+    f->any_solid = b->bullets.hp && bullets_update_solid(&b->bullets);
     f->reach = 0;
     for (uint32_t i = 0; i < b->bullet_kinds.s.live; i++)
-        f->reach = int64_max(f->reach, extent(&b->bullet_kinds, i));
-    return f->some || any_cancels(&b->shot_kinds);
+        f->reach = int64_max(f->reach, max_extent(&b->bullet_kinds, i));
+    return f->any_solid || any_kind_cancels(&b->shot_kinds);
 }
 
-/* Returns which of the bullets `near`, bits of a block, a shot can hit in their kind and state. some: as in struct
- * hit_solids; cancels: the shot cancels bullets. */
-static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, bool some, bool cancels, uint32_t block,
-                         uint64_t near)
+/* Returns which of the bullets `candidates`, bits of a block, a shot can hit in their kind and state. any_solid: as in
+ * struct hit_solids; cancels: the shot cancels bullets. */
+static uint64_t hittable_mask(const struct bullets *s, const struct bullet_kinds *k, bool any_solid, bool cancels,
+                              uint32_t block, uint64_t candidates)
 {
-    uint64_t found = some ? near & s->solid[block] : 0;
+    uint64_t found = any_solid ? candidates & s->solid[block] : 0;
 
-    for (uint64_t m = cancels ? near & ~found : 0; m; m &= m - 1) {
+    for (uint64_t m = cancels ? candidates & ~found : 0; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         if (!(k->flags[s->kind[i]] & KIND_FIXED) && !(s->flags[i] & BULLET_DELAYED))
             found |= m & -m;
@@ -85,34 +85,34 @@ static uint64_t hittable(const struct bullets *s, const struct bullet_kinds *k, 
     return found;
 }
 
-int32_t hit_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
-                  uint64_t *apart)
+int32_t hit_find_nearest_solid(struct board *b, const struct hit_solids *f, uint32_t i, const struct hit_passed *passed,
+                               uint64_t *distance_sq)
 {
     const struct bullets *s = &b->bullets;
     const struct body shot = hit_bullet_body(&b->shots, &b->shot_kinds, i);
     const unsigned flags = b->shot_kinds.flags[b->shots.kind[i]];
     const int64_t reach =
-        f->reach + extent(&b->shot_kinds, b->shots.kind[i]) + int64_max(int64_abs(shot.mx), int64_abs(shot.my));
+        f->reach + max_extent(&b->shot_kinds, b->shots.kind[i]) + int64_max(int64_abs(shot.mx), int64_abs(shot.my));
     int32_t found = NO_SLOT;
 
-    if (shot.shape == SHAPE_NONE || !(f->some || flags & KIND_CANCELS))
+    if (shot.shape == SHAPE_NONE || !(f->any_solid || flags & KIND_CANCELS))
         return NO_SLOT;
-    add_work(b, A_BLOCK * (uint64_t)(s->s.top / SLOTS_BLOCK));
+    add_work(b, WORK_PER_BLOCK * (uint64_t)(s->s.top / SLOTS_BLOCK));
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
         if (!(flags & KIND_CANCELS) && !s->solid[block])
             continue;
-        uint64_t m = bullets_near(s, block, shot.x, shot.y, reach);
-        for (m = hittable(s, &b->bullet_kinds, f->some, flags & KIND_CANCELS, block, m); m; m &= m - 1) {
+        uint64_t m = bullets_find_near(s, block, shot.x, shot.y, reach);
+        for (m = hittable_mask(s, &b->bullet_kinds, f->any_solid, flags & KIND_CANCELS, block, m); m; m &= m - 1) {
             uint32_t k = block * SLOTS_BLOCK + bits_lowest(m);
             struct body body = hit_bullet_body(s, &b->bullet_kinds, k);
             int64_t dx = ((int64_t)shot.x - shot.mx) - ((int64_t)body.x - body.mx);
             int64_t dy = ((int64_t)shot.y - shot.my) - ((int64_t)body.y - body.my);
             uint64_t d = (uint64_t)dx * (uint64_t)dx + (uint64_t)dy * (uint64_t)dy;
-            if (d >= *apart || hit_has_passed(passed, H_BULLET, k))
+            if (d >= *distance_sq || hit_passed_contains(passed, H_BULLET, k))
                 continue;
-            if (!touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
+            if (!shot_touches(b, i, &shot, k, &body, flags & KIND_SWEPT))
                 continue;
-            *apart = d;
+            *distance_sq = d;
             found = (int32_t)k;
         }
     }

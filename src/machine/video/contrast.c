@@ -7,7 +7,7 @@
 #include "../machine.h"
 #include "video.h"
 
-static int apart(uint32_t a, uint32_t b)
+static int colour_difference(uint32_t a, uint32_t b)
 {
     static const int weight[3] = { 1, 3, 2 };
     int sum = 0;
@@ -25,23 +25,23 @@ static struct image image_of(const struct board *b, uint32_t i)
     const struct bullet_kinds *k = &b->bullet_kinds;
     uint16_t kind = s->kind[i];
     uint32_t age = bullets_age(s, i, b->core.clock);
-    bool along = k->flags[kind] & KIND_TURNS;
+    bool turns = k->flags[kind] & KIND_TURNS;
 
-    return video_image(&b->pictures[k->sprite[kind]], age, along || k->spin[kind],
-                       (along ? s->dir[i] : 0) + k->spin[kind] * age);
+    return video_image(&b->sprite_images[k->sprite[kind]], age, turns || k->spin[kind],
+                       (turns ? s->dir[i] : 0) + k->spin[kind] * age);
 }
 
 /* Returns the percent of bullet i's pixels inside the clip that stand out; -1: the bullet has no pixel inside the
  * clip. */
-static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[256], const struct cart_look *look,
-                 uint32_t i)
+static int distinct_percent(const struct board *b, const struct fb *fb, const uint32_t rgb[256],
+                            const struct cart_look *look, uint32_t i)
 {
-    const struct sprite *pic = &b->pictures[b->bullet_kinds.sprite[b->bullets.kind[i]]];
+    const struct sprite *pic = &b->sprite_images[b->bullet_kinds.sprite[b->bullets.kind[i]]];
     unsigned blend = (b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_BLEND) / KIND_BLEND_ONE;
     struct image image = image_of(b, i);
-    int x0 = b->cart.m.field_x + fx_floor(b->bullets.x[i]) - pic->ox;
-    int y0 = b->cart.m.field_y + fx_floor(b->bullets.y[i]) - pic->oy;
-    int all = 0, out = 0;
+    int x0 = b->cart.manifest.field_x + fx_floor(b->bullets.x[i]) - pic->ox;
+    int y0 = b->cart.manifest.field_y + fx_floor(b->bullets.y[i]) - pic->oy;
+    int total = 0, distinct = 0;
 
     for (int y = 0; y < image.h; y++)
         for (int x = 0; x < image.w; x++) {
@@ -51,10 +51,10 @@ static int share(const struct board *b, const struct fb *fb, const uint32_t rgb[
             uint8_t under = fb->pix[(y0 + y) * fb->pitch + x0 + x], over = (uint8_t)(p + 16 * b->bullets.bank[i]);
             if (blend)
                 over = look->blend[blend - 1][under << 8 | over];
-            all++;
-            out += apart(rgb[under], rgb[over]) >= CONTRAST_STEP;
+            total++;
+            distinct += colour_difference(rgb[under], rgb[over]) >= CONTRAST_THRESHOLD;
         }
-    return all ? 100 * out / all : -1;
+    return total ? 100 * distinct / total : -1;
 }
 
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context)
@@ -64,20 +64,20 @@ void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contra
     uint32_t rgb[256];
     int n = 0;
 
-    video_behind(b, fb, rgb, scratch);
+    video_draw_behind(b, fb, rgb, scratch);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
         if (b->bullet_kinds.flags[kind] & KIND_CLOUD || b->bullet_kinds.shape[kind] == SHAPE_NONE)
             continue;
-        struct contrast_bullet one = { .kind = board_name(b, N_BULLET, kind),
-                                       .bank = s->bank[i],
-                                       .x = fx_floor(s->x[i]),
-                                       .y = fx_floor(s->y[i]),
-                                       .share = share(b, fb, rgb, &look, i) };
-        if (one.share < 0 || !one.kind)
+        struct contrast_bullet bullet = { .kind = board_name(b, N_BULLET, kind),
+                                          .bank = s->bank[i],
+                                          .x = fx_floor(s->x[i]),
+                                          .y = fx_floor(s->y[i]),
+                                          .share = distinct_percent(b, fb, rgb, &look, i) };
+        if (bullet.share < 0 || !bullet.kind)
             continue;
-        visit(context, &one);
-        if (++n == CONTRAST_BULLETS)
+        visit(context, &bullet);
+        if (++n == CONTRAST_MAX_BULLETS)
             break;
     }
 }

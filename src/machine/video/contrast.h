@@ -20,11 +20,11 @@ struct contrast_bullet {
 typedef void contrast_visit(void *context, const struct contrast_bullet *bullet);
 
 /* A pixel stands out if its weighted difference from the pixel behind it, 2 * red + 3 * green + 1 * blue, is at least
- * CONTRAST_STEP, out of 6 * 255. */
-enum { CONTRAST_STEP = 6 * 40, CONTRAST_FAINT = 10, CONTRAST_BULLETS = 512 /* most visited per picture */ };
+ * CONTRAST_THRESHOLD, out of 6 * 255. */
+enum { CONTRAST_THRESHOLD = 6 * 40, CONTRAST_FAINT = 10, CONTRAST_MAX_BULLETS = 512 /* most visited per picture */ };
 
-/* Draws the picture behind the bullets into fb, then calls visit for up to CONTRAST_BULLETS bullets, in slot order.
- * scratch: board_scratch bytes. */
+/* Draws the picture behind the bullets into fb, then calls visit for up to CONTRAST_MAX_BULLETS bullets, in slot order.
+ * scratch: board_scratch_size bytes. */
 void contrast_sample(const struct board *b, struct fb *fb, void *scratch, contrast_visit *visit, void *context);
 
 #endif

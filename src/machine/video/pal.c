@@ -5,15 +5,9 @@
 #include <string.h>
 
 static const struct column columns[] = {
-    COLUMN(pal, rgb),
-    COLUMN(pal, from),
-    COLUMN(pal, to),
-    COLUMN(pal, at),
-    COLUMN(pal, over),
-    REGISTERS(pal, cycle_first),
-    REGISTERS(pal, cycle_last),
-    REGISTERS(pal, cycle_every),
-    REGISTERS(pal, cycle_count),
+    COLUMN(pal, rgb),           COLUMN(pal, from),           COLUMN(pal, to),
+    COLUMN(pal, fade_age),      COLUMN(pal, fade_frames),    REGISTERS(pal, cycle_first),
+    REGISTERS(pal, cycle_last), REGISTERS(pal, cycle_every), REGISTERS(pal, cycle_count),
 };
 
 const struct chip pal_chip = { "pal", columns, sizeof columns / sizeof *columns, true, false };
@@ -21,7 +15,7 @@ const struct chip pal_chip = { "pal", columns, sizeof columns / sizeof *columns,
 void pal_set(struct pal *p, int i, uint32_t rgb)
 {
     p->rgb[i] = rgb & 0xffffff;
-    p->over[i] = 0;
+    p->fade_frames[i] = 0;
 }
 
 void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n)
@@ -32,35 +26,35 @@ void pal_fade(struct pal *p, int i, uint32_t rgb, uint16_t n)
     }
     p->from[i] = p->rgb[i];
     p->to[i] = rgb & 0xffffff;
-    p->at[i] = 0;
-    p->over[i] = n;
+    p->fade_age[i] = 0;
+    p->fade_frames[i] = n;
 }
 
 bool pal_cycle(struct pal *p, uint8_t first, uint8_t last, uint16_t every)
 {
-    int free = -1;
+    int found = -1;
 
     for (int k = CYCLES - 1; k >= 0; k--) {
         bool used = p->cycle_every[k];
         if (used && p->cycle_first[k] == first && p->cycle_last[k] == last) {
-            free = k;
+            found = k;
             break;
         }
         if (!used)
-            free = k;
+            found = k;
     }
-    if (free < 0)
+    if (found < 0)
         return !every;
-    p->cycle_first[free] = first;
-    p->cycle_last[free] = last;
-    p->cycle_every[free] = every;
-    p->cycle_count[free] = 0;
+    p->cycle_first[found] = first;
+    p->cycle_last[found] = last;
+    p->cycle_every[found] = every;
+    p->cycle_count[found] = 0;
     return true;
 }
 
 void pal_stop(struct pal *p)
 {
-    memset(p->over, 0, COLOURS * sizeof *p->over);
+    memset(p->fade_frames, 0, COLOURS * sizeof *p->fade_frames);
     memset(p->cycle_every, 0, sizeof p->cycle_every);
 }
 
@@ -82,8 +76,8 @@ int pal_likeness(const struct pal *p, const uint8_t *rgb)
 
     for (int i = 0; i < COLOURS; i++, rgb += 3) {
         const uint32_t c = (uint32_t)rgb[0] << 16 | (uint32_t)rgb[1] << 8 | rgb[2];
-        const uint32_t now = p->over[i] ? p->to[i] : p->rgb[i];
-        sum += now == c ? 2 : p->from[i] == c;
+        const uint32_t goal = p->fade_frames[i] ? p->to[i] : p->rgb[i];
+        sum += goal == c ? 2 : p->from[i] == c;
     }
     return sum;
 }
@@ -99,30 +93,30 @@ static void rotate(struct pal *p, int first, int last)
 
 static void step_fade(struct pal *p, int i)
 {
-    if (!p->over[i])
+    if (!p->fade_frames[i])
         return;
-    p->at[i]++;
-    p->rgb[i] = pal_mix(p->from[i], p->to[i], p->at[i], p->over[i]);
-    if (p->at[i] == p->over[i])
-        p->over[i] = 0;
+    p->fade_age[i]++;
+    p->rgb[i] = pal_mix(p->from[i], p->to[i], p->fade_age[i], p->fade_frames[i]);
+    if (p->fade_age[i] == p->fade_frames[i])
+        p->fade_frames[i] = 0;
 }
 
-enum { ASIDE = 64 }; /* entries that are skipped together if none of them is fading, the usual case */
+enum { FADE_GROUP = 64 }; /* entries that are skipped together if none of them is fading, the usual case */
 
-static bool some_fade(const uint16_t *restrict over)
+static bool any_fading(const uint16_t *restrict over)
 {
     uint16_t any = 0;
 
-    for (int k = 0; k < ASIDE; k++)
+    for (int k = 0; k < FADE_GROUP; k++)
         any |= over[k];
     return any;
 }
 
 void pal_step(struct pal *p)
 {
-    for (int i = 0; i < COLOURS; i += ASIDE)
-        if (some_fade(p->over + i))
-            for (int k = i; k < i + ASIDE; k++)
+    for (int i = 0; i < COLOURS; i += FADE_GROUP)
+        if (any_fading(p->fade_frames + i))
+            for (int k = i; k < i + FADE_GROUP; k++)
                 step_fade(p, k);
     for (int k = 0; k < CYCLES; k++)
         if (p->cycle_every[k] && ++p->cycle_count[k] >= p->cycle_every[k]) {

@@ -9,10 +9,10 @@
 enum { COLOURS = 256, CYCLES = 8 };
 
 struct pal {
-    struct slots s;      /* a list of COLOURS entries */
-    uint32_t *rgb;       /* 0xRRGGBB, as shown */
-    uint32_t *from, *to; /* start and end colours of a fade */
-    uint16_t *at, *over; /* frames elapsed in the fade; length of the fade in frames, 0: no fade */
+    struct slots s;                   /* a list of COLOURS entries */
+    uint32_t *rgb;                    /* 0xRRGGBB, as shown */
+    uint32_t *from, *to;              /* start and end colours of a fade */
+    uint16_t *fade_age, *fade_frames; /* frames elapsed in the fade; length of the fade in frames, 0: no fade */
     uint8_t cycle_first[CYCLES], cycle_last[CYCLES];
     uint16_t cycle_every[CYCLES], cycle_count[CYCLES]; /* every 0: unused */
 };

@@ -12,35 +12,35 @@
 #include "../../base/fx.h"
 #include "../../base/slots.h"
 
-enum { SHAKE_MOST = 64 /* px */, BARS_MOST = 2048 /* px */, SCREEN_FRAMES = 65535 };
+enum { MAX_SHAKE = 64 /* px */, MAX_BARS = 2048 /* px */, MAX_EFFECT_FRAMES = 65535 };
 
 struct screen {
     struct slots s;
     int32_t shake; /* amplitude, px */
-    uint32_t shake_over, shake_at;
+    uint32_t shake_frames, shake_start;
     ang shake_dir;
-    uint32_t shake_aimed; /* 1: back and forth along shake_dir; 0: in all directions */
-    uint32_t flash;       /* 0xRRGGBB */
-    fx flash_share;       /* initial strength, 0 to 1 */
-    uint32_t flash_over, flash_at;
+    uint32_t shake_aimed;  /* 1: back and forth along shake_dir; 0: in all directions */
+    uint32_t flash_colour; /* 0xRRGGBB */
+    fx flash_share;        /* initial strength, 0 to 1 */
+    uint32_t flash_frames, flash_start;
     int32_t bars_from, bars; /* height at the start and at the end, px */
-    uint32_t bars_over, bars_at;
+    uint32_t bars_frames, bars_start;
     fx dim_from, dim; /* share of black at the start and at the end, 0 to 1 */
-    uint32_t dim_over, dim_at;
+    uint32_t dim_frames, dim_start;
 };
 
 extern const struct chip screen_chip;
 
 /* Ends all effects. */
-void screen_empty(struct screen *s);
+void screen_reset(struct screen *s);
 
 /* Moves the bars from their current height to h px over n frames, starting now. */
-void screen_bars_to(struct screen *s, uint32_t clock, int32_t h, uint32_t n);
+void screen_move_bars(struct screen *s, uint32_t clock, int32_t h, uint32_t n);
 
 /* Sets *dx and *dy to the px by which the field's picture is offset. In frame k of n, k from 1, the amplitude is shake
  * * (n - k + 1) / n px. An aimed shake repeats every four frames (forward, centre, backward, centre); otherwise the
  * direction advances by the golden angle each frame. */
-void screen_shake(const struct screen *s, uint32_t clock, int *dx, int *dy);
+void screen_get_shake(const struct screen *s, uint32_t clock, int *dx, int *dy);
 
 /* Returns the share of the flash's colour to mix into every palette entry, 0 to 1. In frame k of n, k from 1, it is
  * flash_share * (n - k + 1) / n. */
@@ -50,9 +50,9 @@ fx screen_flash(const struct screen *s, uint32_t clock);
  * truncated towards 0. */
 int screen_bars(const struct screen *s, uint32_t clock);
 
-/* screen_dim_to changes the dim from its current share of black to `share` over n frames, starting now. screen_dim
+/* screen_set_dim changes the dim from its current share of black to `share` over n frames, starting now. screen_dim
  * returns the current share, interpolated like the bars' height. frame: frames since power-on. */
-void screen_dim_to(struct screen *s, uint32_t frame, fx share, uint32_t n);
+void screen_set_dim(struct screen *s, uint32_t frame, fx share, uint32_t n);
 fx screen_dim(const struct screen *s, uint32_t frame);
 
 #endif

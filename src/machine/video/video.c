@@ -20,7 +20,7 @@
 
 struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir)
 {
-    uint32_t frame = s->frames > 1 ? age / (s->every ? s->every : 1) % s->frames : 0;
+    uint32_t frame = s->frames > 1 ? age / (s->frame_ticks ? s->frame_ticks : 1) % s->frames : 0;
     uint32_t turn = turns ? (uint32_t)(((uint64_t)dir * s->rotations + (1u << 31)) >> 32) % s->rotations : 0;
 
     return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
@@ -50,12 +50,12 @@ void video_batch_end(struct video_batch *q)
 }
 
 /* Paints the queued pictures and starts a queue of another size and mix. */
-static void open_batch(struct video_batch *q, const struct image *image, enum blit_mix mix)
+static void restart_batch(struct video_batch *q, const struct image *image, enum blit_mix mix)
 {
     video_batch_end(q);
     q->size = *image;
     q->mix = mix;
-    q->safe = stamp_corners(q->c->fb, image->w, image->h);
+    q->unclipped = stamp_corners(q->c->fb, image->w, image->h);
 }
 
 void video_batch_put(struct video_batch *q, const struct image *image, int x, int y, uint8_t bank, unsigned flip,
@@ -65,9 +65,9 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
     const enum blit_mix mix = blend ? (enum blit_mix)q->c->look.mix[blend - 1] : BLIT_OPAQUE;
 
     if (image->w != q->size.w || image->h != q->size.h || image->pitch != q->size.pitch || mix != q->mix)
-        open_batch(q, image, mix);
-    if (flip || mix == BLIT_TABLE || (uint32_t)(x - q->safe.x0) >= q->safe.wide ||
-        (uint32_t)(y - q->safe.y0) >= q->safe.high) {
+        restart_batch(q, image, mix);
+    if (flip || mix == BLIT_TABLE || (uint32_t)(x - q->unclipped.x0) >= q->unclipped.width ||
+        (uint32_t)(y - q->unclipped.y0) >= q->unclipped.height) {
         video_batch_end(q);
         video_paint(q->c, image, x, y, bank, flip, blend);
         return;
@@ -77,45 +77,45 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
         video_batch_end(q);
 }
 
-static void put(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
-                unsigned blend)
+static void paint_sprite(struct draw_target *c, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                         unsigned blend)
 {
-    const struct sprite *s = &c->b->pictures[sprite];
+    const struct sprite *s = &c->b->sprite_images[sprite];
     struct image img = video_image(s, age, false, 0);
 
     video_paint(c, &img, c->x + fx_floor(x) - s->ox, c->y + fx_floor(y) - s->oy, bank, flip, blend);
-    c->drawn++;
+    c->drawn_count++;
 }
 
 /* Like put, but through a batch. */
-static void put_later(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
-                      unsigned blend)
+static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
+                         unsigned blend)
 {
-    const struct sprite *s = &q->c->b->pictures[sprite];
+    const struct sprite *s = &q->c->b->sprite_images[sprite];
     struct image img = video_image(s, age, false, 0);
 
     video_batch_put(q, &img, q->c->x + fx_floor(x) - s->ox, q->c->y + fx_floor(y) - s->oy, bank, flip, blend);
-    q->c->drawn++;
+    q->c->drawn_count++;
 }
 
 void video_clip_field(const struct draw_target *c)
 {
-    const struct manifest *m = &c->b->cart.m;
+    const struct manifest *m = &c->b->cart.manifest;
 
-    fb_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
+    fb_set_clip(c->fb, m->field_x, m->field_y, m->field_w, m->field_h);
 }
 
 /* Draws a sprite that is placed on the screen instead of in the field. */
-static void put_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
+static void paint_on_screen(struct draw_target *c, uint32_t i, fx x, fx y, uint32_t age)
 {
     const struct sprites *s = &c->b->sprites;
     struct draw_target at = *c;
 
-    fb_clip_all(c->fb);
+    fb_reset_clip(c->fb);
     at.x = at.y = 0;
-    put(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
-        (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
-    c->drawn++;
+    paint_sprite(&at, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+                 (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+    c->drawn_count++;
     video_clip_field(c);
 }
 
@@ -143,13 +143,13 @@ static void draw_sprites(struct draw_target *c, int layer)
         const uint32_t age = c->b->core.clock - s->born[i];
         fx x = s->x[i], y = s->y[i];
         if (s->flags[i] & SPRITE_FOLLOW)
-            board_where(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
+            board_get_position(c->b, board_handle(c->b, H_SPRITE, (int32_t)i), &x, &y);
         if (s->flags[i] & SPRITE_SCREEN) {
             video_batch_end(&q);
-            put_on_screen(c, i, x, y, age);
+            paint_on_screen(c, i, x, y, age);
         } else
-            put_later(&q, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
-                      (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
+            queue_sprite(&q, s->sprite[i], age, x, y, s->bank[i], s->flags[i] & (SPRITE_FLIP_X | SPRITE_FLIP_Y),
+                         (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE);
     }
     video_batch_end(&q);
 }
@@ -162,7 +162,7 @@ static void draw_options(struct draw_target *c, int layer)
 
     EACH_LIVE (i, &o->s)
         if (k->layer[o->kind[i]] == layer && !(o->flags[i] & OPTION_HIDDEN))
-            put(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], o->x[i], o->y[i], o->bank[i], 0, 0);
+            paint_sprite(c, k->sprite[o->kind[i]], c->b->core.clock - o->born[i], o->x[i], o->y[i], o->bank[i], 0, 0);
 }
 
 static void draw_items(struct draw_target *c)
@@ -173,44 +173,44 @@ static void draw_items(struct draw_target *c)
 
     video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s)
-        put_later(&q, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
-                  (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
+        queue_sprite(&q, k->sprite[s->kind[i]], c->b->core.clock - s->born[i], s->x[i], s->y[i], k->bank[s->kind[i]], 0,
+                     (k->flags[s->kind[i]] & ITEM_BLEND) / ITEM_BLEND_ONE);
     video_batch_end(&q);
 }
 
 /* Returns the brightest or the darkest palette entry; of several equal ones, the first. */
-static uint8_t extreme(const struct board *b, bool bright)
+static uint8_t extreme_entry(const struct board *b, bool brightest)
 {
-    uint32_t best = bright ? 0 : UINT32_MAX;
+    uint32_t best = brightest ? 0 : UINT32_MAX;
     int at = 0;
 
     for (int i = 0; i < COLOURS; i++) {
         uint32_t rgb = b->pal.rgb[i], sum = (rgb >> 16) + (rgb >> 8 & 255) + (rgb & 255);
-        bool better = bright ? sum > best : sum < best;
+        bool better = brightest ? sum > best : sum < best;
         at = better ? i : at;
         best = better ? sum : best;
     }
     return (uint8_t)at;
 }
 
-static void put_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
+static void paint_white(struct draw_target *c, uint32_t i, int dx, int dy, unsigned dots)
 {
     const struct enemies *e = &c->b->enemies;
-    const struct sprite *s = &c->b->pictures[enemies_picture(e, &c->b->enemy_kinds, i)];
+    const struct sprite *s = &c->b->sprite_images[enemies_sprite(e, &c->b->enemy_kinds, i)];
     struct image img = video_image(s, c->b->core.clock - e->born[i], false, 0);
 
     blit_solid(c->fb, &img, c->x + fx_floor(e->x[i]) - s->ox + dx, c->y + fx_floor(e->y[i]) - s->oy + dy,
-               extreme(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
+               extreme_entry(c->b, true), (e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0) | dots);
 }
 
 /* Draws enemy i in white four times, shifted by 1 px in each direction. The caller draws the enemy's picture over that,
  * so only an outline stays white. */
-static void put_white_rim(struct draw_target *c, uint32_t i)
+static void paint_white_rim(struct draw_target *c, uint32_t i)
 {
-    put_white(c, i, -1, 0, 0);
-    put_white(c, i, 1, 0, 0);
-    put_white(c, i, 0, -1, 0);
-    put_white(c, i, 0, 1, 0);
+    paint_white(c, i, -1, 0, 0);
+    paint_white(c, i, 1, 0, 0);
+    paint_white(c, i, 0, -1, 0);
+    paint_white(c, i, 0, 1, 0);
 }
 
 static void draw_enemies(struct draw_target *c)
@@ -225,14 +225,14 @@ static void draw_enemies(struct draw_target *c)
         const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_SOFT;
         const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
         if (white && soft && !blend)
-            put_white_rim(c, i);
+            paint_white_rim(c, i);
         if (!white || soft)
-            put(c, enemies_picture(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i], e->bank[i] & ENEMY_BANK,
-                e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
+            paint_sprite(c, enemies_sprite(e, k, i), c->b->core.clock - e->born[i], e->x[i], e->y[i],
+                         e->bank[i] & ENEMY_BANK, e->flags[i] & ENEMY_FLIP ? BLIT_FLIP_X : 0, blend);
         else
-            c->drawn++;
+            c->drawn_count++;
         if (white && (!soft || blend)) /* a blended picture would not hide the inside of a rim */
-            put_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
+            paint_white(c, i, 0, 0, soft ? BLIT_DOTS : 0);
     }
 }
 
@@ -242,9 +242,9 @@ static void draw_players(struct draw_target *c)
     const struct player *p = &c->b->player;
 
     for (uint32_t i = 0; i < PADS; i++)
-        if (p->in[i] && !(p->safe[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
-            put(c, player_picture(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
-                p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
+        if (p->in_game[i] && !(p->safe_left[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
+            paint_sprite(c, player_sprite(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
+                         p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);
 }
 
 /* Draws the sparks under the players (under), or those over the bullets (!under). */
@@ -256,13 +256,13 @@ static void draw_sparks(struct draw_target *c, bool under)
     video_batch_begin(&q, c);
     EACH_LIVE (i, &s->s) {
         uint16_t kind = s->kind[i];
-        const struct sprite *pic = &c->b->pictures[c->b->spark_kinds.sprite[kind]];
+        const struct sprite *pic = &c->b->sprite_images[c->b->spark_kinds.sprite[kind]];
         uint8_t bank = sparks_bank(&c->b->spark_kinds, kind, s->age[i]);
         if (under != (bool)(bank & SPARK_UNDER))
             continue;
-        uint32_t last = pic->frames * (pic->every ? pic->every : 1u) - 1u; /* the animation plays once */
-        put_later(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
-                  bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
+        uint32_t last = pic->frames * (pic->frame_ticks ? pic->frame_ticks : 1u) - 1u; /* the animation plays once */
+        queue_sprite(&q, c->b->spark_kinds.sprite[kind], s->age[i] < last ? s->age[i] : last, s->x[i], s->y[i],
+                     bank & SPARK_BANK, 0, (bank & SPARK_BLEND) / SPARK_BLEND_ONE);
     }
     video_batch_end(&q);
 }
@@ -270,7 +270,7 @@ static void draw_sparks(struct draw_target *c, bool under)
 enum { FEW_CELLS = 8, MANY_CELLS = 64 };
 
 /* Return whether any of MANY_CELLS entries of a column is not 0. */
-static bool some_code(const uint8_t *restrict code)
+static bool any_code(const uint8_t *restrict code)
 {
     uint8_t any = 0;
 
@@ -279,7 +279,7 @@ static bool some_code(const uint8_t *restrict code)
     return any;
 }
 
-static bool some_page(const uint16_t *restrict page)
+static bool any_page(const uint16_t *restrict page)
 {
     uint16_t any = 0;
 
@@ -294,7 +294,7 @@ static uint32_t empty_cells(const struct fix *f, uint32_t i)
 {
     const uint16_t *page = f->page ? f->page + i : NULL;
 
-    if (i + MANY_CELLS <= f->s.live && !some_code(f->code + i) && !(page && some_page(page)))
+    if (i + MANY_CELLS <= f->s.live && !any_code(f->code + i) && !(page && any_page(page)))
         return MANY_CELLS;
     if (i + FEW_CELLS <= f->s.live && !bytes_get64(f->code + i) &&
         !(page && (page[0] | page[1] | page[2] | page[3] | page[4] | page[5] | page[6] | page[7])))
@@ -319,12 +319,12 @@ static void draw_rims(struct draw_target *c, const struct font *font, uint32_t f
     for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1)) {
         if (!(f->bank[i] & FIX_RIM))
             continue;
-        dark = dark < 0 ? extreme(c->b, false) : dark;
+        dark = dark < 0 ? extreme_entry(c->b, false) : dark;
         if (f->page || f->bank[i] & FIX_QUARTERS)
-            video_cell_rim(c, i, (uint8_t)dark);
+            video_draw_cell_rim(c, i, (uint8_t)dark);
         else
-            text_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                     (uint8_t)dark);
+            text_draw_rim(c->fb, font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                          (uint8_t)dark);
     }
 }
 
@@ -336,20 +336,20 @@ static void draw_text(struct draw_target *c)
 
     const uint32_t first = next_cell(f, 0);
 
-    fb_clip_all(c->fb);
+    fb_reset_clip(c->fb);
     draw_rims(c, &font, first);
     for (uint32_t i = first; i < f->s.live; i = next_cell(f, i + 1))
         if (f->page || f->bank[i] & FIX_QUARTERS)
-            video_cell(c, i);
+            video_draw_cell(c, i);
         else
-            text_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
-                       f->bank[i] & FIX_BANK);
+            text_draw_glyph(c->fb, &font, (int)(i % f->cols) * FIX_CELL, (int)(i / f->cols) * FIX_CELL, f->code[i],
+                            f->bank[i] & FIX_BANK);
 }
 
 /* Clears the screen outside the field. */
 static void clear_sides(struct draw_target *c)
 {
-    const struct manifest *m = &c->b->cart.m;
+    const struct manifest *m = &c->b->cart.manifest;
     const int right = m->field_x + m->field_w, bottom = m->field_y + m->field_h;
 
     fb_rect(c->fb, 0, 0, m->screen_w, m->field_y, 0);
@@ -373,7 +373,7 @@ static void mirror(uint8_t *from, int n, ptrdiff_t step, int lines, ptrdiff_t al
 static void fill_edges(struct draw_target *c)
 {
     const struct fb *fb = c->fb;
-    int dx = c->x - c->b->cart.m.field_x, dy = c->y - c->b->cart.m.field_y;
+    int dx = c->x - c->b->cart.manifest.field_x, dy = c->y - c->b->cart.manifest.field_y;
     int w = fb->x1 - fb->x0, h = fb->y1 - fb->y0, nx = dx < 0 ? -dx : dx, ny = dy < 0 ? -dy : dy;
     uint8_t *corner = fb->pix + fb->y0 * fb->pitch + fb->x0;
 
@@ -389,10 +389,10 @@ static void draw_plates(struct draw_target *c, int layer)
 
     if (!(c->layers >> layer & 1))
         return;
-    fb_clip_all(c->fb);
+    fb_reset_clip(c->fb);
     EACH_LIVE (i, &s->s)
         if (s->layer[i] == layer && !(s->flags[i] & SPRITE_HIDDEN))
-            video_plate(c, fx_floor(s->x[i]), fx_floor(s->y[i]), s->sprite[i], (int)s->born[i], s->bank[i]);
+            video_draw_plate(c, fx_floor(s->x[i]), fx_floor(s->y[i]), s->sprite[i], (int)s->born[i], s->bank[i]);
     video_clip_field(c);
 }
 
@@ -404,25 +404,25 @@ static void draw_over(struct draw_target *c)
     draw_plates(c, LAYER_PLATE_FRONT);
     draw_text(c);
     if (c->b->lines.s.live)
-        video_lines(c);
+        video_draw_lines(c);
 }
 
 /* Finds the palette entries that draw_over uses, by drawing it. The caller redraws the picture afterwards. */
-static void find_over(struct draw_target c, bool over[COLOURS])
+static void find_reserved_entries(struct draw_target c, bool reserved[COLOURS])
 {
-    memset(over, 0, COLOURS * sizeof *over);
+    memset(reserved, 0, COLOURS * sizeof *reserved);
     fb_fill(c.fb, 0);
     video_clip_field(&c);
     draw_over(&c);
     for (int y = 0; y < c.fb->h; y++)
         for (int x = 0; x < c.fb->w; x++)
-            over[c.fb->pix[y * c.fb->pitch + x]] = true;
+            reserved[c.fb->pix[y * c.fb->pitch + x]] = true;
 }
 
 /* Draws the bars at the field's top and bottom. */
 static void draw_bars(struct draw_target *c)
 {
-    const struct manifest *m = &c->b->cart.m;
+    const struct manifest *m = &c->b->cart.manifest;
     int h = screen_bars(&c->b->screen, c->b->core.clock);
 
     fb_rect(c->fb, m->field_x, m->field_y, m->field_w, h, 0);
@@ -431,13 +431,13 @@ static void draw_bars(struct draw_target *c)
 
 static void draw_flash(const struct board *b, bool soft, uint32_t rgb[256])
 {
-    fx share = screen_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT : 1);
+    fx share = screen_flash(&b->screen, b->core.clock) / (soft ? VIEW_SOFT_DIVISOR : 1);
 
     for (int i = 0; share && i < COLOURS; i++)
-        rgb[i] = pal_mix(rgb[i], b->screen.flash, share, FX_ONE);
+        rgb[i] = pal_mix(rgb[i], b->screen.flash_colour, share, FX_ONE);
 }
 
-static_assert(CART_SHADES == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
+static_assert(CART_SHADES_SIZE == (VIEW_DIMS - 1) * COLOURS, "expected one table for each dim level except `none`");
 
 /* Returns the table with which a view dims backgrounds, the ROM's if it has one; NULL: no dimming. */
 static const uint8_t *shade_of(const struct cart_look *look, const struct view *view)
@@ -448,20 +448,22 @@ static const uint8_t *shade_of(const struct cart_look *look, const struct view *
 }
 
 /* Returns the draw target of this frame. Sets *shaken to whether a shake moves the field's picture. */
-static struct draw_target target(const struct board *b, struct fb *fb, void *scratch, int overdraw, bool *shaken)
+static struct draw_target make_target(const struct board *b, struct fb *fb, void *scratch, int min_overdraw,
+                                      bool *shaken)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
     struct draw_target c = {
-        b, fb, m->field_x, m->field_y, scratch, overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b), false
+        b,    fb, m->field_x, m->field_y, scratch, min_overdraw, 0, 0, sprite_layers(&b->sprites), NULL, video_look(b),
+        false
     };
     int dx, dy;
 
-    screen_shake(&b->screen, b->core.clock, &dx, &dy);
+    screen_get_shake(&b->screen, b->core.clock, &dx, &dy);
     *shaken = dx || dy;
     c.x += dx;
     c.y += dy;
     if (*shaken)
-        c.overdraw = VIDEO_NO_LAYERS; /* a layer covers only the field, not the edges that a shake exposes */
+        c.min_overdraw = VIDEO_NO_LAYERS; /* a layer covers only the field, not the edges that a shake exposes */
     return c;
 }
 
@@ -471,13 +473,13 @@ static void draw_behind(struct draw_target *c, bool shaken)
     const struct board *b = c->b;
     const bool covered = video_bg_covers(b);
 
-    fb_clip_all(c->fb);
+    fb_reset_clip(c->fb);
     if (covered)
         clear_sides(c);
     else
         fb_fill(c->fb, 0);
     video_clip_field(c);
-    video_bg(c, false);
+    video_draw_bg(c, false);
     draw_sprites(c, LAYER_BACK);
     if (!c->shade) /* options belong to the ship, so a view does not dim them */
         draw_options(c, LAYER_BACK);
@@ -489,48 +491,48 @@ static void draw_behind(struct draw_target *c, bool shaken)
     }
     draw_items(c);
     draw_enemies(c);
-    video_bullets(c, &b->shots, &b->shot_kinds);
-    video_lasers(c, true);
+    video_draw_bullets(c, &b->shots, &b->shot_kinds);
+    video_draw_lasers(c, true);
     draw_sparks(c, true);
     draw_sprites(c, LAYER_MIDDLE);
     draw_options(c, LAYER_MIDDLE);
     draw_players(c);
 }
 
-void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
+void video_draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch)
 {
     bool shaken;
-    struct draw_target c = target(b, fb, scratch, VIDEO_OVERDRAW, &shaken);
+    struct draw_target c = make_target(b, fb, scratch, VIDEO_OVERDRAW, &shaken);
 
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
     draw_behind(&c, shaken);
 }
 
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
-                              void *scratch, int overdraw)
+                              void *scratch, int min_overdraw)
 {
     static const struct view plain;
     const struct view *v = view ? view : &plain;
     const fx dim = screen_dim(&b->screen, b->core.frame);
-    bool shaken, over[COLOURS];
-    struct draw_target c = target(b, fb, scratch, overdraw, &shaken);
+    bool shaken, reserved[COLOURS];
+    struct draw_target c = make_target(b, fb, scratch, min_overdraw, &shaken);
 
     c.shade = shade_of(&c.look, v);
-    c.soft = v->soft_flashes;
+    c.soft = v->softens_flashes;
     memcpy(rgb, b->pal.rgb, COLOURS * sizeof *rgb);
-    draw_flash(b, v->soft_flashes, rgb);
+    draw_flash(b, v->softens_flashes, rgb);
     if (dim)
-        find_over(c, over);
+        find_reserved_entries(c, reserved);
     draw_behind(&c, shaken);
-    video_bullets(&c, &b->bullets, &b->bullet_kinds);
-    video_lasers(&c, false);
+    video_draw_bullets(&c, &b->bullets, &b->bullet_kinds);
+    video_draw_lasers(&c, false);
     draw_sparks(&c, false);
     draw_sprites(&c, LAYER_FRONT);
     draw_options(&c, LAYER_FRONT);
-    video_bg(&c, true);
+    video_draw_bg(&c, true);
     draw_bars(&c);
     if (dim)
-        video_dim(&c, rgb, over, dim);
+        video_dim(&c, rgb, reserved, dim);
     draw_over(&c);
     for (int i = 0; v->colours && i < COLOURS; i++)
         rgb[i] = view_colour(v->colours, rgb[i]);

@@ -14,12 +14,13 @@ struct draw_target {
     struct fb *fb;
     int x, y; /* px: the field's top left corner on the screen plus a shake's offset */
     void *scratch;
-    int overdraw;           /* overdraw from which bullets are drawn front to back; VIDEO_NO_LAYERS: never */
-    uint64_t drawn, hidden; /* pictures drawn, including `hidden`; pictures skipped because others cover them */
-    unsigned layers;        /* sprite layers that are not empty, 1 << layer */
-    const uint8_t *shade;   /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
-    struct cart_look look;  /* tables of the loaded palette */
-    bool soft;              /* hurt enemies blink softly */
+    int min_overdraw; /* overdraw from which bullets are drawn front to back; VIDEO_NO_LAYERS: never */
+    uint64_t drawn_count,
+        hidden_count;      /* pictures drawn, including `hidden_count`; pictures skipped because others cover them */
+    unsigned layers;       /* sprite layers that are not empty, 1 << layer */
+    const uint8_t *shade;  /* palette entry that backgrounds show for each of 256; NULL: backgrounds are not dimmed */
+    struct cart_look look; /* tables of the loaded palette */
+    bool soft;             /* hurt enemies blink softly */
 };
 
 /* Overdraw is how many times the bullets' opaque pixels would cover the field. From VIDEO_OVERDRAW on, bullets are
@@ -29,13 +30,13 @@ enum { VIDEO_OVERDRAW = 50, VIDEO_NO_LAYERS = -1 };
 /* Draws the same picture as board_draw, but draws bullets front to back from another overdraw on (VIDEO_NO_LAYERS:
  * never). Returns the target, with its counts of pictures. */
 struct draw_target video_draw(const struct board *b, const struct view *view, struct fb *fb, uint32_t rgb[256],
-                              void *scratch, int overdraw);
+                              void *scratch, int min_overdraw);
 
 /* Draws only what is behind the bullets, and sets rgb to the colours without a flash. Leaves the clip set to the
  * field. */
-void video_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
+void video_draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], void *scratch);
 
-/* Returns the tables of the ROM palette that is loaded (board_palette). */
+/* Returns the tables of the ROM palette that is loaded (board_loaded_palette). */
 struct cart_look video_look(const struct board *b);
 
 /* Returns the picture of a sprite that has been shown for `age` frames. turns: selects the rotated copy nearest to
@@ -53,9 +54,9 @@ void video_paint(struct draw_target *c, const struct image *image, int x, int y,
 enum { VIDEO_BATCH = 64 };
 struct video_batch {
     struct draw_target *c;
-    struct image size;         /* size of the queued pictures; pix is not used */
-    enum blit_mix mix;         /* mix of the queued pictures */
-    struct stamp_corners safe; /* positions at which a picture of that size needs no clipping */
+    struct image size;              /* size of the queued pictures; pix is not used */
+    enum blit_mix mix;              /* mix of the queued pictures */
+    struct stamp_corners unclipped; /* positions at which a picture of that size needs no clipping */
     size_t n;
     struct blit_item items[VIDEO_BATCH];
 };
@@ -71,45 +72,45 @@ void video_batch_put(struct video_batch *q, const struct image *image, int x, in
 void video_batch_end(struct video_batch *q);
 
 /* Draws bullets or shots: by kind in the draw order, then by slot. */
-void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
+void video_draw_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k);
 
 /* Draws a dark plate with a light rim and rounded corners, in the colours of a bank. */
-void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank);
+void video_draw_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank);
 
 /* Dims everything drawn in the clip so far, using c->shade. */
 void video_shade(const struct draw_target *c);
 
-/* Darkens everything drawn so far by moving its colours to separate palette entries. over: the entries, of 256, that
- * must not change because they are used by what is drawn afterwards. share: of black, 0 to FX_ONE. */
-void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool over[256], fx share);
+/* Darkens everything drawn so far by moving its colours to separate palette entries. reserved: the entries, of 256,
+ * that must not change because they are used by what is drawn afterwards. share: of black, 0 to FX_ONE. */
+void video_dim(const struct draw_target *c, uint32_t rgb[256], const bool reserved[256], fx share);
 
 /* Draws all lines of text. */
-void video_lines(struct draw_target *c);
+void video_draw_lines(struct draw_target *c);
 
 /* Draws cell i of the text layer, in any of rom.lua's `fonts` or as a quarter of a large character. */
-void video_cell(struct draw_target *c, uint32_t i);
+void video_draw_cell(struct draw_target *c, uint32_t i);
 
 /* Draws the rim of cell i in colour `rim`. All rims must be drawn before all cells. */
-void video_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim);
+void video_draw_cell_rim(struct draw_target *c, uint32_t i, uint8_t rim);
 
 /* Draws the background's layers in front of all sprites (front), or those behind everything (!front). */
-void video_bg(struct draw_target *c, bool front);
+void video_draw_bg(struct draw_target *c, bool front);
 
 /* Returns whether the background covers the whole field, so that the field need not be cleared. */
 bool video_bg_covers(const struct board *b);
 
 /* Draws, in slot order, the lasers that hurt enemies (shoot) or all other lasers (!shoot). */
-void video_lasers(struct draw_target *c, bool shoot);
+void video_draw_lasers(struct draw_target *c, bool shoots);
 
 /* The work of drawing the picture, what takes the largest share of it, and how to reduce that share. All 0 if an upper
- * bound was low enough, so that nothing was counted. video_fits returns whether the work is at most `most`. */
+ * bound was low enough, so that nothing was counted. video_fits returns whether the work is at most `limit`. */
 struct video_work {
     uint64_t work;
-    const char *what, *instead;
+    const char *largest, *advice;
 };
-bool video_fits(const struct board *b, uint64_t most, struct video_work *out);
+bool video_fits(const struct board *b, uint64_t limit, struct video_work *out);
 
-/* Returns the bytes of scratch memory that video_bullets needs. */
+/* Returns the bytes of scratch memory that video_draw_bullets needs. */
 size_t video_bullets_scratch(const struct manifest *m);
 
 #endif

@@ -14,8 +14,8 @@
 #include "video.h"
 
 enum {
-    BATCH = 64,       /* pictures per batch */
-    MANY_BANKS = 512, /* with this many bullets of a kind, all banks are assumed to be in use */
+    BATCH = 64,                  /* pictures per batch */
+    ALL_BANKS_MIN_BULLETS = 512, /* with this many bullets of a kind, all banks are assumed to be in use */
 
     /* The topmost kinds are drawn without a visibility test until their opaque pixels reach this many field areas. */
     TOP_OVERDRAW = 10
@@ -25,30 +25,31 @@ enum {
 struct style {
     const struct sprite *pic;
     bool turns;      /* each bullet shows one of several rotated copies */
-    bool along;      /* the copy depends on the bullet's dir */
+    bool uses_dir;   /* the copy depends on the bullet's dir */
     ang spin;        /* rotation per frame */
     int order, area; /* area: px of its picture */
-    bool cloud;
+    bool is_cloud;
     unsigned blend; /* index + 1, 0: opaque */
     enum blit_mix mix;
-    bool alike;    /* all bullets show the same picture, opaque or blended by a rule */
-    bool singly;   /* bullets are drawn one by one: blended through a table, or clouds whose ages are stretched */
-    uint32_t n;    /* live bullets */
-    size_t pixels; /* opaque px of the picture; set for layered kinds */
-    uint32_t list; /* index in lists.list of the kind's first entry */
-    uint32_t less; /* as in struct stamp_list */
+    bool same_picture;   /* all bullets show the same picture, opaque or blended by a rule */
+    bool one_by_one;     /* bullets are drawn one by one: blended through a table, or clouds whose ages are stretched */
+    uint32_t n;          /* live bullets */
+    size_t pixels;       /* opaque px of the picture; set for layered kinds */
+    uint32_t list_start; /* index in lists.list of the kind's first entry */
+    uint32_t less;       /* as in struct stamp_list */
 };
 
 struct lists {
     struct style style[MAX_KINDS];
-    uint32_t next[MAX_KINDS];     /* index in `list` for the kind's next bullet */
+    uint32_t next[MAX_KINDS];     /* index in `list_start` for the kind's next bullet */
     uint8_t is_listed[MAX_KINDS]; /* 1: the kind's bullets are to be listed; used only for layers */
     uint8_t by_slot[MAX_KINDS];   /* 1: all the kind's bullets are listed by slot */
-    bool some_by_slot, some_own;  /* whether any kind has `by_slot` set; whether any kind's style has `alike` unset */
-    uint16_t order[MAX_KINDS];    /* kinds that have bullets, in draw order */
+    bool any_by_slot,
+        any_varied; /* whether any kind has `by_slot` set; whether any kind's style has `same_picture` unset */
+    uint16_t order[MAX_KINDS]; /* kinds that have bullets, in draw order */
     uint32_t kinds;
     struct stamp stamp;
-    uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if some_own is set */
+    uint32_t *list, *slots; /* slots: slot of each bullet in `list_start`; complete only if any_varied is set */
     uint8_t *layer, *cells;
 };
 
@@ -58,7 +59,7 @@ struct window {
     const struct fb *fb;
     int x, y;
     int x0, y0, x1, y1; /* both ends included; x0 > x1: none */
-    uint32_t from;      /* added to the offset of a bullet's pixel to get its list entry */
+    uint32_t base;      /* added to the offset of a bullet's pixel to get its list entry */
 
     /* Whether bullets listed by slot are clipped when they are drawn. If so, any bullet may be listed by slot, and
      * bullets of kinds that are not alike may also be listed as destinations. False for a layer. */
@@ -70,26 +71,26 @@ static size_t aligned(size_t n)
     return (n + 63) / 64 * 64;
 }
 
-static size_t most_bullets(const struct manifest *m)
+static size_t max_bullets(const struct manifest *m)
 {
     return (size_t)(m->bullets > m->shots ? m->bullets : m->shots);
 }
 
 size_t video_bullets_scratch(const struct manifest *m)
 {
-    return aligned(sizeof(struct lists)) + 2 * aligned(most_bullets(m) * sizeof(uint32_t)) +
+    return aligned(sizeof(struct lists)) + 2 * aligned(max_bullets(m) * sizeof(uint32_t)) +
            aligned(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
 }
 
-static struct lists *open_lists(const struct draw_target *c)
+static struct lists *init_lists(const struct draw_target *c)
 {
     uint8_t *at = (uint8_t *)aligned((uintptr_t)c->scratch);
     struct lists *l = (struct lists *)at;
 
     l->list = (uint32_t *)(at + aligned(sizeof *l));
-    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(most_bullets(&c->b->cart.m) * sizeof *l->list));
-    l->layer = (uint8_t *)l->slots + aligned(most_bullets(&c->b->cart.m) * sizeof *l->slots);
-    l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.m.field_w, c->b->cart.m.field_h));
+    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + aligned(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
+    l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
     return l;
 }
 
@@ -97,25 +98,25 @@ static struct lists *open_lists(const struct draw_target *c)
 
 static void find_style(const struct draw_target *c, const struct bullet_kinds *k, uint32_t kind, struct style *style)
 {
-    const struct sprite *pic = &c->b->pictures[k->sprite[kind]];
+    const struct sprite *pic = &c->b->sprite_images[k->sprite[kind]];
     const unsigned flags = k->flags[kind], blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
     const enum blit_mix mix = blend ? (enum blit_mix)c->look.mix[blend - 1] : BLIT_OPAQUE;
-    const bool along = flags & KIND_TURNS, cloud = flags & KIND_CLOUD;
+    const bool uses_dir = flags & KIND_TURNS, is_cloud = flags & KIND_CLOUD;
     const ang spin = k->spin[kind];
-    const bool turns = (along || spin) && pic->rotations > 1;
+    const bool turns = (uses_dir || spin) && pic->rotations > 1;
 
     slots_prefetch(pic->pix);
     style->pic = pic;
-    style->along = along;
+    style->uses_dir = uses_dir;
     style->spin = spin;
     style->turns = turns;
-    style->order = k->order[kind];
+    style->order = k->draw_order[kind];
     style->area = pic->w * pic->h;
     style->blend = blend;
-    style->cloud = cloud;
+    style->is_cloud = is_cloud;
     style->mix = mix;
-    style->alike = !turns && pic->frames == 1 && mix != BLIT_TABLE;
-    style->singly = mix == BLIT_TABLE || (cloud && (pic->frames > 1 || spin));
+    style->same_picture = !turns && pic->frames == 1 && mix != BLIT_TABLE;
+    style->one_by_one = mix == BLIT_TABLE || (is_cloud && (pic->frames > 1 || spin));
 }
 
 /* Returns whether kind a is drawn below kind b, which was declared before a: a has the lower `order` or, if they are
@@ -127,7 +128,7 @@ static bool is_lower(const struct style *a, const struct style *b)
     return a->area > b->area;
 }
 
-static void put_in_order(struct lists *l, uint16_t kind)
+static void insert_kind(struct lists *l, uint16_t kind)
 {
     uint32_t at = l->kinds++;
 
@@ -146,18 +147,19 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
     l->kinds = 0;
     for (uint32_t i = 0; i < k->s.live; i++) {
         struct style *style = &l->style[i];
-        style->n = k->live[i];
+        style->n = k->live_count[i];
         if (!style->n)
             continue;
         find_style(c, k, i, style);
-        put_in_order(l, (uint16_t)i);
-        style->list = list;
+        insert_kind(l, (uint16_t)i);
+        style->list_start = list;
         list += style->n;
     }
 }
 
 /* Finds the top left corner of bullet i's picture on the surface. */
-static void corner(const struct window *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x, int *y)
+static void find_corner(const struct window *t, const struct lists *l, const struct bullets *s, uint32_t i, int *x,
+                        int *y)
 {
     const struct sprite *pic = l->style[s->kind[i]].pic;
 
@@ -169,13 +171,14 @@ static void corner(const struct window *t, const struct lists *l, const struct b
  * delay. */
 static uint32_t picture_age(const struct style *style, const struct bullets *s, uint32_t i, uint32_t clock)
 {
-    const uint32_t every = style->pic->every ? style->pic->every : 1, all = style->pic->frames * every;
-    uint32_t stood = bullets_frames_since_born(s, i, clock), delay = s->step_end[i] - s->born[i];
+    const uint32_t frame_ticks = style->pic->frame_ticks ? style->pic->frame_ticks : 1,
+                   duration = style->pic->frames * frame_ticks;
+    uint32_t frames = bullets_frames_since_born(s, i, clock), delay = s->step_end[i] - s->born[i];
 
-    if (!style->cloud)
+    if (!style->is_cloud)
         return bullets_age(s, i, clock);
-    stood -= stood > 0; /* the clock has already advanced past the frame that is drawn */
-    return (uint32_t)((uint64_t)(stood < delay ? stood : delay - 1) * all / delay);
+    frames -= frames > 0; /* the clock has already advanced past the frame that is drawn */
+    return (uint32_t)((uint64_t)(frames < delay ? frames : delay - 1) * duration / delay);
 }
 
 static struct image image_of(const struct draw_target *c, const struct lists *l, const struct bullets *s, uint32_t i)
@@ -184,7 +187,7 @@ static struct image image_of(const struct draw_target *c, const struct lists *l,
 
     uint32_t age = picture_age(style, s, i, c->b->core.clock);
 
-    return video_image(style->pic, age, style->turns, (style->along ? s->dir[i] : 0) + style->spin * age);
+    return video_image(style->pic, age, style->turns, (style->uses_dir ? s->dir[i] : 0) + style->spin * age);
 }
 
 /* The positions at which bullets with pictures of one size and anchor need no clipping. */
@@ -193,7 +196,7 @@ struct fit {
 
     /* From a bullet's pixel to its picture's corner, minus (c.x0, c.y0): in px (dx, dy), and as an offset in bytes
      * (from). */
-    int dx, dy, from;
+    int dx, dy, offset;
 };
 
 static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, int y)
@@ -202,61 +205,61 @@ static struct fit fit_of(const struct fb *fb, const struct sprite *pic, int x, i
 
     f.dx = x - pic->ox - f.c.x0;
     f.dy = y - pic->oy - f.c.y0;
-    f.from = f.dy * fb->pitch + f.dx;
+    f.offset = f.dy * fb->pitch + f.dx;
     return f;
 }
 
-static bool are_alike(const struct sprite *a, const struct sprite *b)
+static bool same_size_and_anchor(const struct sprite *a, const struct sprite *b)
 {
     return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
 }
 
-/* Narrows the window to positions at which pictures of fit f need no clipping either, and raises *from to f->from if
+/* Narrows the window to positions at which pictures of fit f need no clipping either, and raises *from to f->offset if
  * that is larger. */
 static void narrow_window(struct window *t, int *from, const struct fit *f)
 {
-    const int x1 = (int)f->c.wide - f->dx - 1, y1 = (int)f->c.high - f->dy - 1;
+    const int x1 = (int)f->c.width - f->dx - 1, y1 = (int)f->c.height - f->dy - 1;
 
     t->x0 = -f->dx > t->x0 ? -f->dx : t->x0;
     t->y0 = -f->dy > t->y0 ? -f->dy : t->y0;
     t->x1 = x1 < t->x1 ? x1 : t->x1;
     t->y1 = y1 < t->y1 ? y1 : t->y1;
-    *from = f->from > *from ? f->from : *from;
+    *from = f->offset > *from ? f->offset : *from;
 }
 
 /* Empties the lists of kinds order[first .. to - 1] and returns their window. Consecutive kinds whose pictures have the
  * same size and anchor, as most do, share a fit. */
-static struct window open_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
+static struct window init_window(struct lists *l, uint32_t first, uint32_t to, const struct fb *fb, int x, int y,
                                  bool clips)
 {
     struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
-    const struct sprite *seen = NULL; /* sprite of fit f if f has narrowed the window, otherwise NULL */
+    const struct sprite *fit_sprite = NULL; /* sprite of fit f if f has narrowed the window, otherwise NULL */
     struct fit f = { 0 };
     int from = INT32_MIN;
 
     if (!clips)
         memset(l->is_listed, 0, sizeof l->is_listed);
-    l->some_by_slot = l->some_own = false;
+    l->any_by_slot = l->any_varied = false;
     for (uint32_t o = first; o < to; o++) {
         const uint16_t kind = l->order[o];
         struct style *style = &l->style[kind];
-        const bool known = seen && are_alike(seen, style->pic);
+        const bool known = fit_sprite && same_size_and_anchor(fit_sprite, style->pic);
         if (!known)
             f = fit_of(fb, style->pic, x, y);
-        const bool by_slot = !style->alike && (!clips || !f.c.wide || !f.c.high);
+        const bool by_slot = !style->same_picture && (!clips || !f.c.width || !f.c.height);
         l->is_listed[kind] = 1;
         l->by_slot[kind] = by_slot;
-        l->some_by_slot |= by_slot;
-        l->some_own |= !style->alike;
-        l->next[kind] = style->list;
-        style->less = (uint32_t)f.from;
-        seen = by_slot ? NULL : style->pic;
+        l->any_by_slot |= by_slot;
+        l->any_varied |= !style->same_picture;
+        l->next[kind] = style->list_start;
+        style->less = (uint32_t)f.offset;
+        fit_sprite = by_slot ? NULL : style->pic;
         if (!by_slot && !known)
             narrow_window(&t, &from, &f);
     }
     for (uint32_t o = first; o < to; o++)
         l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
-    t.from = (uint32_t)from;
+    t.base = (uint32_t)from;
     if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position is unclipped for all kinds */
         t.x0 = t.y0 = 1;
         t.x1 = t.y1 = 0;
@@ -264,35 +267,35 @@ static struct window open_window(struct lists *l, uint32_t first, uint32_t to, c
     return t;
 }
 
-static uint32_t listed(const struct lists *l, uint16_t kind)
+static uint32_t listed_count(const struct lists *l, uint16_t kind)
 {
-    return l->next[kind] - l->style[kind].list;
+    return l->next[kind] - l->style[kind].list_start;
 }
 
 /* Computes the list entry of each bullet in a block, without its bank. Returns whether all bullets are in the window,
  * so that none needs clipping, whatever its kind. Each axis is range-checked with one signed comparison, as in
  * bullets.c. */
-static bool place_block(const fx *restrict x, const fx *restrict y, uint32_t *restrict at, const struct window *t)
+static bool find_entries(const fx *restrict x, const fx *restrict y, uint32_t *restrict entries, const struct window *t)
 {
-    const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->from;
+    const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->base;
     const uint32_t x0 = (uint32_t)t->x0 << 16 ^ sign, y0 = (uint32_t)t->y0 << 16 ^ sign;
     const int32_t w = (int32_t)((uint32_t)(t->x1 - t->x0 + 1) << 16 ^ sign) - 1,
                   h = (int32_t)((uint32_t)(t->y1 - t->y0 + 1) << 16 ^ sign) - 1;
-    int32_t others = 0;
+    int32_t outside = 0;
 
     for (int i = 0; i < SLOTS_BLOCK; i++) {
-        at[i] = (uint32_t)(y[i] >> 16) * pitch + (uint32_t)(x[i] >> 16) + from;
-        others |= -((int32_t)((uint32_t)x[i] - x0) > w) | -((int32_t)((uint32_t)y[i] - y0) > h);
+        entries[i] = (uint32_t)(y[i] >> 16) * pitch + (uint32_t)(x[i] >> 16) + from;
+        outside |= -((int32_t)((uint32_t)x[i] - x0) > w) | -((int32_t)((uint32_t)y[i] - y0) > h);
     }
-    return !others;
+    return !outside;
 }
 
 /* Adds the banks to the entries. This is a separate loop, because mixing bytes with wider values would split the
  * vectors. */
-static void bank_block(const uint8_t *restrict bank, uint32_t *restrict at)
+static void add_banks(const uint8_t *restrict bank, uint32_t *restrict entries)
 {
     for (int i = 0; i < SLOTS_BLOCK; i++)
-        at[i] += (uint32_t)bank[i] << 28;
+        entries[i] += (uint32_t)bank[i] << 28;
 }
 
 static bool is_unclipped(const struct window *t, fx x, fx y)
@@ -313,32 +316,32 @@ static inline void append_bullet(struct lists *l, const struct bullets *s, uint3
 /* Lists bullet i, which is outside the window or of a kind that is listed by slot: as a destination if its kind is not
  * listed by slot and its own picture needs no clipping; otherwise by its slot, if part of its picture is inside the
  * clip. */
-static void list_other(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
+static void list_edge_bullet(struct lists *l, const struct bullets *s, const struct window *t, uint32_t i)
 {
     const struct style *style = &l->style[s->kind[i]];
     struct stamp_corners c = stamp_corners(t->fb, style->pic->w, style->pic->h);
     int x, y;
 
-    corner(t, l, s, i, &x, &y);
-    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.wide && (uint32_t)(y - c.y0) < c.high)
+    find_corner(t, l, s, i, &x, &y);
+    if (!l->by_slot[s->kind[i]] && (uint32_t)(x - c.x0) < c.width && (uint32_t)(y - c.y0) < c.height)
         append_bullet(l, s, i, stamp_dest(t->fb, (uint32_t)(x - c.x0), (uint32_t)(y - c.y0), s->bank[i]) + style->less);
     else if (x < t->fb->x1 && x + style->pic->w > t->fb->x0 && y < t->fb->y1 && y + style->pic->h > t->fb->y0)
-        append_bullet(l, s, i, STAMP_OTHER | i);
+        append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
 }
 
 /* Lists the bullets of a block whose bit in m is set, one by one. */
-static void list_some(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
+static void list_masked(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block, uint64_t m)
 {
     for (; m; m &= m - 1) {
         uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
         if (t->clips && l->by_slot[s->kind[i]])
-            append_bullet(l, s, i, STAMP_OTHER | i);
+            append_bullet(l, s, i, STAMP_CALLER_ENTRY | i);
         else if (!l->by_slot[s->kind[i]] && is_unclipped(t, s->x[i], s->y[i]))
             append_bullet(l, s, i,
                           ((uint32_t)s->bank[i] << 28) + (uint32_t)fx_floor(s->y[i]) * (uint32_t)t->fb->pitch +
-                              (uint32_t)fx_floor(s->x[i]) + t->from);
+                              (uint32_t)fx_floor(s->x[i]) + t->base);
         else
-            list_other(l, s, t, i);
+            list_edge_bullet(l, s, t, i);
     }
 }
 
@@ -363,17 +366,19 @@ static inline void list_slots(uint32_t *restrict slots, uint32_t first)
         slots[k] = first + k;
 }
 
-/* Lists a block in which no bullet needs clipping. own: whether to list the slots as well, a constant at each call. */
-__attribute__((always_inline)) static inline void list_whole(struct lists *l, const uint16_t *kinds,
-                                                             const uint32_t at[SLOTS_BLOCK], uint32_t first, bool own)
+/* Lists a block in which no bullet needs clipping. with_slots: whether to list the slots as well, a constant at each
+ * call. */
+__attribute__((always_inline)) static inline void list_all_slots(struct lists *l, const uint16_t *kinds,
+                                                                 const uint32_t entries[SLOTS_BLOCK], uint32_t first,
+                                                                 bool with_slots)
 {
     uint32_t *list = l->list, *slots = l->slots;
 
     for (uint32_t k = 0; k < SLOTS_BLOCK; k += RUN) {
         if (is_run(kinds + k)) {
             uint32_t *next = &l->next[kinds[k]];
-            memcpy(list + *next, at + k, RUN * sizeof *list);
-            if (own)
+            memcpy(list + *next, entries + k, RUN * sizeof *list);
+            if (with_slots)
                 list_slots(slots + *next, first + k);
             *next += RUN;
             continue;
@@ -381,8 +386,8 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
 #pragma GCC unroll 8
         for (uint32_t i = 0; i < RUN; i++) {
             const uint32_t next = l->next[kinds[k + i]]++;
-            list[next] = at[k + i];
-            if (own)
+            list[next] = entries[k + i];
+            if (with_slots)
                 slots[next] = first + k + i;
         }
     }
@@ -393,15 +398,15 @@ __attribute__((always_inline)) static inline void list_whole(struct lists *l, co
 static bool list_block(struct lists *l, const struct bullets *s, const struct window *t, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
-    uint32_t at[SLOTS_BLOCK];
+    uint32_t entries[SLOTS_BLOCK];
 
-    if (l->some_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !place_block(s->x + first, s->y + first, at, t))
+    if (l->any_by_slot || ~s->s.used[block] || t->x0 > t->x1 || !find_entries(s->x + first, s->y + first, entries, t))
         return false;
-    bank_block(s->bank + first, at);
-    if (l->some_own)
-        list_whole(l, s->kind + first, at, first, true);
+    add_banks(s->bank + first, entries);
+    if (l->any_varied)
+        list_all_slots(l, s->kind + first, entries, first, true);
     else
-        list_whole(l, s->kind + first, at, first, false);
+        list_all_slots(l, s->kind + first, entries, first, false);
     return true;
 }
 
@@ -409,52 +414,54 @@ static void list_all(struct lists *l, const struct bullets *s, const struct wind
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
         if (!list_block(l, s, t, block))
-            list_some(l, s, t, block, s->s.used[block]);
+            list_masked(l, s, t, block, s->s.used[block]);
 }
 
-/* Returns the live bullets of a block that are of open kinds, as a mask. */
-static uint64_t open_ones(const struct lists *l, const struct bullets *s, uint32_t block)
+/* Returns a mask of a block's live bullets whose kinds are listed. */
+static uint64_t listed_bullets_mask(const struct lists *l, const struct bullets *s, uint32_t block)
 {
     const uint16_t *kinds = s->kind + block * SLOTS_BLOCK;
-    uint8_t is[SLOTS_BLOCK];
+    uint8_t is_listed[SLOTS_BLOCK];
 
     for (int i = 0; i < SLOTS_BLOCK; i++)
-        is[i] = l->is_listed[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
-    return slots_gather(is) & s->s.used[block];
+        is_listed[i] = l->is_listed[kinds[i] % MAX_KINDS]; /* a dead slot's kind may be anything */
+    return slots_pack_flags(is_listed) & s->s.used[block];
 }
 
-static void list_open(struct lists *l, const struct bullets *s, const struct window *t)
+static void list_kinds(struct lists *l, const struct bullets *s, const struct window *t)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++)
-        list_some(l, s, t, block, open_ones(l, s, block));
+        list_masked(l, s, t, block, listed_bullets_mask(l, s, block));
 }
 
 /* ---- back to front ---- */
 
-static void draw_other(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
-                       uint32_t i)
+static void draw_bullet(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                        uint32_t i)
 {
     struct image image = image_of(c, l, s, i);
     int x, y;
 
-    corner(t, l, s, i, &x, &y);
+    find_corner(t, l, s, i, &x, &y);
     video_paint(c, &image, x, y, s->bank[i], 0, l->style[s->kind[i]].blend);
 }
 
-/* Selects the pictures of a rotated or animated kind, with multiplications instead of divisions. age * every >>
- * AGE_BITS is the exact quotient age / slow: `every` exceeds 2^AGE_BITS / slow by at most 1, so the error is at most
- * age / 2^AGE_BITS, which is below 1 / slow because age < YOUNG and slow < 2^16. */
+/* Selects the pictures of a rotated or animated kind, with multiplications instead of divisions. age * ticks_reciprocal
+ * >> AGE_BITS is the exact quotient age / ticks_per_frame: `ticks_reciprocal` exceeds 2^AGE_BITS / ticks_per_frame by
+ * at most 1, so the error is at most age / 2^AGE_BITS, which is below 1 / ticks_per_frame because age < MAX_FAST_AGE
+ * and ticks_per_frame < 2^16. */
 struct picker {
-    uint32_t size;                         /* bytes of a picture */
-    uint32_t rotations, all, frames, slow; /* all: copies per animation frame; slow: ticks per animation frame */
-    uint64_t every, round;                 /* reciprocals of `slow` and of `frames` */
-    ang along, spin;                       /* along: mask for dir, all bits or none */
-    bool ages;                             /* the picture depends on the bullet's age */
-    unsigned shift;                        /* there are 2^(32 - shift) copies; 0: their number is not a power of 2 */
-    ang half;                              /* half the angle between two copies */
+    uint32_t size; /* bytes of a picture */
+    uint32_t rotations, copies, frames,
+        ticks_per_frame; /* copies: copies per animation frame; ticks_per_frame: ticks per animation frame */
+    uint64_t ticks_reciprocal, frames_reciprocal; /* reciprocals of `ticks_per_frame` and of `frames` */
+    ang dir_mask, spin;                           /* dir_mask: mask for dir, all bits or none */
+    bool uses_age;                                /* the picture depends on the bullet's age */
+    unsigned shift; /* there are 2^(32 - shift) copies; 0: their number is not a power of 2 */
+    ang half_turn;  /* half the angle between two copies */
 };
 
-enum { AGE_BITS = 40, YOUNG = 1 << 23 };
+enum { AGE_BITS = 40, MAX_FAST_AGE = 1 << 23 };
 
 static uint64_t reciprocal(uint32_t n)
 {
@@ -477,45 +484,47 @@ static struct picker picker_of(const struct style *style)
 
     return (struct picker){ .size = (uint32_t)pic->pitch * (uint32_t)pic->h,
                             .rotations = style->turns ? pic->rotations : 0,
-                            .all = pic->rotations,
+                            .copies = pic->rotations,
                             .frames = pic->frames,
-                            .slow = pic->every ? pic->every : 1,
-                            .every = reciprocal(pic->every ? pic->every : 1),
-                            .round = reciprocal(pic->frames),
-                            .along = style->along ? UINT32_MAX : 0,
+                            .ticks_per_frame = pic->frame_ticks ? pic->frame_ticks : 1,
+                            .ticks_reciprocal = reciprocal(pic->frame_ticks ? pic->frame_ticks : 1),
+                            .frames_reciprocal = reciprocal(pic->frames),
+                            .dir_mask = style->uses_dir ? UINT32_MAX : 0,
                             .spin = style->spin,
-                            .ages = pic->frames > 1 || style->spin,
+                            .uses_age = pic->frames > 1 || style->spin,
                             .shift = shift,
-                            .half = shift ? 1u << (shift - 1) : 0 };
+                            .half_turn = shift ? 1u << (shift - 1) : 0 };
 }
 
 /* Returns the offset in bytes of bullet i's picture, for a kind whose picture depends on the age. */
-static inline uint32_t picked(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
+static inline uint32_t picture_offset(const struct picker *p, const struct bullets *s, uint32_t i, uint32_t clock)
 {
     const uint32_t age = bullets_age(s, i, clock);
-    const uint32_t at = age < YOUNG ? (uint32_t)(age * p->every >> AGE_BITS) : age / p->slow;
-    const uint32_t frame = at < YOUNG ? at - (uint32_t)(at * p->round >> AGE_BITS) * p->frames : at % p->frames;
+    const uint32_t at =
+        age < MAX_FAST_AGE ? (uint32_t)(age * p->ticks_reciprocal >> AGE_BITS) : age / p->ticks_per_frame;
+    const uint32_t frame =
+        at < MAX_FAST_AGE ? at - (uint32_t)(at * p->frames_reciprocal >> AGE_BITS) * p->frames : at % p->frames;
 
-    return (frame * p->all + stamp_turn((s->dir[i] & p->along) + p->spin * age, p->rotations)) * p->size;
+    return (frame * p->copies + stamp_turn_index((s->dir[i] & p->dir_mask) + p->spin * age, p->rotations)) * p->size;
 }
 
 /* Finds the offsets in bytes of the pictures of n bullets. Bullets listed by slot are included, but their offsets are
  * not used. */
-static void pick(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
-                 const uint32_t *restrict slots, uint32_t n, uint32_t *restrict at)
+static void find_picture_offsets(const struct draw_target *c, const struct bullets *s, const struct picker *picker,
+                                 const uint32_t *restrict slots, uint32_t n, uint32_t *restrict offsets)
 {
     const struct picker p = *picker;
     const ang *dir = s->dir;
 
-    if (p.ages)
+    if (p.uses_age)
         for (uint32_t k = 0; k < n; k++)
-            at[k] = picked(&p, s, slots[k], c->b->core.clock);
+            offsets[k] = picture_offset(&p, s, slots[k], c->b->core.clock);
     else if (p.shift)
         for (uint32_t k = 0; k < n; k++)
-            at[k] = ((dir[slots[k]] + p.half) >> p.shift) * p.size;
+            offsets[k] = ((dir[slots[k]] + p.half_turn) >> p.shift) * p.size;
     else
         for (uint32_t k = 0; k < n; k++)
-            at[k] = stamp_turn(dir[slots[k]], p.rotations) * p.size;
+            offsets[k] = stamp_turn_index(dir[slots[k]], p.rotations) * p.size;
 }
 
 /* Draws a kind with rotated pictures up to 8 px wide, the usual size of bullets. The speed of drawing them is limited
@@ -524,51 +533,51 @@ static void pick(const struct draw_target *c, const struct bullets *s, const str
 static void draw_turned(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
                         const struct style *style, const struct picker *p, uint32_t n)
 {
-    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
     const struct image image = video_image(style->pic, 0, false, 0);
     struct stamp_turns turns = { .dir = s->dir, .size = p->size, .rotations = p->rotations };
 
     for (uint32_t k = 0; k < n; k++) {
-        turns.which = slots + k;
-        k += (uint32_t)stamp_turned(c->fb, &image, &turns, style->mix,
-                                    &(struct stamp_list){ list + k, n - k, style->less });
+        turns.dir_index = slots + k;
+        k += (uint32_t)stamp_draw_turned(c->fb, &image, &turns, style->mix,
+                                         &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
-            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+            draw_bullet(c, s, l, t, list[k] & (STAMP_CALLER_ENTRY - 1));
     }
 }
 
 /* Draws a kind whose bullets show different pictures, with a selected picture for each. */
-static void draw_own(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
-                     const struct style *style, uint32_t n)
+static void draw_varied(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
+                        const struct style *style, uint32_t n)
 {
-    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
     const struct image image = video_image(style->pic, 0, false, 0);
     const struct picker p = picker_of(style);
-    uint32_t at[BATCH];
+    uint32_t offsets[BATCH];
 
-    if (!p.ages && image.pitch == 8) {
+    if (!p.uses_age && image.pitch == 8) {
         draw_turned(c, s, l, t, style, &p, n);
         return;
     }
-    for (uint32_t k = 0, most; k < n; k += most) {
-        most = n - k < BATCH ? n - k : BATCH;
-        pick(c, s, &p, slots + k, most, at);
-        for (uint32_t j = 0; j < most; j++) {
-            j += (uint32_t)stamp_each(c->fb, &image, at + j, style->mix,
-                                      &(struct stamp_list){ list + k + j, most - j, style->less });
-            if (j < most)
-                draw_other(c, s, l, t, list[k + j] & (STAMP_OTHER - 1));
+    for (uint32_t k = 0, batch; k < n; k += batch) {
+        batch = n - k < BATCH ? n - k : BATCH;
+        find_picture_offsets(c, s, &p, slots + k, batch, offsets);
+        for (uint32_t j = 0; j < batch; j++) {
+            j += (uint32_t)stamp_draw_each(c->fb, &image, offsets + j, style->mix,
+                                           &(struct stamp_list){ list + k + j, batch - j, style->less });
+            if (j < batch)
+                draw_bullet(c, s, l, t, list[k + j] & (STAMP_CALLER_ENTRY - 1));
         }
     }
 }
 
-static void draw_singly(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
-                        const struct style *style, uint32_t n)
+static void draw_one_by_one(struct draw_target *c, const struct bullets *s, const struct lists *l,
+                            const struct window *t, const struct style *style, uint32_t n)
 {
-    const uint32_t *list = l->list + style->list, *slots = l->slots + style->list;
+    const uint32_t *list = l->list + style->list_start, *slots = l->slots + style->list_start;
 
     for (uint32_t k = 0; k < n; k++)
-        draw_other(c, s, l, t, list[k] & STAMP_OTHER ? list[k] & (STAMP_OTHER - 1) : slots[k]);
+        draw_bullet(c, s, l, t, list[k] & STAMP_CALLER_ENTRY ? list[k] & (STAMP_CALLER_ENTRY - 1) : slots[k]);
 }
 
 /* Returns a sprite's first picture. */
@@ -577,16 +586,16 @@ static inline struct image first_image(const struct sprite *pic)
     return (struct image){ pic->pix, pic->w, pic->h, pic->pitch };
 }
 
-static void draw_alike(struct draw_target *c, const struct bullets *s, const struct lists *l, const struct window *t,
-                       const struct style *style, uint32_t n)
+static void draw_same_picture(struct draw_target *c, const struct bullets *s, const struct lists *l,
+                              const struct window *t, const struct style *style, uint32_t n)
 {
     const struct image image = first_image(style->pic);
-    const uint32_t *list = l->list + style->list;
+    const uint32_t *list = l->list + style->list_start;
 
     for (uint32_t k = 0; k < n; k++) {
-        k += (uint32_t)stamp_over(c->fb, &image, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
+        k += (uint32_t)stamp_draw(c->fb, &image, style->mix, &(struct stamp_list){ list + k, n - k, style->less });
         if (k < n)
-            draw_other(c, s, l, t, list[k] & (STAMP_OTHER - 1));
+            draw_bullet(c, s, l, t, list[k] & (STAMP_CALLER_ENTRY - 1));
     }
 }
 
@@ -594,19 +603,19 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
                       uint16_t kind)
 {
     const struct style *style = &l->style[kind];
-    const uint32_t n = listed(l, kind);
+    const uint32_t n = listed_count(l, kind);
 
-    if (style->alike)
-        draw_alike(c, s, l, t, style, n);
-    else if (style->singly)
-        draw_singly(c, s, l, t, style, n);
+    if (style->same_picture)
+        draw_same_picture(c, s, l, t, style, n);
+    else if (style->one_by_one)
+        draw_one_by_one(c, s, l, t, style, n);
     else
-        draw_own(c, s, l, t, style, n);
+        draw_varied(c, s, l, t, style, n);
 }
 
-static void draw_over(struct draw_target *c, const struct bullets *s, struct lists *l)
+static void draw_back_to_front(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
-    struct window t = open_window(l, 0, l->kinds, c->fb, c->x, c->y, true);
+    struct window t = init_window(l, 0, l->kinds, c->fb, c->x, c->y, true);
 
     list_all(l, s, &t);
     for (uint32_t o = 0; o < l->kinds; o++)
@@ -618,50 +627,50 @@ static void draw_over(struct draw_target *c, const struct bullets *s, struct lis
 static bool make_stamp(struct lists *l, const struct style *style, uint32_t n)
 {
     struct image image = video_image(style->pic, 0, false, 0);
-    const uint32_t *list = l->list + style->list;
-    unsigned banks = n < MANY_BANKS ? 0 : 0xffff;
+    const uint32_t *list = l->list + style->list_start;
+    unsigned banks = n < ALL_BANKS_MIN_BULLETS ? 0 : 0xffff;
 
-    for (uint32_t k = 0; k < n && n < MANY_BANKS; k++)
-        banks |= list[k] & STAMP_OTHER ? 0 : 1u << (list[k] >> 28);
+    for (uint32_t k = 0; k < n && n < ALL_BANKS_MIN_BULLETS; k++)
+        banks |= list[k] & STAMP_CALLER_ENTRY ? 0 : 1u << (list[k] >> 28);
     return stamp_make(&l->stamp, &image, banks);
 }
 
 /* Draws the listed bullets of a kind on the layer. The layer's band has space for every picture that reaches into the
- * field, so all bullets of a kind with `alike` set are listed as destinations. */
-static void layer_kind(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s, struct lists *l,
-                       const struct window *t, uint16_t kind)
+ * field, so all bullets of a kind with `same_picture` set are listed as destinations. */
+static void draw_kind_on_layer(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
+                               struct lists *l, const struct window *t, uint16_t kind)
 {
     const struct style *style = &l->style[kind];
     struct stamp_corners corners = stamp_corners(&layer->fb, style->pic->w, style->pic->h);
-    const uint32_t *list = l->list + style->list;
-    uint32_t n = listed(l, kind);
+    const uint32_t *list = l->list + style->list_start;
+    uint32_t n = listed_count(l, kind);
     int x, y;
 
-    if (style->alike) {
+    if (style->same_picture) {
         bool made = make_stamp(l, style, n);
         assert(made); /* a picture that fits in the band always fits in a stamp */
         stamp_layer_draw(layer, &l->stamp, &(struct stamp_list){ list, n, style->less }, style->pixels);
         return;
     }
     while (n-- > 0) {
-        uint32_t i = list[n] & (STAMP_OTHER - 1);
+        uint32_t i = list[n] & (STAMP_CALLER_ENTRY - 1);
         struct image image = image_of(c, l, s, i);
-        corner(t, l, s, i, &x, &y);
-        stamp_layer_sprite(layer, &image,
-                           stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
-                           style->pixels);
+        find_corner(t, l, s, i, &x, &y);
+        stamp_layer_draw_sprite(
+            layer, &image, stamp_dest(&layer->fb, (uint32_t)(x - corners.x0), (uint32_t)(y - corners.y0), s->bank[i]),
+            style->pixels);
     }
 }
 
 /* Draws the kinds of order[from .. to - 1] on the layer, topmost first. Returns the number of bullets listed. */
-static uint32_t layer_kinds(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
-                            struct lists *l, const struct window *t, uint32_t from, uint32_t to)
+static uint32_t draw_kinds_on_layer(const struct draw_target *c, struct stamp_layer *layer, const struct bullets *s,
+                                    struct lists *l, const struct window *t, uint32_t from, uint32_t to)
 {
     uint32_t n = 0;
 
     while (to-- > from) {
-        layer_kind(c, layer, s, l, t, l->order[to]);
-        n += listed(l, l->order[to]);
+        draw_kind_on_layer(c, layer, s, l, t, l->order[to]);
+        n += listed_count(l, l->order[to]);
     }
     return n;
 }
@@ -678,33 +687,34 @@ static void find_cells(const struct stamp_layer *layer, struct lists *l, uint32_
         x1 = pic->w - pic->ox > x1 || o == 0 ? pic->w - pic->ox : x1;
         y1 = pic->h - pic->oy > y1 || o == 0 ? pic->h - pic->oy : y1;
     }
-    stamp_cells_find(layer, cells, l->cells, x0, y0, x1, y1);
+    stamp_cells_compute(layer, cells, l->cells, x0, y0, x1, y1);
 }
 
 /* Returns the live bullets of a block that are in cells where a bullet may be visible, as a mask. */
-static uint64_t seen_ones(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
+static uint64_t visible_mask(const struct stamp_cells *cells, const struct bullets *s, uint32_t block)
 {
     uint32_t at[SLOTS_BLOCK];
-    uint8_t is[SLOTS_BLOCK];
+    uint8_t is_visible[SLOTS_BLOCK];
 
-    stamp_cells_at(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
+    stamp_cells_index(cells, s->x + block * SLOTS_BLOCK, s->y + block * SLOTS_BLOCK, at);
     for (int i = 0; i < SLOTS_BLOCK; i++)
-        is[i] = cells->seen[at[i]];
-    return slots_gather(is) & s->s.used[block];
+        is_visible[i] = cells->visible[at[i]];
+    return slots_pack_flags(is_visible) & s->s.used[block];
 }
 
-static void list_seen(struct lists *l, const struct bullets *s, const struct window *t, const struct stamp_cells *cells)
+static void list_visible(struct lists *l, const struct bullets *s, const struct window *t,
+                         const struct stamp_cells *cells)
 {
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        uint64_t m = seen_ones(cells, s, block);
+        uint64_t m = visible_mask(cells, s, block);
         if (m)
-            list_some(l, s, t, block, m & open_ones(l, s, block));
+            list_masked(l, s, t, block, m & listed_bullets_mask(l, s, block));
     }
 }
 
 static void draw_layered(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
-    const struct manifest *m = &c->b->cart.m;
+    const struct manifest *m = &c->b->cart.manifest;
     uint32_t top = l->kinds, drawn;
     uint64_t pixels = 0;
     struct stamp_layer layer;
@@ -715,19 +725,19 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
-    t = open_window(l, top, l->kinds, &layer.fb, 0, 0, false);
-    list_open(l, s, &t);
-    drawn = layer_kinds(c, &layer, s, l, &t, top, l->kinds);
-    stamp_layer_map(&layer);
+    t = init_window(l, top, l->kinds, &layer.fb, 0, 0, false);
+    list_kinds(l, s, &t);
+    drawn = draw_kinds_on_layer(c, &layer, s, l, &t, top, l->kinds);
+    stamp_layer_update_map(&layer);
     if (!layer.covered && top > 0) {
         struct stamp_cells cells;
         find_cells(&layer, l, top, &cells);
-        t = open_window(l, 0, top, &layer.fb, 0, 0, false);
-        list_seen(l, s, &t, &cells);
-        drawn += layer_kinds(c, &layer, s, l, &t, 0, top);
+        t = init_window(l, 0, top, &layer.fb, 0, 0, false);
+        list_visible(l, s, &t, &cells);
+        drawn += draw_kinds_on_layer(c, &layer, s, l, &t, 0, top);
     }
     stamp_layer_show(&layer, c->fb, c->x, c->y);
-    c->hidden += s->s.live - drawn + layer.hidden;
+    c->hidden_count += s->s.live - drawn + layer.hidden_count;
 }
 
 static size_t opaque_pixels(const struct image *image)
@@ -740,20 +750,20 @@ static size_t opaque_pixels(const struct image *image)
     return n;
 }
 
-/* Returns whether to draw on a layer: the bullets have at least `enough` opaque pixels in total, no picture is too
+/* Returns whether to draw on a layer: the bullets have at least `min_pixels` opaque pixels in total, no picture is too
  * large for a layer's band, and none is blended. Opaque pixels are counted only if the pictures' sizes do not already
  * rule out a layer. */
-static bool is_layered(struct lists *l, uint64_t enough)
+static bool should_use_layer(struct lists *l, uint64_t min_pixels)
 {
-    uint64_t most = 0, sum = 0;
+    uint64_t max_pixels = 0, sum = 0;
 
     for (uint32_t o = 0; o < l->kinds; o++) {
         const struct style *style = &l->style[l->order[o]];
         if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
             return false;
-        most += style->n * (uint64_t)(style->pic->w * style->pic->h);
+        max_pixels += style->n * (uint64_t)(style->pic->w * style->pic->h);
     }
-    if (most < enough)
+    if (max_pixels < min_pixels)
         return false;
     for (uint32_t o = 0; o < l->kinds; o++) {
         struct style *style = &l->style[l->order[o]];
@@ -761,21 +771,21 @@ static bool is_layered(struct lists *l, uint64_t enough)
         style->pixels = opaque_pixels(&image);
         sum += style->n * (uint64_t)style->pixels;
     }
-    return sum >= enough;
+    return sum >= min_pixels;
 }
 
-void video_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k)
+void video_draw_bullets(struct draw_target *c, const struct bullets *s, const struct bullet_kinds *k)
 {
-    const struct manifest *m = &c->b->cart.m;
-    uint64_t enough = (uint64_t)c->overdraw * (uint64_t)(m->field_w * m->field_h);
-    struct lists *l = open_lists(c);
+    const struct manifest *m = &c->b->cart.manifest;
+    uint64_t min_pixels = (uint64_t)c->min_overdraw * (uint64_t)(m->field_w * m->field_h);
+    struct lists *l = init_lists(c);
 
     if (!s->s.live)
         return;
     find_kinds(c, k, l);
-    c->drawn += s->s.live;
-    if (c->overdraw != VIDEO_NO_LAYERS && is_layered(l, enough))
+    c->drawn_count += s->s.live;
+    if (c->min_overdraw != VIDEO_NO_LAYERS && should_use_layer(l, min_pixels))
         draw_layered(c, s, l);
     else
-        draw_over(c, s, l);
+        draw_back_to_front(c, s, l);
 }

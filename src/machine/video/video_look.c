@@ -4,21 +4,21 @@
  */
 #include "video.h"
 
-int board_palette(const struct board *b)
+int board_loaded_palette(const struct board *b)
 {
     const uint8_t *main = cart_palette(&b->cart, "main");
-    int best = -1, most = -1;
+    int best = -1, best_score = -1;
 
     for (int i = 0; i < b->cart.palettes; i++) {
         const uint8_t *rgb = cart_palette_at(&b->cart, i);
-        const int alike = 2 * pal_likeness(&b->pal, rgb) + (rgb == main);
-        best = alike > most ? i : best;
-        most = alike > most ? alike : most;
+        const int score = 2 * pal_likeness(&b->pal, rgb) + (rgb == main);
+        best = score > best_score ? i : best;
+        best_score = score > best_score ? score : best_score;
     }
     return best;
 }
 
 struct cart_look video_look(const struct board *b)
 {
-    return b->cart.has_looks ? b->cart.looks[board_palette(b)] : b->cart.main;
+    return b->cart.has_looks ? b->cart.looks[board_loaded_palette(b)] : b->cart.main_look;
 }

@@ -21,7 +21,7 @@ static void find_drawn(const struct fb *fb, bool drawn[COLOURS])
             drawn[fb->pix[y * fb->pitch + x]] = true;
 }
 
-static int squared(uint32_t a, uint32_t b, int shift)
+static int squared_difference(uint32_t a, uint32_t b, int shift)
 {
     int d = (int)(a >> shift & 255) - (int)(b >> shift & 255);
 
@@ -31,64 +31,66 @@ static int squared(uint32_t a, uint32_t b, int shift)
 /* Returns the entry nearest to a colour; of several equally near ones, the first. */
 static uint8_t nearest(const uint32_t rgb[COLOURS], uint32_t colour)
 {
-    int best = 0, off = 3 * 256 * 256;
+    int best = 0, best_distance = 3 * 256 * 256;
 
     for (int i = 0; i < COLOURS; i++) {
-        int d = squared(rgb[i], colour, 16) + squared(rgb[i], colour, 8) + squared(rgb[i], colour, 0);
-        best = d < off ? i : best;
-        off = d < off ? d : off;
+        int d = squared_difference(rgb[i], colour, 16) + squared_difference(rgb[i], colour, 8) +
+                squared_difference(rgb[i], colour, 0);
+        best = d < best_distance ? i : best;
+        best_distance = d < best_distance ? d : best_distance;
     }
     return (uint8_t)best;
 }
 
 /* Returns the first entry from i that is neither in the picture nor used by what is drawn over it, or COLOURS. */
-static int next_free(const bool drawn[COLOURS], const bool over[COLOURS], int i)
+static int next_free(const bool drawn[COLOURS], const bool reserved[COLOURS], int i)
 {
-    while (i < COLOURS && (drawn[i] || over[i]))
+    while (i < COLOURS && (drawn[i] || reserved[i]))
         i++;
     return i;
 }
 
-/* Changes rgb to the colours of the dimmed picture. Sets to[i] to the entry that replaces entry i in the picture. */
-static void share_out(uint32_t rgb[COLOURS], const bool drawn[COLOURS], const bool over[COLOURS], fx share,
-                      uint8_t to[COLOURS])
+/* Changes rgb to the colours of the dimmed picture. Sets replacement[i] to the entry that replaces entry i in the
+ * picture. */
+static void assign_entries(uint32_t rgb[COLOURS], const bool drawn[COLOURS], const bool reserved[COLOURS], fx share,
+                           uint8_t replacement[COLOURS])
 {
     bool lost[COLOURS] = { false };
     uint32_t dark[COLOURS];
-    int spare = next_free(drawn, over, 0);
+    int spare = next_free(drawn, reserved, 0);
 
     for (int i = 0; i < COLOURS; i++)
         dark[i] = pal_mix(rgb[i], 0, share, FX_ONE);
     for (int i = 0; i < COLOURS; i++) {
-        to[i] = (uint8_t)i;
-        if (!over[i] && drawn[i])
+        replacement[i] = (uint8_t)i;
+        if (!reserved[i] && drawn[i])
             rgb[i] = dark[i];
-        if (!over[i] || !drawn[i])
+        if (!reserved[i] || !drawn[i])
             continue;
         lost[i] = spare == COLOURS;
         if (lost[i])
             continue;
-        to[i] = (uint8_t)spare;
+        replacement[i] = (uint8_t)spare;
         rgb[spare] = dark[i];
-        spare = next_free(drawn, over, spare + 1);
+        spare = next_free(drawn, reserved, spare + 1);
     }
     for (int i = 0; i < COLOURS; i++)
         if (lost[i])
-            to[i] = nearest(rgb, dark[i]);
+            replacement[i] = nearest(rgb, dark[i]);
 }
 
-void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool over[COLOURS], fx share)
+void video_dim(const struct draw_target *c, uint32_t rgb[COLOURS], const bool reserved[COLOURS], fx share)
 {
     struct fb *fb = c->fb;
     bool drawn[COLOURS];
-    uint8_t to[COLOURS];
+    uint8_t replacement[COLOURS];
 
     find_drawn(fb, drawn);
-    share_out(rgb, drawn, over, share, to);
+    assign_entries(rgb, drawn, reserved, share, replacement);
     for (int y = 0; y < fb->h; y++)
         for (int x = 0; x < fb->w; x++) {
             uint8_t *p = &fb->pix[y * fb->pitch + x];
-            *p = to[*p];
+            *p = replacement[*p];
         }
 }
 
@@ -103,23 +105,24 @@ void video_shade(const struct draw_target *c)
     }
 }
 
-/* Draws a rectangle with rounded corners: its first and last three rows are inset by in[0..2] px, outermost first. */
-static void rounded(struct fb *fb, int x, int y, int w, int h, const int in[3], uint8_t colour)
+/* Draws a rectangle with rounded corners: its first and last three rows are inset by inset[0..2] px, outermost
+ * first. */
+static void draw_rounded_rect(struct fb *fb, int x, int y, int w, int h, const int inset[3], uint8_t colour)
 {
     for (int k = 0; k < 3; k++) {
-        fb_rect(fb, x + in[k], y + k, w - 2 * in[k], 1, colour);
-        fb_rect(fb, x + in[k], y + h - 1 - k, w - 2 * in[k], 1, colour);
+        fb_rect(fb, x + inset[k], y + k, w - 2 * inset[k], 1, colour);
+        fb_rect(fb, x + inset[k], y + h - 1 - k, w - 2 * inset[k], 1, colour);
     }
     fb_rect(fb, x, y + 3, w, h - 6, colour);
 }
 
-void video_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank)
+void video_draw_plate(struct draw_target *c, int x, int y, int w, int h, uint8_t bank)
 {
     static const int edge[3] = { 3, 1, 1 }, rim[3] = { 2, 1, 0 }, inside[3] = { 1, 0, 0 };
     const uint8_t dark = (uint8_t)(bank * 16 + 1), light = (uint8_t)(bank * 16 + 10);
 
-    rounded(c->fb, x, y, w, h, edge, dark);
-    rounded(c->fb, x + 1, y + 1, w - 2, h - 2, rim, light);
-    rounded(c->fb, x + 2, y + 2, w - 4, h - 4, inside, dark);
-    c->drawn++;
+    draw_rounded_rect(c->fb, x, y, w, h, edge, dark);
+    draw_rounded_rect(c->fb, x + 1, y + 1, w - 2, h - 2, rim, light);
+    draw_rounded_rect(c->fb, x + 2, y + 2, w - 4, h - 4, inside, dark);
+    c->drawn_count++;
 }

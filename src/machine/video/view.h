@@ -14,16 +14,16 @@ enum view_dim { VIEW_DIM_NONE, VIEW_DIM_QUARTER, VIEW_DIM_HALF, VIEW_DIM_MOST, V
 
 /* Colour-blind mode: off, or for players without the cones for long (protanopia), medium (deuteranopia) or short
  * wavelengths (tritanopia). */
-enum view_colours { VIEW_ALL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
+enum view_colours { VIEW_NORMAL, VIEW_PROTAN, VIEW_DEUTAN, VIEW_TRITAN, VIEW_COLOURS };
 
-enum { VIEW_SOFT = 4 /* divisor of a flash's opacity with soft_flashes */ };
+enum { VIEW_SOFT_DIVISOR = 4 /* divisor of a flash's opacity with softens_flashes */ };
 
 /* All zero: the picture is not changed. */
 struct view {
     enum view_dim dim;
-    bool soft_flashes; /* weakens `screen.flash` and the white blinking of hurt enemies */
+    bool softens_flashes; /* weakens `screen.flash` and the white blinking of hurt enemies */
     enum view_colours colours;
-    const uint8_t *shades; /* CART_SHADES bytes (cart.h) for a ROM without its own; NULL: the backgrounds of such a
+    const uint8_t *shades; /* CART_SHADES_SIZE bytes (cart.h) for a ROM without its own; NULL: the backgrounds of such a
                               ROM are not dimmed */
 };
 

@@ -65,7 +65,7 @@ static uint32_t level_of(int32_t light)
     return (uint32_t)(light - linear[lo] > linear[hi] - light ? hi : lo);
 }
 
-static int64_t rounded(int64_t v)
+static int64_t round_scaled(int64_t v)
 {
     return (v < 0 ? v - ONE / 2 : v + ONE / 2) / ONE;
 }
@@ -75,12 +75,12 @@ uint32_t view_colour(enum view_colours colours, uint32_t rgb)
     const int64_t light[3] = { linear[rgb >> 16 & 255], linear[rgb >> 8 & 255], linear[rgb & 255] };
     uint32_t out = 0;
 
-    if (colours == VIEW_ALL)
+    if (colours == VIEW_NORMAL)
         return rgb;
     for (int c = 0; c < 3; c++) {
-        const int32_t *share = added[colours][c];
-        int64_t more = rounded(share[0] * light[0] + share[1] * light[1] + share[2] * light[2]);
-        out = out << 8 | level_of((int32_t)(light[c] + more));
+        const int32_t *weight = added[colours][c];
+        int64_t correction = round_scaled(weight[0] * light[0] + weight[1] * light[1] + weight[2] * light[2]);
+        out = out << 8 | level_of((int32_t)(light[c] + correction));
     }
     return out;
 }

@@ -13,7 +13,7 @@
  * entries do not invalidate old demos. */
 static int call(lua_State *L)
 {
-    struct api_bound *f = api_bound(L);
+    struct api_binding *f = api_current_binding(L);
     const struct api_entry *e = f->entry;
     struct board *b = vm_board(L);
     struct api_value v[MAX_PARAMS];
@@ -21,45 +21,45 @@ static int call(lua_State *L)
     vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !b->vm.loading)
         return api_error(L, e->name, "can only be called while scripts load");
-    if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is(lua_tointeger(L, 1))))
+    if (e->flags & API_METHOD && !(lua_isinteger(L, 1) && handle_is_well_formed(lua_tointeger(L, 1))))
         return api_error(L, e->name, "call it on a thing with a colon, as in thing:name()");
-    const struct api_entry *fire;
-    int n = api_read_planned_arguments(L, f, v, &fire);
+    const struct api_entry *fired_entry;
+    int n = api_read_planned_arguments(L, f, v, &fired_entry);
     if (e->flags & API_CHANGES) {
         api_fold_call(L, b, f->hash, v, n);
-        for (int i = e->plain + 1; e->flags & API_MORE && i <= lua_gettop(L); i++)
+        for (int i = e->positional_count + 1; e->flags & API_VARARGS && i <= lua_gettop(L); i++)
             api_fold(L, b, i);
     }
     int results = e->run(L, b, v);
     if (e->flags & API_CHANGES)
         for (int i = -results; i < 0; i++)
             api_fold(L, b, i);
-    return f->walks ? luakeys_return(L, results) : results;
+    return f->may_iterate ? luakeys_return(L, results) : results;
 }
 
-int api_checked(lua_State *L, const struct api_entry *e)
+int api_push_checked(lua_State *L, const struct api_entry *e)
 {
     struct api_value v[MAX_PARAMS];
 
     vm_charge(L, WORK_CALL);
     if (e->flags & API_LOAD && !vm_board(L)->vm.loading)
         return api_error(L, e->name, "can only be called while scripts load");
-    const struct api_entry *fire;
-    int all = api_read_arguments(L, e, v, &fire), n = api_param_count(e, fire), fields = 0;
-    for (int i = 0; i < all; i++)
-        fields += v[i].given || (i < e->count && e->params[i].def);
-    lua_createtable(L, 0, fields); /* exact size, because patterns iterate over the table for each bullet */
-    for (int i = n; i < all; i++)
+    const struct api_entry *fired_entry;
+    int n_values = api_read_arguments(L, e, v, &fired_entry), n_params = api_param_count(e, fired_entry), n_fields = 0;
+    for (int i = 0; i < n_values; i++)
+        n_fields += v[i].given || (i < e->count && e->params[i].def);
+    lua_createtable(L, 0, n_fields); /* exact size, because patterns iterate over the table for each bullet */
+    for (int i = n_params; i < n_values; i++)
         if (v[i].given) {
             lua_pushvalue(L, v[i].at);
-            lua_setfield(L, -2, board_name(vm_board(L), api_value_names(fire ? fire : e), i - n));
+            lua_setfield(L, -2, board_name(vm_board(L), api_value_names(fired_entry ? fired_entry : e), i - n_params));
         }
-    for (int i = n; i-- > 0;) {
-        const struct api_param *p = api_param_at(e, fire, i);
-        bool own = i < e->count;
+    for (int i = n_params; i-- > 0;) {
+        const struct api_param *p = api_param_at(e, fired_entry, i);
+        bool is_own = i < e->count;
         if (v[i].given)
             lua_pushvalue(L, v[i].at);
-        else if (!own || !p->def || p->type == A_FIRE) /* omit: older library modules pass on every argument */
+        else if (!is_own || !p->def || p->type == A_FIRE) /* omit: older library modules pass on every argument */
             continue;
         else if (p->type == A_BOOL)
             lua_pushboolean(L, (int)v[i].i);
@@ -82,36 +82,36 @@ int api_sys_check(lua_State *L)
     if (!e)
         return vm_fault(L, FAULT_SCRIPT, "sys.check: unknown entry \"%s\"", lua_tostring(L, 1));
     lua_remove(L, 1);
-    return luakeys_return(L, api_checked(L, e));
+    return luakeys_return(L, api_push_checked(L, e));
 }
 
 void api_push_bound(lua_State *L, const struct api_entry *e, lua_CFunction f)
 {
-    struct api_bound *bound = lua_newuserdatauv(L, sizeof *bound, 1);
+    struct api_binding *bound = lua_newuserdatauv(L, sizeof *bound, 1);
 
-    *bound = (struct api_bound){ .entry = e, .hash = hash_bytes(HASH_START, e->name, strlen(e->name)) };
-    bound->walks = e->plain < e->count || e->flags & (API_FIRE | API_MORE | API_VALUES);
+    *bound = (struct api_binding){ .entry = e, .hash = hash_bytes(HASH_START, e->name, strlen(e->name)) };
+    bound->may_iterate = e->positional_count < e->count || e->flags & (API_FIRE | API_VARARGS | API_VALUES);
     for (int i = 0; i < e->count; i++)
-        bound->walks |= e->params[i].type == A_TABLE;
+        bound->may_iterate |= e->params[i].type == A_TABLE;
     lua_pushcclosure(L, f, 1);
 }
 
-enum { SEARCH = 100 /* VM instructions charged for searching an entry */ };
+enum { SEARCH_WORK = 100 /* VM instructions charged for searching an entry */ };
 
-void api_push_call(lua_State *L, const struct api_entry *e)
+void api_push_function(lua_State *L, const struct api_entry *e)
 {
     api_push_bound(L, e, call);
 }
 
-bool api_push_member(lua_State *L, const char *of, char split, const char *name)
+bool api_push_member(lua_State *L, const char *owner, char separator, const char *name)
 {
-    vm_charge(L, SEARCH);
+    vm_charge(L, SEARCH_WORK);
     for (int m = 0; m < api_of(L)->n; m++)
         for (int i = 0; i < api_of(L)->modules[m]->n; i++) {
             const struct api_entry *e = &api_of(L)->modules[m]->entries[i];
-            const char *member = api_member(e, of, split);
-            if (member && !strcmp(member, name) && !api_off(&vm_board(L)->cart.m, e->name)) {
-                api_push_call(L, e);
+            const char *member = api_member_name(e, owner, separator);
+            if (member && !strcmp(member, name) && !api_disabled_reason(&vm_board(L)->cart.manifest, e->name)) {
+                api_push_function(L, e);
                 return true;
             }
         }

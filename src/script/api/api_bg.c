@@ -8,18 +8,18 @@
 #include "api_parts.h"
 
 enum {
-    MOST_LINES = 1024,  /* height of the tallest field, in lines */
+    MAX_LINES = 1024,   /* height of the tallest field, in lines */
     SHADE_WORK = 500000 /* work of building one table of shades, in VM instructions */
 };
 
-static const char def[] = "bg.lines", fog_def[] = "plane: fog";
+static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 
-static double pixels(int64_t q16)
+static double q16_to_double(int64_t q16)
 {
     return (double)q16 / 65536;
 }
 
-static void push_name(lua_State *L, const char *name)
+static void push_string_or_nil(lua_State *L, const char *name)
 {
     if (name)
         lua_pushstring(L, name);
@@ -31,13 +31,13 @@ static void push_name(lua_State *L, const char *name)
 
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
 
-#define SHARED                                                                                                         \
+#define SHARED_PROPS                                                                                                   \
     { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
-        { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+        { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "    \
                 "`vx` every frame"),                                                                                   \
           PROP_WRITE },                                                                                                \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "     \
                 "`vy` every frame"),                                                                                   \
           PROP_WRITE },                                                                                                \
@@ -59,13 +59,13 @@ static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
 
     switch (p) {
     case P_MAP:
-        push_name(L, g->map[i] ? cart_map_name(&b->cart, g->map[i] - 1) : NULL);
+        push_string_or_nil(L, g->map[i] ? cart_map_name(&b->cart, g->map[i] - 1) : NULL);
         break;
     case P_X:
-        lua_pushnumber(L, pixels(g->x[i]));
+        lua_pushnumber(L, q16_to_double(g->x[i]));
         break;
     case P_Y:
-        lua_pushnumber(L, pixels(g->y[i]));
+        lua_pushnumber(L, q16_to_double(g->y[i]));
         break;
     case P_VX:
         lua_pushnumber(L, fx_to_double(g->vx[i]));
@@ -80,7 +80,7 @@ static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, g->bank[i]);
         break;
     case P_BLEND:
-        push_name(L, blend ? cart_blend_name(&b->cart, blend - 1) : NULL);
+        push_string_or_nil(L, blend ? cart_blend_name(&b->cart, blend - 1) : NULL);
         break;
     default:
         lua_pushboolean(L, g->flags[i] & BG_HIDDEN);
@@ -131,7 +131,7 @@ static void set_shared(struct board *b, uint32_t i, int p, const struct api_valu
 enum { P_WRAP = P_SHARED, LAYER_PROPS };
 
 static const struct api_prop layer_props[LAYER_PROPS] = {
-    SHARED,
+    SHARED_PROPS,
     { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE },
 };
 
@@ -160,7 +160,7 @@ enum { P_HORIZON = P_SHARED, P_HEIGHT, P_DIR, P_CEILING, P_FOG, PLANE_PROPS };
 enum { FOG_TO, FOG_FAR, FOG_PARAMS };
 
 static const struct api_prop plane_props[PLANE_PROPS] = {
-    SHARED,
+    SHARED_PROPS,
     { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
       PROP_WRITE },
     { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE },
@@ -176,7 +176,7 @@ static const struct api_prop plane_props[PLANE_PROPS] = {
 
 static const struct api_param fog_params[FOG_PARAMS] = {
     PARAM("to", A_INT, REQ, 0, 0xffffff, NULL, NULL, ""),
-    PARAM("far", A_FX, REQ, 1, WORLD, "px", NULL, ""),
+    PARAM("far", A_FX, REQ, 1, WORLD_EDGE, "px", NULL, ""),
 };
 
 static void push_fog(lua_State *L, const struct bg *g)
@@ -188,7 +188,7 @@ static void push_fog(lua_State *L, const struct bg *g)
     lua_createtable(L, 0, FOG_PARAMS);
     lua_pushinteger(L, g->fog[BG_PLANE]);
     lua_setfield(L, -2, "to");
-    lua_pushnumber(L, fx_to_double(g->far[BG_PLANE]));
+    lua_pushnumber(L, fx_to_double(g->fog_end[BG_PLANE]));
     lua_setfield(L, -2, "far");
 }
 
@@ -217,28 +217,30 @@ static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-/* Builds the tables of shades at offset `at` for a fade to the colour `to`. */
-static void shade(struct board *b, int at, uint32_t to)
+/* Builds the tables of shades at offset `at` for a fade to the colour `colour`. */
+static void build_shades(struct board *b, int at, uint32_t colour)
 {
     if (!b->bg_shades.s.live)
-        memset(b->bg_shades.to, 0, BG_TABLES);
+        memset(b->bg_shades.table, 0, BG_TABLES_SIZE);
     b->bg_shades.s.live = b->bg_shades.s.cap;
-    bg_shade(b->bg_shades.to + at,
-             b->cart.has_looks ? cart_palette_at(&b->cart, board_palette(b)) : cart_palette(&b->cart, "main"), to);
+    bg_fill_shades(b->bg_shades.table + at,
+                   b->cart.has_looks ? cart_palette_at(&b->cart, board_loaded_palette(b))
+                                     : cart_palette(&b->cart, "main"),
+                   colour);
 }
 
-void api_bg_shade(lua_State *L, struct board *b, bool other)
+void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed)
 {
-    const bool fog = b->bg.fog[BG_PLANE] != BG_NO_FOG, black = b->bg.over[0];
+    const bool has_fog = b->bg.fog[BG_PLANE] != BG_NO_FOG, is_fading = b->bg.fade_length[0];
 
-    if (fog) /* charged even if no table is built, because the palette is not part of the tick's result */
+    if (has_fog) /* charged even if no table is built, because the palette is not part of the tick's result */
         vm_charge(L, SHADE_WORK);
-    if (black)
+    if (is_fading)
         vm_charge(L, SHADE_WORK);
-    if (other && fog)
-        shade(b, BG_FOG_TABLES, b->bg.fog[BG_PLANE]);
-    if (other && black)
-        shade(b, BG_BLACK_TABLES, 0);
+    if (changed && has_fog)
+        build_shades(b, BG_FOG_TABLES, b->bg.fog[BG_PLANE]);
+    if (changed && is_fading)
+        build_shades(b, BG_BLACK_TABLES, 0);
 }
 
 static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
@@ -249,13 +251,13 @@ static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
         b->bg.fog[BG_PLANE] = BG_NO_FOG;
         return;
     }
-    api_read_fields(L, fog_def, NULL, &(struct api_fields){ fog_params, FOG_PARAMS, NAME_LISTS }, v->at, f);
+    api_read_fields(L, fog_entry, NULL, &(struct api_fields){ fog_params, FOG_PARAMS, NAME_LISTS }, v->at, f);
     if ((uint32_t)f[FOG_TO].i != b->bg.fog[BG_PLANE]) {
         vm_charge(L, SHADE_WORK);
-        shade(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
+        build_shades(b, BG_FOG_TABLES, (uint32_t)f[FOG_TO].i);
     }
     b->bg.fog[BG_PLANE] = (uint32_t)f[FOG_TO].i;
-    b->bg.far[BG_PLANE] = f[FOG_FAR].f;
+    b->bg.fog_end[BG_PLANE] = f[FOG_FAR].f;
 }
 
 static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -298,45 +300,45 @@ static const struct api_param lines_params[] = {
           "omitted, the layer becomes straight again")
 };
 
-enum { WAVE, EVERY, SPEED, WAVE_PARAMS };
+enum { WAVE_WIDTH, WAVE_EVERY, WAVE_SPEED, WAVE_PARAMS };
 
 static const struct api_param wave_params[WAVE_PARAMS] = {
     PARAM("wave", A_FX, REQ, -1024, 1024, "px", NULL, "distance the lines sway to each side"),
-    PARAM("every", A_FX, REQ, 1, WORLD, "px", NULL, "distance from one crest to the next"),
+    PARAM("every", A_FX, REQ, 1, WORLD_EDGE, "px", NULL, "distance from one crest to the next"),
     PARAM("speed", A_FX, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", "0", "speed at which the wave moves down"),
 };
 
 static int bg_layer(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    lua_pushinteger(L, handle_of(H_LAYER, 1, (uint32_t)v[ARG_I].i - 1));
+    lua_pushinteger(L, handle_make(H_LAYER, 1, (uint32_t)v[ARG_I].i - 1));
     return 1;
 }
 
 static int bg_plane(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b, (void)v;
-    lua_pushinteger(L, handle_of(H_PLANE, 1, BG_PLANE));
+    lua_pushinteger(L, handle_make(H_PLANE, 1, BG_PLANE));
     return 1;
 }
 
 /* Reads the list of distances at stack index `at` into px. Returns the number of elements; raises an error if it
- * exceeds `room`. */
-static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
+ * exceeds `capacity`. */
+static uint32_t read_line_offsets(lua_State *L, int at, fx *offsets, uint32_t capacity)
 {
     const lua_Unsigned n = lua_rawlen(L, at);
     char name[32];
 
-    if (n > room)
-        api_error(L, def, "expected at most %d lines (the height of the field), got %d", (int)room, (int)n);
+    if (n > capacity)
+        api_error(L, lines_entry, "expected at most %d lines (the height of the field), got %d", (int)capacity, (int)n);
     vm_charge(L, n);
     for (uint32_t k = 0; k < n; k++) {
-        struct api_param p = { name, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
+        struct api_param p = { name, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
         struct api_value v = { 0 };
         lua_rawgeti(L, at, (lua_Integer)k + 1);
         snprintf(name, sizeof name, "line %d", (int)k + 1);
-        api_check(L, def, &p, lua_gettop(L), &v);
-        px[k] = v.f;
+        api_check(L, lines_entry, &p, lua_gettop(L), &v);
+        offsets[k] = v.f;
         lua_pop(L, 1);
     }
     return (uint32_t)n;
@@ -344,23 +346,23 @@ static uint32_t list_of_px(lua_State *L, int at, fx *px, uint32_t room)
 
 /* Sets the line offsets of layer i from the list. Folds the numbers, because the call itself does not fold the contents
  * of a table. */
-static void set_list(lua_State *L, struct board *b, uint32_t i, int at)
+static void set_line_offsets(lua_State *L, struct board *b, uint32_t i, int at)
 {
-    fx px[MOST_LINES];
-    const uint32_t n = list_of_px(L, at, px, b->bg_lines.s.cap / BG_LAYERS);
+    fx offsets[MAX_LINES];
+    const uint32_t n = read_line_offsets(L, at, offsets, b->bg_lines.s.cap / BG_LAYERS);
 
     for (uint32_t k = 0; k < n; k++)
-        script_fold(b, (uint32_t)px[k]);
-    bg_set_lines(&b->bg, &b->bg_lines, i, px, n);
+        script_fold(b, (uint32_t)offsets[k]);
+    bg_set_lines(&b->bg, &b->bg_lines, i, offsets, n);
 }
 
 static void set_wave(struct board *b, uint32_t i, const struct api_value *v)
 {
     struct bg *g = &b->bg;
 
-    g->wave[i] = v[WAVE].f;
-    g->every[i] = v[EVERY].f;
-    g->speed[i] = v[SPEED].f;
+    g->wave[i] = v[WAVE_WIDTH].f;
+    g->wave_period[i] = v[WAVE_EVERY].f;
+    g->wave_speed[i] = v[WAVE_SPEED].f;
     for (int k = 0; k < WAVE_PARAMS; k++)
         script_fold(b, (uint32_t)v[k].f);
 }
@@ -372,12 +374,12 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[ARG_LINES].given && lua_rawlen(L, v[ARG_LINES].at)) {
         set_wave(b, i, wave);
-        set_list(L, b, i, v[ARG_LINES].at);
+        set_line_offsets(L, b, i, v[ARG_LINES].at);
         return 0;
     }
     if (v[ARG_LINES].given)
-        api_read_fields(L, def, NULL, &(struct api_fields){ wave_params, WAVE_PARAMS, NAME_LISTS }, v[ARG_LINES].at,
-                        wave);
+        api_read_fields(L, lines_entry, NULL, &(struct api_fields){ wave_params, WAVE_PARAMS, NAME_LISTS },
+                        v[ARG_LINES].at, wave);
     bg_set_lines(&b->bg, &b->bg_lines, i, NULL, 0);
     set_wave(b, i, wave);
     if (!v[ARG_LINES].given)
@@ -393,9 +395,9 @@ static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT1
 /* Starts a fade of n frames, to black and back; 0 ends it. Returns the frames until the screen is black. */
 static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (v[ARG_I].i && !b->bg.over[0]) {
+    if (v[ARG_I].i && !b->bg.fade_length[0]) {
         vm_charge(L, SHADE_WORK);
-        shade(b, BG_BLACK_TABLES, 0);
+        build_shades(b, BG_BLACK_TABLES, 0);
     }
     lua_pushinteger(L, bg_fade(&b->bg, (uint32_t)v[ARG_I].i));
     return 1;
@@ -404,8 +406,8 @@ static int sys_bg_fade(lua_State *L, struct board *b, struct api_value *v)
 static int sys_bg_shown(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[ARG_I].given)
-        b->bg.shown[0] = (uint16_t)v[ARG_I].i;
-    lua_pushinteger(L, b->bg.shown[0]);
+        b->bg.shown_id[0] = (uint16_t)v[ARG_I].i;
+    lua_pushinteger(L, b->bg.shown_id[0]);
     return 1;
 }
 

@@ -10,7 +10,7 @@
 #include "api_parts.h"
 
 /* Parameter indices: each entry has only one parameter. */
-enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_WHAT = 0 };
+enum { ARG_FRAMES = 0, ARG_NAME = 0, ARG_CHIP = 0, ARG_DEMO = 0, ARG_VALUE = 0, ARG_SCREEN = 0 };
 
 static const struct api_param name_opt[] = { PARAM(
     "name", A_STR, OPT, 0, 0, NULL, NULL,
@@ -25,7 +25,7 @@ static const struct api_param chip_req[] = { PARAM("chip", A_STR, REQ, 0, 0, NUL
                                                    "name of a pool, such as bullets, enemies, sparks or tasks") };
 static const struct api_param demo_req[] = { PARAM("demo", A_STR, REQ, 1, 63, NULL, NULL,
                                                    "name of a demo in the ROM") };
-static const struct api_param what_req[] = { PARAM("what", A_ASK, REQ, 0, 0, NULL, NULL, "screen to open") };
+static const struct api_param screen_req[] = { PARAM("what", A_HOST_SCREEN, REQ, 0, 0, NULL, NULL, "screen to open") };
 static const struct api_param frames_req[] = { PARAM(
     "n", A_INT, REQ, 1, 60, "frames", NULL,
     "length of the stop; of several stops in the same frame, the longest counts") };
@@ -39,26 +39,26 @@ static int board_frame_run(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int no_difficulty(lua_State *L, const struct manifest *m, const char *name)
+static int raise_unknown_difficulty(lua_State *L, const struct manifest *m, const char *name)
 {
-    struct api_hint near;
+    struct api_hint hint;
 
-    api_hint_begin(&near, name);
+    api_hint_begin(&hint, name);
     for (int i = 0; i < m->n_difficulties; i++)
-        api_hint_add(&near, m->difficulties[i]);
-    return api_error(L, "board.difficulty", "unknown difficulty \"%s\"%s", name, api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, m->difficulties[i]);
+    return api_error(L, "board.difficulty", "unknown difficulty \"%s\"%s", name, api_hint_push(L, &hint, "in rom.lua"));
 }
 
 static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
 
     if (v[ARG_NAME].given) {
         int i = 0;
         while (i < m->n_difficulties && strcmp(m->difficulties[i], lua_tostring(L, v[ARG_NAME].at)))
             i++;
         if (i == m->n_difficulties)
-            return no_difficulty(L, m, lua_tostring(L, v[ARG_NAME].at));
+            return raise_unknown_difficulty(L, m, lua_tostring(L, v[ARG_NAME].at));
         b->core.difficulty = (uint32_t)i;
     }
     lua_pushstring(L, m->difficulties[b->core.difficulty]);
@@ -67,67 +67,67 @@ static int board_difficulty(lua_State *L, struct board *b, struct api_value *v)
 
 static int board_dip(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
 
     for (int i = 0; i < m->n_dips; i++) {
         if (strcmp(m->dips[i].name, lua_tostring(L, v[ARG_NAME].at)))
             continue;
-        if (m->dips[i].number)
+        if (m->dips[i].is_number)
             lua_pushinteger(L, b->start.dip[i]);
         else
             lua_pushstring(L, m->dips[i].value_name[b->start.dip[i]]);
         return 1;
     }
-    struct api_hint near;
-    api_hint_begin(&near, lua_tostring(L, v[ARG_NAME].at));
+    struct api_hint hint;
+    api_hint_begin(&hint, lua_tostring(L, v[ARG_NAME].at));
     for (int i = 0; i < m->n_dips; i++)
-        api_hint_add(&near, m->dips[i].name);
-    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", near.word, api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, m->dips[i].name);
+    return api_error(L, "board.dip", "unknown DIP switch \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
 }
 
 static int board_reset_run(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L, (void)v;
-    b->reset = true;
+    b->reset_requested = true;
     return 0;
 }
 
 /* Returns the slots of the pool named at stack index `at`; raises an error if there is no such pool. */
-static const struct slots *slots_at(lua_State *L, struct board *b, const char *entry, int at)
+static const struct slots *check_pool(lua_State *L, struct board *b, const char *entry, int at)
 {
     const struct slots *s = part_named(b, lua_tostring(L, at));
 
     if (!s) {
-        struct api_hint near;
-        api_hint_begin(&near, lua_tostring(L, at));
+        struct api_hint hint;
+        api_hint_begin(&hint, lua_tostring(L, at));
         for (int i = 0; i < PARTS; i++)
-            api_hint_add(&near, machine_parts[i].chip->name);
-        api_error(L, entry, "unknown pool \"%s\"%s", near.word, api_hint_push(L, &near, "chips"));
+            api_hint_add(&hint, machine_parts[i].chip->name);
+        api_error(L, entry, "unknown pool \"%s\"%s", hint.word, api_hint_push(L, &hint, "chips"));
     }
     return s;
 }
 
 static int board_live_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, slots_at(L, b, "board.live", v[ARG_CHIP].at)->live);
+    lua_pushinteger(L, check_pool(L, b, "board.live", v[ARG_CHIP].at)->live);
     return 1;
 }
 
 static int board_refused_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, slots_at(L, b, "board.refused", v[ARG_CHIP].at)->refused);
+    lua_pushinteger(L, check_pool(L, b, "board.refused", v[ARG_CHIP].at)->refused);
     return 1;
 }
 
 /* Has no effect during a pause or a longer stop, or in a task that fast-forwards to a practice mark. */
 static int board_stop(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int64_t until = -v[ARG_FRAMES].i - 1;
+    const int64_t frozen = -v[ARG_FRAMES].i - 1;
 
     if (b->vm.loading)
         return api_error(L, "board.stop", "cannot be called while scripts load");
-    if (until < b->core.frozen && b->core.frozen <= 0 && !tasks_skipping(&b->tasks))
-        b->core.frozen = until;
+    if (frozen < b->core.frozen && b->core.frozen <= 0 && !tasks_is_skipping(&b->tasks))
+        b->core.frozen = frozen;
     return 0;
 }
 
@@ -141,8 +141,8 @@ static int board_attract(lua_State *L, struct board *b, struct api_value *v)
 static int board_ask_run(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    b->output->out.request = REQUEST_ASK;
-    b->output->out.ask = (enum board_ask)v[ARG_WHAT].i;
+    b->output->out.request = REQUEST_HOST_SCREEN;
+    b->output->out.host_screen = (enum board_host_screen)v[ARG_SCREEN].i;
     return 0;
 }
 
@@ -158,15 +158,16 @@ static int board_note(lua_State *L, struct board *b, struct api_value *v)
         memcpy(&bits, &d, sizeof bits);
         if (!isfinite(d))
             return api_error(L, "board.note", "v: expected a finite number");
-        b->core.notes = hash_fold(
-            b->core.notes, lua_isinteger(L, v[ARG_VALUE].at) ? (uint64_t)lua_tointeger(L, v[ARG_VALUE].at) : bits);
+        b->core.note_digest =
+            hash_fold(b->core.note_digest,
+                      lua_isinteger(L, v[ARG_VALUE].at) ? (uint64_t)lua_tointeger(L, v[ARG_VALUE].at) : bits);
         return 0;
     case LUA_TSTRING:
         s = lua_tolstring(L, v[ARG_VALUE].at, &n);
-        b->core.notes = hash_bytes(b->core.notes, s, n);
+        b->core.note_digest = hash_bytes(b->core.note_digest, s, n);
         return 0;
     case LUA_TBOOLEAN:
-        b->core.notes = hash_fold(b->core.notes, 2 + (uint64_t)lua_toboolean(L, v[ARG_VALUE].at));
+        b->core.note_digest = hash_fold(b->core.note_digest, 2 + (uint64_t)lua_toboolean(L, v[ARG_VALUE].at));
         return 0;
     default:
         return api_error(L, "board.note", "v: expected a number, string or boolean, got a %s",
@@ -181,7 +182,7 @@ static int rom_has(lua_State *L, struct board *b, struct api_value *v)
     const char *name = lua_tostring(L, v[ARG_NAME].at), *text;
     size_t n;
 
-    lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_text(&b->cart, name, &text, &n) ||
+    lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_find_text(&b->cart, name, &text, &n) ||
                            rom_find(b->cart.rom, name) >= 0);
     return 1;
 }
@@ -191,14 +192,14 @@ static int rom_text(lua_State *L, struct board *b, struct api_value *v)
     const char *text;
     size_t n;
 
-    if (!cart_text(&b->cart, lua_tostring(L, v[ARG_NAME].at), &text, &n))
+    if (!cart_find_text(&b->cart, lua_tostring(L, v[ARG_NAME].at), &text, &n))
         return api_error(L, "rom.text", "no text file \"%s\" in the game", lua_tostring(L, v[ARG_NAME].at));
     lua_pushlstring(L, text, n);
     return 1;
 }
 
 /* __newindex of a read-only table. Upvalue 1: the table's name. */
-static int read_only(lua_State *L)
+static int raise_read_only(lua_State *L)
 {
     const char *key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : NULL, *dot = key ? "." : "";
 
@@ -211,35 +212,35 @@ static void seal(lua_State *L, const char *name)
     lua_newtable(L);
     lua_rotate(L, -2, 1);
     lua_pushstring(L, name);
-    lua_pushcclosure(L, read_only, 1);
+    lua_pushcclosure(L, raise_read_only, 1);
     lualib_seal(L);
 }
 
-static void rect(lua_State *L, const char *name, int x, int y, int w, int h)
+static void set_rect(lua_State *L, const char *name, int x, int y, int w, int h)
 {
     const char *const keys[] = { "x", "y", "w", "h" };
     const int values[] = { x, y, w, h };
-    char full[16];
+    char full_name[16];
 
     lua_createtable(L, 0, 4);
     for (int i = 0; i < 4; i++) {
         lua_pushinteger(L, values[i]);
         lua_setfield(L, -2, keys[i]);
     }
-    snprintf(full, sizeof full, "rom.%s", name);
-    seal(L, full);
+    snprintf(full_name, sizeof full_name, "rom.%s", name);
+    seal(L, full_name);
     lua_setfield(L, -2, name);
 }
 
 void api_rom_open(lua_State *L)
 {
-    const struct manifest *m = &vm_board(L)->cart.m;
+    const struct manifest *m = &vm_board(L)->cart.manifest;
 
     lua_getglobal(L, "rom");
     lua_pushstring(L, m->title);
     lua_setfield(L, -2, "title");
-    rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
-    rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
+    set_rect(L, "screen", 0, 0, m->screen_w, m->screen_h);
+    set_rect(L, "field", m->field_x, m->field_y, m->field_w, m->field_h);
     seal(L, "rom");
     lua_setglobal(L, "rom");
 }
@@ -258,7 +259,7 @@ static const struct api_entry entries[] = {
       HELP("returns how many entries weren't created because the pool was full") },
     { "board.attract", board_attract, PARAMS(demo_req), 1, API_CHANGES, NULL,
       HELP("shows a demo from the ROM and pauses this board until the demo ends") },
-    { "board.ask", board_ask_run, PARAMS(what_req), 1, API_CHANGES, NULL,
+    { "board.ask", board_ask_run, PARAMS(screen_req), 1, API_CHANGES, NULL,
       HELP("opens one of the program's own screens and pauses the board until the player closes it; does nothing in a "
            "demo") },
     { "board.stop", board_stop, PARAMS(frames_req), 1, API_CHANGES, NULL,

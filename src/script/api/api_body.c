@@ -10,27 +10,27 @@
 #include <string.h>
 #include "../../base/trig.h"
 
-static const char OFF[] = "disabled; add `bodies = true` to `board`";
+static const char bodies_disabled[] = "disabled; add `bodies = true` to `board`";
 
-void api_body_check(lua_State *L, const char *entry, const char *what)
+void api_check_bodies(lua_State *L, const char *entry, const char *feature)
 {
     if (!vm_board(L)->enemies.rate)
-        api_error(L, entry, "%s: " API_OFF, what, OFF);
+        api_error(L, entry, "%s: " API_DISABLED_FORMAT, feature, bodies_disabled);
 }
 
 /* ---- the parts of a kind ---- */
 
-enum { MOST_PARTS = 64, DEEP_BYTES = 4, PART_BYTES = 24 };
+enum { MAX_BODY_PARTS = 64, DEPTH_BYTES = 4, PART_BYTES = 24 };
 enum { P_KIND, P_DX, P_DY, P_SHARE, P_TAG, P_HP, P_RATE };
 
 static const struct api_param part_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the part"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the body"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the body"),
+    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance to the right of the body"),
+    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the body"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, "0", "fraction of the damage to the part that is also dealt to the body"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the part in"),
     PARAM("hp", A_INT, OPT, 1, INT32_MAX, NULL, NULL, "hit points; overrides its kind's"),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
+    PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL, "damage multiplier; overrides its kind's"),
 };
 static const struct api_entry part_entry = { .name = "enemy.def part", .params = part_params, .count = P_RATE + 1 };
 
@@ -40,7 +40,7 @@ struct body_part {
     int32_t share, hp, rate; /* hp 0, rate -1: use the kind's value */
 };
 
-static struct body_part part_at(const uint8_t *p)
+static struct body_part unpack_part(const uint8_t *p)
 {
     return (struct body_part){ bytes_get16(p),
                                bytes_get16(p + 2),
@@ -57,14 +57,14 @@ static const uint8_t *push_parts(lua_State *L, uint16_t kind, int *n)
 {
     size_t size = 0;
 
-    events_push_set(L, kind, "parts");
+    events_push_property(L, kind, "parts");
     const char *list = lua_type(L, -1) == LUA_TSTRING ? lua_tolstring(L, -1, &size) : NULL;
-    *n = size < DEEP_BYTES ? 0 : (int)((size - DEEP_BYTES) / PART_BYTES);
+    *n = size < DEPTH_BYTES ? 0 : (int)((size - DEPTH_BYTES) / PART_BYTES);
     return *n ? (const uint8_t *)list : NULL;
 }
 
 /* Returns the nesting depth of a kind's parts; 0: no parts. */
-static int deep(lua_State *L, uint16_t kind)
+static int parts_depth(lua_State *L, uint16_t kind)
 {
     int n;
     const uint8_t *list = push_parts(L, kind, &n);
@@ -75,15 +75,15 @@ static int deep(lua_State *L, uint16_t kind)
 }
 
 /* Packs the table on the stack, which describes one part, into a string and pushes the string. */
-static int read_part(lua_State *L)
+static int push_packed_part(lua_State *L)
 {
     struct api_value v[P_RATE + 1];
-    const struct api_entry *fire;
+    const struct api_entry *fired_entry;
     uint8_t out[PART_BYTES];
 
-    api_read_arguments(L, &part_entry, v, &fire);
+    api_read_arguments(L, &part_entry, v, &fired_entry);
     bytes_put16(out, (uint16_t)v[P_KIND].i);
-    bytes_put16(out + 2, v[P_TAG].given ? api_tag(L, part_entry.name, v[P_TAG].at) : 0);
+    bytes_put16(out + 2, v[P_TAG].given ? api_intern_tag(L, part_entry.name, v[P_TAG].at) : 0);
     bytes_put32(out + 4, (uint32_t)v[P_DX].f);
     bytes_put32(out + 8, (uint32_t)v[P_DY].f);
     bytes_put32(out + 12, (uint32_t)v[P_SHARE].f);
@@ -96,37 +96,37 @@ static int read_part(lua_State *L)
 void api_body_define(lua_State *L, int32_t kind, int at)
 {
     const lua_Integer n = (lua_Integer)lua_rawlen(L, at);
-    uint8_t list[DEEP_BYTES + MOST_PARTS * PART_BYTES];
-    int most = 0;
+    uint8_t list[DEPTH_BYTES + MAX_BODY_PARTS * PART_BYTES];
+    int max_depth = 0;
 
-    api_body_check(L, "enemy.def", "parts");
-    if (!n || n > MOST_PARTS)
+    api_check_bodies(L, "enemy.def", "parts");
+    if (!n || n > MAX_BODY_PARTS)
         api_error(L, "enemy.def", "parts: expected a list of 1 to %d parts { kind = .., dx = .., dy = .. }, got %d",
-                  MOST_PARTS, (int)n);
+                  MAX_BODY_PARTS, (int)n);
     for (int i = 0; i < n; i++) {
-        lua_pushcfunction(L, read_part);
+        lua_pushcfunction(L, push_packed_part);
         if (lua_rawgeti(L, at, i + 1) != LUA_TTABLE)
             api_error(L, "enemy.def", "parts[%d]: expected { kind = .., dx = .., dy = .. }, got %s", i + 1,
                       luaL_typename(L, -1));
         lua_call(L, 1, 1);
-        memcpy(list + DEEP_BYTES + i * PART_BYTES, lua_tostring(L, -1), PART_BYTES);
+        memcpy(list + DEPTH_BYTES + i * PART_BYTES, lua_tostring(L, -1), PART_BYTES);
         lua_pop(L, 1);
-        most = (int)int64_max(most, deep(L, bytes_get16(list + DEEP_BYTES + i * PART_BYTES)));
+        max_depth = (int)int64_max(max_depth, parts_depth(L, bytes_get16(list + DEPTH_BYTES + i * PART_BYTES)));
     }
-    if (most == PARTS_DEEP)
-        api_error(L, "enemy.def", "parts: nested more than %d deep", PARTS_DEEP);
-    bytes_put32(list, (uint32_t)most + 1);
-    lua_pushlstring(L, (const char *)list, DEEP_BYTES + (size_t)n * PART_BYTES);
+    if (max_depth == MAX_PART_DEPTH)
+        api_error(L, "enemy.def", "parts: nested more than %d deep", MAX_PART_DEPTH);
+    bytes_put32(list, (uint32_t)max_depth + 1);
+    lua_pushlstring(L, (const char *)list, DEPTH_BYTES + (size_t)n * PART_BYTES);
     api_fold(L, vm_board(L), lua_gettop(L));
-    events_set_function(L, (uint16_t)kind, "parts");
+    events_set_property(L, (uint16_t)kind, "parts");
 }
 
 /* ---- spawning ---- */
 
 void api_body_check_depth(lua_State *L, const struct board *b, uint16_t kind, int64_t body)
 {
-    if (enemies_depth(&b->enemies, handle_slot(body)) + 1 + deep(L, kind) > PARTS_DEEP)
-        api_error(L, "enemy.spawn", "follow: parts nested more than %d deep", PARTS_DEEP);
+    if (enemies_depth(&b->enemies, handle_slot(body)) + 1 + parts_depth(L, kind) > MAX_PART_DEPTH)
+        api_error(L, "enemy.spawn", "follow: parts nested more than %d deep", MAX_PART_DEPTH);
 }
 
 void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body)
@@ -137,8 +137,8 @@ void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body)
     luaL_checkstack(L, 8, NULL);
     const uint8_t *list = push_parts(L, e->kind[body], &n);
     for (int k = 0; k < n; k++) {
-        const struct body_part p = part_at(list + DEEP_BYTES + k * PART_BYTES);
-        int32_t i = api_enemy_bring(L, b, p.kind, 0, 0, e->owner[body]);
+        const struct body_part p = unpack_part(list + DEPTH_BYTES + k * PART_BYTES);
+        int32_t i = api_enemy_spawn(L, b, p.kind, 0, 0, e->owner[body]);
         if (i == NO_SLOT)
             continue;
         enemies_attach(e, (uint32_t)i, body, p.dx, p.dy, p.share);
@@ -150,30 +150,30 @@ void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body)
     lua_pop(L, 1);
 }
 
-void api_body_run_parts(lua_State *L, struct board *b, uint32_t body)
+void api_body_start_part_tasks(lua_State *L, struct board *b, uint32_t body)
 {
     struct enemies *e = &b->enemies;
 
     EACH_LIVE (i, &e->s) {
         if (e->body[i] != body + 1)
             continue;
-        api_enemy_run(L, b, i);
-        api_body_run_parts(L, b, i);
+        api_enemy_start_task(L, b, i);
+        api_body_start_part_tasks(L, b, i);
     }
 }
 
-static int parts_of(lua_State *L, struct board *b, struct api_value *v)
+static int enemy_parts(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct enemies *e = &b->enemies;
     const int64_t h = v[0].i;
     lua_Integer n = 0;
 
-    api_body_check(L, "enemy:parts", "parts");
+    api_check_bodies(L, "enemy:parts", "parts");
     lua_newtable(L);
-    if (!board_there(b, h))
+    if (!board_is_readable(b, h))
         return 1;
     vm_charge(L, e->s.live);
-    const uint32_t tag = v[1].given ? api_tag(L, "enemy:parts", v[1].at) : 0;
+    const uint32_t tag = v[1].given ? api_intern_tag(L, "enemy:parts", v[1].at) : 0;
     EACH_LIVE (i, &e->s) {
         if (e->body[i] != handle_slot(h) + 1 || e->flags[i] & ENEMY_DYING || !api_has_tag(e->tag, i, tag))
             continue;
@@ -188,7 +188,7 @@ static int parts_of(lua_State *L, struct board *b, struct api_value *v)
 void api_body_get(lua_State *L, const struct board *b, uint32_t i, enum api_body_prop p)
 {
     const struct enemies *e = &b->enemies;
-    const fx value[] = {
+    const fx values[] = {
         [BODY_RATE] = e->rate[i], [BODY_DX] = e->dx[i], [BODY_DY] = e->dy[i], [BODY_SHARE] = e->share[i]
     };
 
@@ -197,7 +197,7 @@ void api_body_get(lua_State *L, const struct board *b, uint32_t i, enum api_body
     else if (p == BODY_FOLLOW)
         lua_pushinteger(L, board_handle(b, H_ENEMY, e->body[i] - 1));
     else
-        lua_pushnumber(L, fx_to_double(value[p]));
+        lua_pushnumber(L, fx_to_double(values[p]));
 }
 
 void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop p, fx v)
@@ -223,18 +223,18 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
 
 /* ---- orbits and wandering ---- */
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
+#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
 
 enum { ARG_SELF, O_AROUND, O_X, O_Y, O_RADIUS, O_RADIUS_TO, O_SPIN, O_DIR, O_OVER };
-static const struct api_param orbit[] = {
-    SELF,
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
+static const struct api_param orbit_params[] = {
+    SELF_PARAM,
+    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing to circle; after it despawns, the enemy circles its last position; give `around`, or `x` and `y`"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position of the circle's centre"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the circle's centre"),
-    PARAM("radius", A_FX, OPT, 0, WORLD, "px", NULL,
+    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position of the circle's centre"),
+    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the circle's centre"),
+    PARAM("radius", A_FX, OPT, 0, WORLD_EDGE, "px", NULL,
           "radius at the start; defaults to the current distance from the centre"),
-    PARAM("radius_to", A_FX, OPT, 0, WORLD, "px", NULL,
+    PARAM("radius_to", A_FX, OPT, 0, WORLD_EDGE, "px", NULL,
           "radius at the end of `over`; defaults to `radius`; needs `over`"),
     PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL, "degrees the enemy moves around the centre per frame, clockwise"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL,
@@ -243,34 +243,34 @@ static const struct api_param orbit[] = {
 };
 
 enum { W_W = 1, W_H, W_EVERY, W_OVER, W_X, W_Y, W_EASE };
-static const struct api_param wander[] = {
-    SELF,
+static const struct api_param wander_params[] = {
+    SELF_PARAM,
     PARAM("w", A_FX, REQ, 0, 32767, "px", NULL, "width of the area, centred on `x` and `y`"),
     PARAM("h", A_FX, REQ, 0, 32767, "px", NULL, "height of the area, centred on `x` and `y`"),
     PARAM("every", A_INT, REQ, 1, 1e9, "frames", NULL, "frames from the start of one move to the start of the next"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of each move; must not exceed `every`"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "horizontal position of the area's centre; defaults to the enemy's position"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "vertical position of the area's centre; defaults to the enemy's position"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
           "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
 };
 
-static bool forever(const struct api_value *v)
+static bool is_forever(const struct api_value *v)
 {
     return v->i == LUA_MAXINTEGER;
 }
 
 static void check_orbit(lua_State *L, const struct api_value *v)
 {
-    const char *name = api_bound(L)->entry->name;
+    const char *name = api_current_binding(L)->entry->name;
     const bool has_centre = v[O_X].given || v[O_Y].given;
 
-    api_body_check(L, name, "orbit");
+    api_check_bodies(L, name, "orbit");
     if (v[O_AROUND].given ? has_centre : !(v[O_X].given && v[O_Y].given))
         api_error(L, name, "expected either `around` (a thing) or `x` and `y`");
-    if (v[O_RADIUS_TO].given && forever(&v[O_OVER]))
+    if (v[O_RADIUS_TO].given && is_forever(&v[O_OVER]))
         api_error(L, name, "radius_to: requires `over`");
 }
 
@@ -279,47 +279,47 @@ static void orbit_one(lua_State *L, struct board *b, uint32_t i, const struct ap
     struct enemies *e = &b->enemies;
     struct enemies_orbit o = { v[O_AROUND].given ? v[O_AROUND].i : 0, v[O_X].f, v[O_Y].f, 0, 0, 0, 0, 0 };
 
-    if (o.around == board_handle(b, H_ENEMY, (int32_t)i))
-        api_error(L, api_bound(L)->entry->name, "around: an enemy cannot orbit itself");
-    if (o.around && !board_where(b, o.around, &o.x, &o.y))
+    if (o.orbit_target == board_handle(b, H_ENEMY, (int32_t)i))
+        api_error(L, api_current_binding(L)->entry->name, "around: an enemy cannot orbit itself");
+    if (o.orbit_target && !board_get_position(b, o.orbit_target, &o.x, &o.y))
         return;
     const fx dx = fx_sub(e->x[i], o.x), dy = fx_sub(e->y[i], o.y);
-    o.radius = v[O_RADIUS].given ? v[O_RADIUS].f : fx_min(fx_hypot(dx, dy), (fx)WORLD << 16);
+    o.radius = v[O_RADIUS].given ? v[O_RADIUS].f : fx_min(fx_hypot(dx, dy), (fx)WORLD_EDGE << 16);
     o.radius_to = v[O_RADIUS_TO].given ? v[O_RADIUS_TO].f : o.radius;
     o.angle = v[O_DIR].given ? v[O_DIR].a : trig_atan2(dy, dx);
     o.spin = (int32_t)v[O_SPIN].a;
-    o.over = forever(&v[O_OVER]) ? 0 : (uint32_t)v[O_OVER].i;
-    enemies_circle(e, i, &o);
+    o.duration = is_forever(&v[O_OVER]) ? 0 : (uint32_t)v[O_OVER].i;
+    enemies_start_orbit(e, i, &o);
 }
 
 static void wander_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct enemies *e = &b->enemies;
-    const struct enemies_ground g = { v[W_X].given ? v[W_X].f : e->x[i],
-                                      v[W_Y].given ? v[W_Y].f : e->y[i],
-                                      v[W_W].f / 2,
-                                      v[W_H].f / 2,
-                                      (uint32_t)v[W_EVERY].i,
-                                      (uint32_t)v[W_OVER].i,
-                                      (enum ease)v[W_EASE].i };
+    const struct enemies_wander_area g = { v[W_X].given ? v[W_X].f : e->x[i],
+                                           v[W_Y].given ? v[W_Y].f : e->y[i],
+                                           v[W_W].f / 2,
+                                           v[W_H].f / 2,
+                                           (uint32_t)v[W_EVERY].i,
+                                           (uint32_t)v[W_OVER].i,
+                                           (enum ease)v[W_EASE].i };
 
     (void)L;
-    enemies_wander(&b->enemies, i, &g);
+    enemies_start_wandering(&b->enemies, i, &g);
 }
 
 static int enemy_orbit(lua_State *L, struct board *b, struct api_value *v)
 {
     check_orbit(L, v);
-    return api_enemy_act(L, b, orbit_one, v);
+    return api_enemy_apply_verb(L, b, orbit_one, v);
 }
 
 static int enemy_wander(lua_State *L, struct board *b, struct api_value *v)
 {
-    api_body_check(L, api_bound(L)->entry->name, "wander");
+    api_check_bodies(L, api_current_binding(L)->entry->name, "wander");
     if (v[W_OVER].i > v[W_EVERY].i)
-        return api_error(L, api_bound(L)->entry->name, "over: expected at most `every` (%d frames), got %d",
+        return api_error(L, api_current_binding(L)->entry->name, "over: expected at most `every` (%d frames), got %d",
                          (int)v[W_EVERY].i, (int)v[W_OVER].i);
-    return api_enemy_act(L, b, wander_one, v);
+    return api_enemy_apply_verb(L, b, wander_one, v);
 }
 
 static const struct api_param parts_params[] = {
@@ -327,18 +327,18 @@ static const struct api_param parts_params[] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of the parts to list; all parts if omitted")
 };
 
-#define NEXT_ENDS                                                                                                      \
+#define MOVEMENT_ENDS_HELP                                                                                             \
     "; a later `move`, `orbit`, `wander` or write to `x` or `y` stops the movement; needs `board = { bodies = true }`"
 #define VERBS(thing, it)                                                                                               \
-    API_VERB(thing ":orbit", enemy_orbit, orbit, 1, NULL,                                                              \
-             "starts moving " it " in a circle and returns immediately" NEXT_ENDS),                                    \
-        API_VERB(thing ":wander", enemy_wander, wander, 1, NULL,                                                       \
-                 "starts moving " it " to random positions in an area and returns immediately" NEXT_ENDS)
+    API_VERB(thing ":orbit", enemy_orbit, orbit_params, 1, NULL,                                                       \
+             "starts moving " it " in a circle and returns immediately" MOVEMENT_ENDS_HELP),                           \
+        API_VERB(thing ":wander", enemy_wander, wander_params, 1, NULL,                                                \
+                 "starts moving " it " to random positions in an area and returns immediately" MOVEMENT_ENDS_HELP)
 
 static const struct api_entry entries[] = {
     VERBS("enemy", "it"),
     VERBS("enemies", "each enemy"),
-    { "enemy:parts", parts_of, PARAMS(parts_params), 2, API_METHOD, "list",
+    { "enemy:parts", enemy_parts, PARAMS(parts_params), 2, API_METHOD, "list",
       HELP("returns a list of the enemy's parts in slot order, not including parts of parts; needs `board = { bodies = "
            "true }`") },
     { "enemy.def part", NULL, PARAMS(part_params), 0, API_LUA | API_SYS, NULL,

@@ -12,16 +12,16 @@
  * name -> number. */
 static const char bombs_key = 0;
 
-enum { MOST_BOMBS = 255, NAME_ROOM = 32 };
+enum { MAX_BOMBS = 255, NAME_SIZE = 32 };
 
 struct bomb {
-    int32_t over, safe, cost;
-    char stock[NAME_ROOM];
+    int32_t duration, safe_frames, cost;
+    char stock_register[NAME_SIZE];
 };
 
 enum { D_NAME, D_OVER, D_RUN, D_SAFE, D_STOCK, D_COST };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
           "name of the bomb, for `bomb` and `bomb_focus` in player.def; must be new"),
     PARAM("over", A_INT, REQ, 1, INT32_MAX, "frames", NULL,
@@ -56,14 +56,14 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
     const lua_Integer n = (lua_Integer)lua_rawlen(L, list) + 1;
     if (lua_getfield(L, list, name) != LUA_TNIL)
         return api_error(L, "bomb.def", "bomb \"%s\" is already declared", name);
-    if (n > MOST_BOMBS)
-        return api_error(L, "bomb.def", "too many bombs (at most %d)", MOST_BOMBS);
+    if (n > MAX_BOMBS)
+        return api_error(L, "bomb.def", "too many bombs (at most %d)", MAX_BOMBS);
     struct bomb *bomb = lua_newuserdatauv(L, sizeof *bomb, 0);
     memset(bomb, 0, sizeof *bomb);
-    bomb->over = (int32_t)v[D_OVER].i;
-    bomb->safe = v[D_SAFE].given ? (int32_t)v[D_SAFE].i : bomb->over;
+    bomb->duration = (int32_t)v[D_OVER].i;
+    bomb->safe_frames = v[D_SAFE].given ? (int32_t)v[D_SAFE].i : bomb->duration;
     bomb->cost = (int32_t)v[D_COST].i;
-    strcpy(bomb->stock, v[D_STOCK].given ? lua_tostring(L, v[D_STOCK].at) : "bombs");
+    strcpy(bomb->stock_register, v[D_STOCK].given ? lua_tostring(L, v[D_STOCK].at) : "bombs");
     lua_rawseti(L, list, n);
     lua_pushvalue(L, v[D_RUN].at);
     lua_rawseti(L, list, -n);
@@ -73,7 +73,7 @@ static int bomb_def(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Pushes the list of bombs; returns bomb i (from 1). */
-static const struct bomb *push_bomb(lua_State *L, int i)
+static const struct bomb *get_bomb(lua_State *L, int i)
 {
     push_bombs(L);
     lua_rawgeti(L, -1, i);
@@ -82,7 +82,7 @@ static const struct bomb *push_bomb(lua_State *L, int i)
     return bomb;
 }
 
-static void refuse_name(lua_State *L, const char *what, const char *name)
+static void raise_unknown_bomb(lua_State *L, const char *param_name, const char *name)
 {
     const char *found = NULL;
     int best = EDIT_FAR;
@@ -92,11 +92,11 @@ static void refuse_name(lua_State *L, const char *what, const char *name)
             if (lua_type(L, -2) == LUA_TSTRING)
                 api_suggest_nearer(name, lua_tostring(L, -2), &best, &found);
     if (found)
-        api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", what, name, found);
-    api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", what, name);
+        api_error(L, "player.def", "%s: unknown bomb \"%s\" (did you mean \"%s\"?)", param_name, name, found);
+    api_error(L, "player.def", "%s: unknown bomb \"%s\" (declare it with bomb.def first)", param_name, name);
 }
 
-uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v)
+uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const struct api_value *v)
 {
     const int top = lua_gettop(L);
 
@@ -104,39 +104,39 @@ uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struc
         return 0;
     const char *name = lua_tostring(L, v->at);
     if (!push_bombs(L) || lua_getfield(L, -1, name) != LUA_TNUMBER)
-        refuse_name(L, what, name);
+        raise_unknown_bomb(L, param_name, name);
     const int i = (int)lua_tointeger(L, -1);
-    const struct bomb *bomb = push_bomb(L, i);
+    const struct bomb *bomb = get_bomb(L, i);
     if (bomb->cost)
-        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", what, name), ship,
-                            bomb->stock);
+        api_register_expect(L, "player.def", lua_pushfstring(L, "%s: stock of bomb \"%s\"", param_name, name), ship,
+                            bomb->stock_register);
     lua_settop(L, top);
     return (uint8_t)i;
 }
 
 /* Subtracts the bomb's cost from player p's stock. Returns false if the stock is too low. */
-static bool pay(lua_State *L, struct board *b, uint32_t p, const struct bomb *bomb)
+static bool pay_cost(lua_State *L, struct board *b, uint32_t p, const struct bomb *bomb)
 {
-    const int reg = bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;
+    const int reg = bomb->cost ? api_find_player_register(L, b, p, bomb->stock_register) : -1;
 
     if (reg < 0)
         return true;
-    const int32_t stock = board_register(b, p, (uint32_t)reg);
+    const int32_t stock = board_get_register(b, p, (uint32_t)reg);
     if (stock < bomb->cost)
         return false;
     board_set_register(b, p, (uint32_t)reg, (int64_t)stock - bomb->cost);
     return true;
 }
 
-void api_bomb_afford(lua_State *L, struct board *b, uint32_t p)
+void api_bomb_ensure_stock(lua_State *L, struct board *b, uint32_t p)
 {
     const struct player_kinds *k = &b->player_kinds;
     const int numbers[] = { k->bomb[b->player.kind[p]], k->bomb_focus[b->player.kind[p]] }, top = lua_gettop(L);
 
     for (int i = 0; i < 2; i++) {
-        const struct bomb *bomb = numbers[i] ? push_bomb(L, numbers[i]) : NULL;
-        const int reg = bomb && bomb->cost ? api_player_register(L, b, p, bomb->stock) : -1;
-        if (reg >= 0 && board_register(b, p, (uint32_t)reg) < bomb->cost)
+        const struct bomb *bomb = numbers[i] ? get_bomb(L, numbers[i]) : NULL;
+        const int reg = bomb && bomb->cost ? api_find_player_register(L, b, p, bomb->stock_register) : -1;
+        if (reg >= 0 && board_get_register(b, p, (uint32_t)reg) < bomb->cost)
             board_set_register(b, p, (uint32_t)reg, bomb->cost);
     }
     lua_settop(L, top);
@@ -147,31 +147,31 @@ bool api_bomb_start(lua_State *L, struct board *b, uint32_t p)
     struct player *s = &b->player;
     const struct player_kinds *k = &b->player_kinds;
     const uint16_t kind = s->kind[p];
-    const bool focus = b->input.held[p] & PAD_FOCUS, late = s->deathbomb_left[p];
-    const int i = focus && k->bomb_focus[kind] ? k->bomb_focus[kind] : k->bomb[kind], top = lua_gettop(L);
+    const bool is_focused = b->input.held[p] & PAD_FOCUS, is_deathbomb = s->deathbomb_left[p];
+    const int i = is_focused && k->bomb_focus[kind] ? k->bomb_focus[kind] : k->bomb[kind], top = lua_gettop(L);
 
-    if (!s->in[p] || !i || s->bombing[p])
+    if (!s->in_game[p] || !i || s->bomb_left[p])
         return false;
-    const struct bomb *bomb = push_bomb(L, i);
-    if (!pay(L, b, p, bomb))
+    const struct bomb *bomb = get_bomb(L, i);
+    if (!pay_cost(L, b, p, bomb))
         return lua_settop(L, top), false;
     s->deathbomb_left[p] = 0;
-    s->bombing[p] = (uint32_t)bomb->over;
-    s->safe[p] = s->safe[p] > (uint32_t)bomb->safe ? s->safe[p] : (uint32_t)bomb->safe;
-    s->bomb[p] = tasks_scope(b, board_handle(b, H_PLAYER, (int32_t)p), true);
+    s->bomb_left[p] = (uint32_t)bomb->duration;
+    s->safe_left[p] = s->safe_left[p] > (uint32_t)bomb->safe_frames ? s->safe_left[p] : (uint32_t)bomb->safe_frames;
+    s->bomb_scope[p] = tasks_new_scope(b, board_handle(b, H_PLAYER, (int32_t)p), true);
     lua_rawgeti(L, -1, -i);
     lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)p));
-    tasks_start(b, L, s->bomb[p], 1);
-    sound_cue(b, CUE_BOMB, b->player.x[p]);
-    board_event(b, EV_BOMB, board_handle(b, H_PLAYER, (int32_t)p), late);
+    tasks_start(b, L, s->bomb_scope[p], 1);
+    sound_play_cue(b, CUE_BOMB, b->player.x[p]);
+    board_raise_event(b, EV_BOMB, board_handle(b, H_PLAYER, (int32_t)p), is_deathbomb);
     lua_settop(L, top);
     return true;
 }
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL,
-                                               "the thing itself") };
+static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL,
+                                                      "the thing itself") };
 
 static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -182,9 +182,9 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "bomb.def", bomb_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "bomb.def", bomb_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a bomb: a task that a ship starts, at a cost deducted from a register") },
-    API_VERB("player:bomb", player_bomb, self, 1, "boolean",
+    API_VERB("player:bomb", player_bomb, self_params, 1, "boolean",
              "starts the bomb of the player's ship; returns false if the ship has no bomb, can't pay for it or is "
              "still bombing"),
 };

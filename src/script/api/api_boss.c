@@ -10,22 +10,22 @@
 
 /* ---- boss.def ---- */
 
-/* State while reading a boss: stack indices, and whether a phase with `last` was found. */
-struct reading {
+/* State while reading a boss: stack indices, and whether a phase with `has_last` was found. */
+struct boss_reader {
     lua_State *L;
     int boss, cast, ids, phases; /* cast: set of the members' names; 0: no cast */
-    bool last;
+    bool has_last;
 };
 
 /* Pushes a field of the table at `at` and returns the Lua type of the value. */
-static int field(lua_State *L, int at, const char *name)
+static int push_field(lua_State *L, int at, const char *name)
 {
     lua_pushstring(L, name);
     return lua_rawget(L, at);
 }
 
 /* Replaces the table on top by the result of sys.check. */
-static void checked(lua_State *L, const char *entry)
+static void check_top(lua_State *L, const char *entry)
 {
     lua_pushcfunction(L, api_sys_check);
     lua_pushstring(L, entry);
@@ -40,16 +40,16 @@ static int check_phase(lua_State *L)
     struct api_entry e = *api_find(api_of(L), "boss.def phase");
 
     e.name = lua_tostring(L, lua_upvalueindex(1));
-    return api_checked(L, &e);
+    return api_push_checked(L, &e);
 }
 
 /* Replaces the phase on top by the result of sys.check; errors name the phase. */
-static void checked_phase(lua_State *L, int number)
+static void check_phase_on_top(lua_State *L, int number)
 {
     const int at = lua_gettop(L);
-    const bool named = lua_istable(L, at) && field(L, at, "id") == LUA_TSTRING;
+    const bool has_id = lua_istable(L, at) && push_field(L, at, "id") == LUA_TSTRING;
 
-    if (named)
+    if (has_id)
         lua_pushfstring(L, "boss.def phase \"%s\"", lua_tostring(L, -1));
     else
         lua_pushfstring(L, "boss.def phase \"#%d\"", number);
@@ -65,31 +65,31 @@ static void check_field(lua_State *L, const char *entry, int at, const struct ap
 {
     struct api_value v;
 
-    field(L, at, p->name);
+    push_field(L, at, p->name);
     api_check(L, entry, p, lua_gettop(L), &v);
     lua_pop(L, 1);
 }
 
 /* Requires kind and position of a boss without a cast. With a cast, raises an error if the boss itself has them,
  * because each member has its own. */
-static void check_alone(lua_State *L, int boss, bool alone)
+static void check_kind_and_position(lua_State *L, int boss, bool alone)
 {
-    static const struct api_param own[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("x", A_NUM, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                            PARAM("y", A_NUM, REQ, -WORLD, WORLD, "px", NULL, "") };
+    static const struct api_param params[] = { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, ""),
+                                               PARAM("x", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
+                                               PARAM("y", A_NUM, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
 
     for (int i = 0; i < 3; i++)
         if (alone)
-            check_field(L, "boss.def", boss, &own[i]);
-        else if (field(L, boss, own[i].name) != LUA_TNIL)
-            api_error(L, "boss.def", "%s: set it on each member of the cast instead", own[i].name);
+            check_field(L, "boss.def", boss, &params[i]);
+        else if (push_field(L, boss, params[i].name) != LUA_TNIL)
+            api_error(L, "boss.def", "%s: set it on each member of the cast instead", params[i].name);
         else
             lua_pop(L, 1);
 }
 
 /* Replaces the boss's `cast` with the list of checked members. Pushes that list, then the set of the members' names
  * (r->cast). */
-static void read_cast(struct reading *r, int list)
+static void read_cast(struct boss_reader *r, int list)
 {
     lua_State *L = r->L;
     const lua_Integer n = (lua_Integer)lua_rawlen(L, list);
@@ -101,8 +101,8 @@ static void read_cast(struct reading *r, int list)
     r->cast = lua_gettop(L);
     for (lua_Integer i = 1; i <= n; i++) {
         lua_rawgeti(L, list, i);
-        checked(L, "boss.def cast");
-        field(L, lua_gettop(L), "name");
+        check_top(L, "boss.def cast");
+        push_field(L, lua_gettop(L), "name");
         lua_pushvalue(L, -1);
         if (lua_rawget(L, r->cast) != LUA_TNIL)
             api_error(L, "boss.def", "cast: duplicate name \"%s\"", lua_tostring(L, -2));
@@ -116,7 +116,7 @@ static void read_cast(struct reading *r, int list)
 }
 
 /* Raises the error for a word that is not the name of a cast member. */
-static void no_member(struct reading *r, const char *phase, const char *what, const char *word)
+static void raise_unknown_member(struct boss_reader *r, const char *phase, const char *field_name, const char *word)
 {
     lua_State *L = r->L;
     const char *found = NULL;
@@ -129,54 +129,54 @@ static void no_member(struct reading *r, const char *phase, const char *what, co
     }
     if (found)
         api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\" (did you mean \"%s\"?)",
-                  phase, what, word, found);
-    api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"", phase, what, word);
+                  phase, field_name, word, found);
+    api_error(L, "boss.def", "phase \"%s\": %s: no member of the cast is named \"%s\"", phase, field_name, word);
 }
 
-static bool knows_member(lua_State *L, const char *key, const void *of)
+static bool knows_member(lua_State *L, const char *key, const void *reader)
 {
-    const struct reading *r = of;
+    const struct boss_reader *r = reader;
 
     vm_charge(L, 1);
     if (!key)
         return false;
     lua_pushvalue(L, -1);
-    const bool is = lua_rawget(L, r->cast) != LUA_TNIL;
+    const bool is_member = lua_rawget(L, r->cast) != LUA_TNIL;
     lua_pop(L, 1);
-    return is;
+    return is_member;
 }
 
 /* Checks the field p of the phase at `at`: a value that matches p or, with a cast, a table of such values by member
  * name. Replaces the table with a copy. */
-static void each_of_cast(struct reading *r, int at, const char *phase, const struct api_param *p)
+static void check_cast_field(struct boss_reader *r, int at, const char *phase, const struct api_param *p)
 {
     lua_State *L = r->L;
     struct api_value v;
-    char what[64];
+    char where[64];
     int n = 0;
 
-    if (field(L, at, p->name) != LUA_TTABLE || !r->cast) {
-        snprintf(what, sizeof what, "boss.def: phase \"%s\"", phase);
-        api_check(L, what, p, lua_gettop(L), &v);
+    if (push_field(L, at, p->name) != LUA_TTABLE || !r->cast) {
+        snprintf(where, sizeof where, "boss.def: phase \"%s\"", phase);
+        api_check(L, where, p, lua_gettop(L), &v);
         lua_pop(L, 1);
         return;
     }
-    const int given = lua_gettop(L), copy = given + 1;
-    if (luakeys_push_stray(L, given, knows_member, r)) {
+    const int given_at = lua_gettop(L), copy = given_at + 1;
+    if (luakeys_push_unknown(L, given_at, knows_member, r)) {
         if (!luakeys_text(L, -1))
             api_error(L, "boss.def", "phase \"%s\": %s: expected { NAME = value } with names from the cast", phase,
                       p->name);
-        no_member(r, phase, p->name, luakeys_text(L, -1));
+        raise_unknown_member(r, phase, p->name, luakeys_text(L, -1));
     }
     lua_newtable(L);
-    snprintf(what, sizeof what, "boss.def: phase \"%s\": %s", phase, p->name);
+    snprintf(where, sizeof where, "boss.def: phase \"%s\": %s", phase, p->name);
     for (lua_Integer i = 1; lua_rawgeti(L, r->cast - 1, i) == LUA_TTABLE; i++, lua_settop(L, copy)) {
-        struct api_param one = *p;
-        field(L, copy + 1, "name");
-        one.name = lua_tostring(L, -1);
-        if (field(L, given, one.name) == LUA_TNIL)
+        struct api_param member_param = *p;
+        push_field(L, copy + 1, "name");
+        member_param.name = lua_tostring(L, -1);
+        if (push_field(L, given_at, member_param.name) == LUA_TNIL)
             continue;
-        api_check(L, what, &one, lua_gettop(L), &v);
+        api_check(L, where, &member_param, lua_gettop(L), &v);
         lua_rawset(L, copy);
         n++;
     }
@@ -189,15 +189,15 @@ static void each_of_cast(struct reading *r, int at, const char *phase, const str
 
 static bool is_true(lua_State *L, int at, const char *name)
 {
-    field(L, at, name);
-    bool is = lua_toboolean(L, -1);
+    push_field(L, at, name);
+    bool value = lua_toboolean(L, -1);
     lua_pop(L, 1);
-    return is;
+    return value;
 }
 
 static lua_Integer read_integer_field(lua_State *L, int at, const char *name)
 {
-    field(L, at, name);
+    push_field(L, at, name);
     lua_Integer n = lua_tointeger(L, -1);
     lua_pop(L, 1);
     return n;
@@ -205,7 +205,7 @@ static lua_Integer read_integer_field(lua_State *L, int at, const char *name)
 
 static void check_bonus(lua_State *L, int at, const char *id)
 {
-    if (field(L, at, "bonus_to") == LUA_TNIL) {
+    if (push_field(L, at, "bonus_to") == LUA_TNIL) {
         lua_pop(L, 1);
         return;
     }
@@ -216,18 +216,18 @@ static void check_bonus(lua_State *L, int at, const char *id)
 }
 
 /* Pushes the leader of the phase at `at`: the first cast member with a bar in it. */
-static void push_leader(struct reading *r, int at)
+static void push_leader(struct boss_reader *r, int at)
 {
     lua_State *L = r->L;
     bool found = false;
 
-    field(L, r->boss, "cast");
+    push_field(L, r->boss, "cast");
     const int list = lua_gettop(L);
-    const bool bars = field(L, at, "hp") == LUA_TTABLE;
-    for (lua_Integer i = 1; bars && !found && i <= (lua_Integer)lua_rawlen(L, list); i++) {
+    const bool has_bars = push_field(L, at, "hp") == LUA_TTABLE;
+    for (lua_Integer i = 1; has_bars && !found && i <= (lua_Integer)lua_rawlen(L, list); i++) {
         lua_settop(L, list + 1);
         lua_rawgeti(L, list, i);
-        field(L, list + 2, "name");
+        push_field(L, list + 2, "name");
         found = lua_rawget(L, list + 1) != LUA_TNIL;
     }
     if (found)
@@ -240,7 +240,7 @@ static void push_leader(struct reading *r, int at)
 
 /* Sets the portraits that the phase at `at` omits to those of the phase's leader or, failing that, of the boss. Returns
  * whether the phase then has a portrait. */
-static bool read_portrait(struct reading *r, int at)
+static bool read_portrait(struct boss_reader *r, int at)
 {
     static const char *const names[] = { "portrait", "portrait_left" };
     lua_State *L = r->L;
@@ -248,8 +248,8 @@ static bool read_portrait(struct reading *r, int at)
     push_leader(r, at);
     const int leader = lua_gettop(L);
     for (int i = 0; i < 2; i++) {
-        if (field(L, at, names[i]) == LUA_TNIL && field(L, leader, names[i]) == LUA_TNIL)
-            field(L, r->boss, names[i]);
+        if (push_field(L, at, names[i]) == LUA_TNIL && push_field(L, leader, names[i]) == LUA_TNIL)
+            push_field(L, r->boss, names[i]);
         lua_setfield(L, at, names[i]);
         lua_settop(L, leader);
     }
@@ -258,31 +258,31 @@ static bool read_portrait(struct reading *r, int at)
 }
 
 /* Sets `cut_in` in a spell with a portrait, unless the phase already has `cut_in`. */
-static void read_cut_in(struct reading *r, int at, const char *id)
+static void read_cut_in(struct boss_reader *r, int at, const char *id)
 {
     lua_State *L = r->L;
-    const bool face = read_portrait(r, at), asked = is_true(L, at, "cut_in");
+    const bool has_portrait = read_portrait(r, at), wants_cut_in = is_true(L, at, "cut_in");
 
-    if (asked && !face)
+    if (wants_cut_in && !has_portrait)
         api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a portrait (`portrait = SPRITE`)", id);
-    if (asked && !is_true(L, at, "spell"))
+    if (wants_cut_in && !is_true(L, at, "spell"))
         api_error(L, "boss.def", "phase \"%s\": `cut_in` requires a spell (it shows the spell's name)", id);
-    if (face && is_true(L, at, "spell") && field(L, at, "cut_in") == LUA_TNIL) {
+    if (has_portrait && is_true(L, at, "spell") && push_field(L, at, "cut_in") == LUA_TNIL) {
         lua_pushboolean(L, 1);
         lua_setfield(L, at, "cut_in");
     }
 }
 
 /* Replaces the phase on top of the stack, element i of `phases`, with the checked phase. */
-static void read_phase(struct reading *r, int i)
+static void read_phase(struct boss_reader *r, int i)
 {
     static const struct api_param hp = { "hp", A_INT, REQ, 1, INT32_MAX, NULL, NULL, NULL },
                                   run = { "run", A_FUNC, REQ, 0, 0, NULL, NULL, NULL };
     lua_State *L = r->L;
     const int at = lua_gettop(L);
 
-    checked_phase(L, i);
-    field(L, at, "id");
+    check_phase_on_top(L, i);
+    push_field(L, at, "id");
     const char *id = lua_tostring(L, -1);
     lua_pushvalue(L, -1);
     if (lua_rawget(L, r->ids) != LUA_TNIL)
@@ -290,27 +290,27 @@ static void read_phase(struct reading *r, int i)
     lua_pushvalue(L, -2);
     lua_pushboolean(L, 1);
     lua_rawset(L, r->ids);
-    if (!is_true(L, at, "survive") || field(L, at, "hp") != LUA_TNIL)
-        each_of_cast(r, at, id, &hp);
-    each_of_cast(r, at, id, &run);
+    if (!is_true(L, at, "survive") || push_field(L, at, "hp") != LUA_TNIL)
+        check_cast_field(r, at, id, &hp);
+    check_cast_field(r, at, id, &run);
     check_bonus(L, at, id);
-    if (field(L, at, "clear") != LUA_TNIL) {
-        checked(L, "boss.def clear");
+    if (push_field(L, at, "clear") != LUA_TNIL) {
+        check_top(L, "boss.def clear");
         lua_setfield(L, at, "clear");
     }
-    if (field(L, at, "drops") != LUA_TNIL) {
+    if (push_field(L, at, "drops") != LUA_TNIL) {
         api_push_folded_drops(L, "boss.def", lua_gettop(L));
         lua_setfield(L, at, "drops");
     }
     read_cut_in(r, at, id);
     if (read_integer_field(L, at, "armour") > 0)
-        api_body_check(L, "boss.def", "armour");
-    r->last |= is_true(L, at, "last");
+        api_check_bodies(L, "boss.def", "armour");
+    r->has_last |= is_true(L, at, "last");
     lua_settop(L, at);
 }
 
 /* Pops the list of talks and stores it in the field `talk` of the table at `at`; stores nil if the list is empty. */
-static void give_talks(lua_State *L, int at)
+static void set_talks(lua_State *L, int at)
 {
     if (lua_rawlen(L, -1) == 0) {
         lua_pop(L, 1);
@@ -321,12 +321,12 @@ static void give_talks(lua_State *L, int at)
 
 /* Replaces the boss's list of phases with the checked phases. Talks are stored in the phase that follows them; talks
  * after the last phase are stored in the boss. */
-static void read_phases(struct reading *r)
+static void read_phases(struct boss_reader *r)
 {
     lua_State *L = r->L;
-    lua_Integer kept = 0;
+    lua_Integer n_phases = 0;
 
-    field(L, r->boss, "phases");
+    push_field(L, r->boss, "phases");
     const int list = lua_gettop(L);
     lua_newtable(L);
     lua_newtable(L);
@@ -336,22 +336,22 @@ static void read_phases(struct reading *r)
     for (lua_Integer i = 1; i <= (lua_Integer)lua_rawlen(L, list); i++) {
         lua_rawgeti(L, list, i);
         if (lua_istable(L, -1) && is_true(L, talks + 1, "talk")) {
-            checked(L, "boss.def talk");
-            field(L, talks + 1, "talk");
+            check_top(L, "boss.def talk");
+            push_field(L, talks + 1, "talk");
             lua_rawseti(L, talks, (lua_Integer)lua_rawlen(L, talks) + 1);
             lua_pop(L, 1);
             continue;
         }
         read_phase(r, (int)i);
         lua_pushvalue(L, talks);
-        give_talks(L, talks + 1);
-        lua_rawseti(L, list + 1, ++kept);
+        set_talks(L, talks + 1);
+        lua_rawseti(L, list + 1, ++n_phases);
         lua_newtable(L);
         lua_replace(L, talks);
     }
-    if (!kept)
+    if (!n_phases)
         api_error(L, "boss.def", "phases: expected at least one phase");
-    give_talks(L, r->boss);
+    set_talks(L, r->boss);
     lua_pushvalue(L, list + 1);
     lua_setfield(L, r->boss, "phases");
 }
@@ -359,15 +359,15 @@ static void read_phases(struct reading *r)
 static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
 /* Converts the table of checked boss.def arguments into the boss, in place. Returns whether the boss has a phase with
- * `last`. */
+ * `has_last`. */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct reading r = { .L = L, .boss = v[0].at };
+    struct boss_reader r = { .L = L, .boss = v[0].at };
 
     (void)b;
     luaL_checkstack(L, 32, NULL);
-    const bool alone = field(L, r.boss, "cast") == LUA_TNIL;
-    check_alone(L, r.boss, alone);
+    const bool alone = push_field(L, r.boss, "cast") == LUA_TNIL;
+    check_kind_and_position(L, r.boss, alone);
     if (!alone)
         read_cast(&r, lua_gettop(L));
     else {
@@ -377,50 +377,51 @@ static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
         lua_setfield(L, r.boss, "cast");
     }
     read_phases(&r);
-    lua_pushboolean(L, r.last);
+    lua_pushboolean(L, r.has_last);
     return 1;
 }
 
 /* ---- the history of spells ---- */
 
-enum { H_BOSS, H_ID, H_ADD, H_DIFFICULTY, H_SHIP };
+enum { HISTORY_BOSS, HISTORY_ID, HISTORY_ADD, HISTORY_DIFFICULTY, HISTORY_SHIP };
 enum { ADD_NOTHING, ADD_TRY, ADD_CAPTURE };
 
-static const struct api_param history[] = { PARAM("boss", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("id", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL, ""),
-                                            PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                            PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param history_params[] = { PARAM("boss", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                   PARAM("id", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                   PARAM("add", A_INT, REQ, ADD_NOTHING, ADD_CAPTURE, NULL, NULL, ""),
+                                                   PARAM("difficulty", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                                   PARAM("ship", A_PLAYER_KIND, OPT, 0, 0, NULL, NULL, "") };
 
-static uint64_t name_hash(uint64_t h, const char *name)
+static uint64_t hash_name(uint64_t h, const char *name)
 {
     return hash_bytes(h, name, strlen(name) + 1);
 }
 
 /* Builds the nvram key of a spell's history: a hash, because the names are too long for a key. Scripts are unlikely to
  * use the same key. */
-static void history_key(char key[NV_KEY + 1], uint64_t of, const char *difficulty, const char *ship)
+static void format_history_key(char key[NV_MAX_KEY + 1], uint64_t spell_hash, const char *difficulty, const char *ship)
 {
-    snprintf(key, NV_KEY + 1, "spell %016llx", (unsigned long long)name_hash(name_hash(of, difficulty), ship));
+    snprintf(key, NV_MAX_KEY + 1, "spell %016llx",
+             (unsigned long long)hash_name(hash_name(spell_hash, difficulty), ship));
 }
 
 /* Returns the history stored under the key: tries in the upper 32 bits, captures in the lower; 0 if there is none. */
-static uint64_t kept_at(const struct board *b, const char *key)
+static uint64_t read_history(const struct board *b, const char *key)
 {
-    struct nv_value kept = nvram_get(&b->nvram, key);
+    struct nv_value value = nvram_get(&b->nvram, key);
 
-    return kept.type == NV_INT ? kept.bits : 0;
+    return value.type == NV_INT ? value.bits : 0;
 }
 
-static void count_one(struct board *b, const char *key, int64_t add)
+static void increment_history(struct board *b, const char *key, int64_t counter)
 {
-    struct nv_value keep = { .type = NV_INT, .bits = kept_at(b, key) };
-    const uint32_t tries = (uint32_t)(keep.bits >> 32), captures = (uint32_t)keep.bits;
+    struct nv_value value = { .type = NV_INT, .bits = read_history(b, key) };
+    const uint32_t tries = (uint32_t)(value.bits >> 32), captures = (uint32_t)value.bits;
 
-    if ((add == ADD_TRY ? tries : captures) == INT32_MAX)
+    if ((counter == ADD_TRY ? tries : captures) == INT32_MAX)
         return;
-    keep.bits += add == ADD_TRY ? 1ull << 32 : 1;
-    nvram_set(&b->nvram, key, &keep); /* if nvram is full, the old value remains */
+    value.bits += counter == ADD_TRY ? 1ull << 32 : 1;
+    nvram_set(&b->nvram, key, &value); /* if nvram is full, the old value remains */
 }
 
 /* Returns the ship of the first player in the game; without players, the first ship declared. */
@@ -429,35 +430,36 @@ static const char *first_ship(const struct board *b)
     uint16_t kind = 0;
 
     for (int p = PADS; p-- > 0;)
-        kind = b->player.in[p] ? b->player.kind[p] : kind;
+        kind = b->player.in_game[p] ? b->player.kind[p] : kind;
     const char *name = board_name(b, N_PLAYER, kind);
     return name ? name : "";
 }
 
-/* Returns the tries and captures of a spell, after adding one if asked. Adds nothing in practice, where the cabinet
- * counts the tries. */
+/* Returns the tries and captures of a spell, after incrementing the counter that `add` selects, if any. In practice
+ * nothing is incremented; the cabinet counts practice tries. */
 static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct manifest *m = &b->cart.m;
-    const char *difficulty = v[H_DIFFICULTY].given ? lua_tostring(L, v[H_DIFFICULTY].at)
-                             : m->n_difficulties   ? m->difficulties[b->core.difficulty]
-                                                   : "";
-    const uint64_t of = name_hash(name_hash(HASH_START, lua_tostring(L, v[H_BOSS].at)), lua_tostring(L, v[H_ID].at));
+    const struct manifest *m = &b->cart.manifest;
+    const char *difficulty = v[HISTORY_DIFFICULTY].given ? lua_tostring(L, v[HISTORY_DIFFICULTY].at)
+                             : m->n_difficulties         ? m->difficulties[b->core.difficulty]
+                                                         : "";
+    const uint64_t spell_hash =
+        hash_name(hash_name(HASH_START, lua_tostring(L, v[HISTORY_BOSS].at)), lua_tostring(L, v[HISTORY_ID].at));
     lua_Integer tries = 0, captures = 0;
-    char key[NV_KEY + 1];
+    char key[NV_MAX_KEY + 1];
 
-    if (v[H_ADD].i && !b->start.practice.section[0]) {
-        history_key(key, of, difficulty, first_ship(b));
-        count_one(b, key, v[H_ADD].i);
+    if (v[HISTORY_ADD].i && !b->start.practice.section[0]) {
+        format_history_key(key, spell_hash, difficulty, first_ship(b));
+        increment_history(b, key, v[HISTORY_ADD].i);
     }
     for (int k = 0; k < (int)b->player_kinds.s.live; k++) {
         const char *ship = board_name(b, N_PLAYER, k);
-        if (!ship || (v[H_SHIP].given && k != v[H_SHIP].i))
+        if (!ship || (v[HISTORY_SHIP].given && k != v[HISTORY_SHIP].i))
             continue;
-        history_key(key, of, difficulty, ship);
-        vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-        tries += (lua_Integer)(kept_at(b, key) >> 32);
-        captures += (lua_Integer)(kept_at(b, key) & UINT32_MAX);
+        format_history_key(key, spell_hash, difficulty, ship);
+        vm_charge(L, b->nvram.s.live / NVRAM_BYTES_PER_WORK);
+        tries += (lua_Integer)(read_history(b, key) >> 32);
+        captures += (lua_Integer)(read_history(b, key) & UINT32_MAX);
     }
     lua_pushinteger(L, tries);
     lua_pushinteger(L, captures);
@@ -467,7 +469,7 @@ static int sys_history(lua_State *L, struct board *b, struct api_value *v)
 static const struct api_entry entries[] = {
     { "sys.boss", sys_boss, PARAMS(table_req), 1, API_SYS, "boolean",
       HELP("checks a boss's cast and phases; returns true if a phase has `last = true`") },
-    { "sys.history", sys_history, PARAMS(history), 5, API_SYS | API_CHANGES, "tries, captures",
+    { "sys.history", sys_history, PARAMS(history_params), 5, API_SYS | API_CHANGES, "tries, captures",
       HELP("returns how often a spell was tried and captured; add = 1 adds a try, add = 2 a capture") },
 };
 const struct api_module api_boss = { entries, sizeof entries / sizeof *entries };

@@ -8,20 +8,20 @@
 
 /* ---- kinds ---- */
 
-/* Indices shared by bullet_def and shot_def. */
+/* Indices shared by bullet_def_params and shot_def_params. */
 enum { D_NAME, D_SPRITE, D_HIT, D_BANK, D_GRAZE, D_DAMAGE = D_GRAZE, D_TURNS, D_SWEPT, D_BLEND, D_SPIN, D_ORDER };
 
-/* Indices of bullet_def only. */
+/* Indices of bullet_def_params only. */
 enum { D_CLOUD = D_ORDER + 1, D_VANISH, D_CLEARABLE, D_HP, D_SCORE, D_SPARK, D_ON_DEATH, D_DROPS, D_HARMLESS };
 
-/* Indices of shot_def only. */
+/* Indices of shot_def_params only. */
 enum { D_CANCELS = D_ORDER + 1, D_PIERCE, D_EVERY };
 
-enum { MOST_ORDER = 100 };
+enum { MAX_ORDER = 100 };
 
-static const char NO_HP[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
+static const char hp_disabled[] = "bullet hp is disabled; add `hp = true` to `board` in rom.lua";
 
-static const struct api_param bullet_def[] = {
+static const struct api_param bullet_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
@@ -37,7 +37,7 @@ static const struct api_param bullet_def[] = {
           "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
-    PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
+    PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
     PARAM("cloud", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite shown instead of `sprite` during the bullet's delay; nil keeps `sprite`"),
     PARAM("vanish", A_SPARK_KIND, OPT, 0, 0, NULL, NULL,
@@ -55,7 +55,7 @@ static const struct api_param bullet_def[] = {
     PARAM("harmless", A_BOOL, OPT, 0, 0, NULL, "false", "if true, it can't hit players or be grazed"),
 };
 
-static const struct api_param shot_def[] = {
+static const struct api_param shot_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_BULLETS, 0, NULL, NULL,
@@ -71,7 +71,7 @@ static const struct api_param shot_def[] = {
           "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0",
           "degrees the sprite rotates per frame, clockwise; the sprite needs `rotations` in rom.lua"),
-    PARAM("order", A_INT, OPT, -MOST_ORDER, MOST_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
+    PARAM("order", A_INT, OPT, -MAX_ORDER, MAX_ORDER, NULL, "0", "drawing order; higher is drawn over lower"),
     PARAM(
         "cancels", A_BOOL, OPT, 0, 0, NULL, "false",
         "whether it removes one clearable bullet that it touches; a bullet with `hp` takes the shot's damage instead"),
@@ -87,7 +87,7 @@ static void declare_cloud(lua_State *L, struct bullet_kinds *k)
     const struct api_shape none = { .shape = SHAPE_NONE, .rows = 1 };
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
-    api_kind(L, "bullet.def", &k->s, &columns, &none);
+    api_declare_kind(L, "bullet.def", &k->s, &columns, &none);
 }
 
 /* Fills the cloud row of kind i. */
@@ -97,27 +97,28 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
 
     k->sprite[cloud] = sprite;
     k->bank[cloud] = k->bank[i];
-    k->order[cloud] = k->order[i];
+    k->draw_order[cloud] = k->draw_order[i];
     k->flags[cloud] = (uint16_t)(KIND_CLOUD | (k->flags[i] & (KIND_TURNS | KIND_BLEND)));
     k->flags[i] |= KIND_CLOUDED;
 }
 
 /* Declares a kind of bullet or shot from all its arguments except graze and damage; returns the kind's index. */
-static int define(lua_State *L, struct bullet_kinds *k, enum name_kind what, const char *entry, struct api_value *v)
+static int define_kind(lua_State *L, struct bullet_kinds *k, enum name_kind names, const char *entry,
+                       struct api_value *v)
 {
-    const struct api_shape shape = api_hit(L, entry, v[D_HIT].at, HIT_BULLETS);
+    const struct api_shape shape = api_read_hit_shape(L, entry, v[D_HIT].at, HIT_BULLETS);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
 
-    if (v[D_SPIN].a && vm_board(L)->pictures[v[D_SPRITE].i].rotations == 1)
+    if (v[D_SPIN].a && vm_board(L)->sprite_images[v[D_SPRITE].i].rotations == 1)
         api_error(L, entry, "spin: sprite \"%s\" has no rotations (add `rotations` to it in rom.lua)",
                   lua_tostring(L, v[D_SPRITE].at));
-    int32_t i = api_kind(L, entry, &k->s, &columns, &shape);
+    int32_t i = api_declare_kind(L, entry, &k->s, &columns, &shape);
 
-    api_names_declare(L, what, entry, lua_tostring(L, v[D_NAME].at), i);
+    api_names_declare(L, names, entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->spin[i] = v[D_SPIN].a;
-    k->order[i] = (int8_t)v[D_ORDER].i;
+    k->draw_order[i] = (int8_t)v[D_ORDER].i;
     k->flags[i] =
         (uint16_t)((v[D_TURNS].i ? KIND_TURNS : 0) | (v[D_SWEPT].i ? KIND_SWEPT : 0) | v[D_BLEND].i * KIND_BLEND_ONE);
     return i;
@@ -130,29 +131,29 @@ static void define_hp(lua_State *L, struct board *b, int i, const struct api_val
 
     for (int p = D_SCORE; p <= D_DROPS; p++)
         if (v[p].given && !v[D_HP].given)
-            api_error(L, "bullet.def", "%s: requires `hp`", bullet_def[p].name);
+            api_error(L, "bullet.def", "%s: requires `hp`", bullet_def_params[p].name);
     if (!v[D_HP].given)
         return;
     if (!k->hp)
-        api_error(L, "bullet.def", "hp: %s", NO_HP);
-    k->hp[i] = api_or_forever(&v[D_HP]);
+        api_error(L, "bullet.def", "hp: %s", hp_disabled);
+    k->hp[i] = api_to_count(&v[D_HP]);
     k->score[i] = v[D_SCORE].i;
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "bullet.def", v[D_DROPS].at);
-        events_set_function(L, (uint16_t)i, "bullet's drops");
+        events_set_property(L, (uint16_t)i, "bullet's drops");
     }
     if (!v[D_ON_DEATH].given)
         return;
     lua_pushvalue(L, v[D_ON_DEATH].at);
-    events_set_function(L, (uint16_t)i, "bullet's on_death");
+    events_set_property(L, (uint16_t)i, "bullet's on_death");
 }
 
 static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 {
     if (v[D_CLOUD].given)
         declare_cloud(L, &b->bullet_kinds);
-    int i = define(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
+    int i = define_kind(L, &b->bullet_kinds, N_BULLET, "bullet.def", v);
 
     if (v[D_GRAZE].i)
         b->bullet_kinds.flags[i] |= KIND_GRAZE;
@@ -160,7 +161,7 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
         b->bullet_kinds.flags[i] |= KIND_FIXED;
     if (v[D_HARMLESS].i)
         b->bullet_kinds.flags[i] |= KIND_HARMLESS;
-    b->bullet_kinds.vanish[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
+    b->bullet_kinds.vanish_spark[i] = v[D_VANISH].given ? (uint16_t)(v[D_VANISH].i + 1) : 0;
     define_hp(L, b, i, v);
     if (v[D_CLOUD].given)
         set_cloud(&b->bullet_kinds, i, (uint16_t)v[D_CLOUD].i);
@@ -170,21 +171,22 @@ static int bullet_define(lua_State *L, struct board *b, struct api_value *v)
 /* Sets the piercing of a kind of shot (`pierce` and `every`). */
 static void define_pierce(lua_State *L, struct bullet_kinds *k, int i, const struct api_value *v)
 {
-    enum { USUAL = 6 };
+    enum { DEFAULT_EVERY = 6 };
 
     if (v[D_PIERCE].i && !k->pierce)
-        api_error(L, "shot.def", "pierce: " API_OFF, "piercing is disabled; add `pierce = true` to `board`");
+        api_error(L, "shot.def", "pierce: " API_DISABLED_FORMAT,
+                  "piercing is disabled; add `pierce = true` to `board`");
     if (v[D_EVERY].given && !v[D_PIERCE].i)
         api_error(L, "shot.def", "every: requires `pierce`");
     if (!k->pierce)
         return;
-    k->pierce[i] = api_or_forever(&v[D_PIERCE]);
-    k->every[i] = v[D_EVERY].given ? api_or_forever(&v[D_EVERY]) : USUAL;
+    k->pierce[i] = api_to_count(&v[D_PIERCE]);
+    k->rehit_interval[i] = v[D_EVERY].given ? api_to_count(&v[D_EVERY]) : DEFAULT_EVERY;
 }
 
 static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 {
-    int i = define(L, &b->shot_kinds, N_SHOT, "shot.def", v);
+    int i = define_kind(L, &b->shot_kinds, N_SHOT, "shot.def", v);
 
     b->shot_kinds.damage[i] = (int32_t)v[D_DAMAGE].i;
     if (v[D_CANCELS].i)
@@ -201,7 +203,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
         api_error(L, entry, "around: orbits around things are disabled; add `around = true` to `board` in rom.lua");
 }
 
-#define FLIGHT(kind_type, def_dir)                                                                                     \
+#define FIRE_PARAMS(kind_type, def_dir)                                                                                \
     PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL, "declared kind to fire"),                                          \
         PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                             \
               "speed of flight; if negative, it flies backwards"),                                                     \
@@ -215,81 +217,81 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
               "number added to the palette bank of its sprite; overrides its kind's"),                                 \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers it")
-#define AROUND                                                                                                         \
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                               \
+#define AROUND_PARAM                                                                                                   \
+    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                          \
           "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
-static const struct api_param bullet_fire[] = {
-    FLIGHT(A_BULLET_KIND, "90"),
+static const struct api_param bullet_fire_params[] = {
+    FIRE_PARAMS(A_BULLET_KIND, "90"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0",
           "frames the bullet waits in place before it flies; until then, it is harmless and drawn as its cloud"),
-    AROUND
+    AROUND_PARAM
 };
-static const struct api_param shot_fire[] = {
-    FLIGHT(A_SHOT_KIND, "270"),
+static const struct api_param shot_fire_params[] = {
+    FIRE_PARAMS(A_SHOT_KIND, "270"),
     PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,
           "player who owns the shot and gets its score; defaults to the owner of `from`"),
-    AROUND
+    AROUND_PARAM
 };
 
-enum { A_TARGET = 8 /* targets examined per unit of work */ };
+enum { TARGETS_PER_WORK = 8 /* targets examined per unit of work */ };
 
-ang api_aim(struct board *b, bool shot, fx x, fx y)
+ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
 {
-    struct targets t = board_world(b, shot).targets;
+    struct targets t = board_motion_world(b, is_shot).targets;
 
-    b->vm.work += shot ? b->enemies.s.top / A_TARGET : 0;
-    return targets_aim(&t, x, y, shot ? 0xc0000000u : 0x40000000u);
+    b->vm.work += is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0;
+    return targets_aim(&t, x, y, is_shot ? 0xc0000000u : 0x40000000u);
 }
 
 /* Returns the number, 1 or 2, of the player who fires the shot, or 0. */
-static uint8_t shooter(const struct board *b, const struct api_value *v)
+static uint8_t find_shooter(const struct board *b, const struct api_value *v)
 {
-    const struct api_value *by = v[FIRE_BY].given ? &v[FIRE_BY] : &v[FIRE_PLACE + PLACE_FROM];
+    const struct api_value *owner = v[FIRE_OWNER].given ? &v[FIRE_OWNER] : &v[FIRE_PLACE + PLACE_FROM];
 
-    return by->given ? board_player_of(b, by->i) : 0;
+    return owner->given ? board_player_of(b, owner->i) : 0;
 }
 
-bool api_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool shot,
-                struct bullet_shape *s)
+bool api_read_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool is_shot,
+                     struct bullet_spec *s)
 {
-    const struct bullet_kinds *kinds = shot ? &b->shot_kinds : &b->bullet_kinds;
+    const struct bullet_kinds *kinds = is_shot ? &b->shot_kinds : &b->bullet_kinds;
 
-    *s = (struct bullet_shape){ .speed = v[FIRE_SPEED].f,
-                                .dir = v[FIRE_DIR].a,
-                                .kind = (uint16_t)v[FIRE_KIND].i,
-                                .bank = v[FIRE_BANK].given ? (uint8_t)v[FIRE_BANK].i : kinds->bank[v[FIRE_KIND].i],
-                                .motion = v[FIRE_MOTION].given ? (uint16_t)v[FIRE_MOTION].i : 0,
-                                .fine = v[FIRE_MOTION].given && api_motion_fine(b, (uint16_t)v[FIRE_MOTION].i),
-                                .player = shot ? shooter(b, v) : 0,
-                                .delay = shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
-                                .by = tasks_serial(b) };
-    if (!api_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
+    *s = (struct bullet_spec){ .speed = v[FIRE_SPEED].f,
+                               .dir = v[FIRE_DIR].a,
+                               .kind = (uint16_t)v[FIRE_KIND].i,
+                               .bank = v[FIRE_BANK].given ? (uint8_t)v[FIRE_BANK].i : kinds->bank[v[FIRE_KIND].i],
+                               .motion = v[FIRE_MOTION].given ? (uint16_t)v[FIRE_MOTION].i : 0,
+                               .fine = v[FIRE_MOTION].given && api_motion_is_fine(b, (uint16_t)v[FIRE_MOTION].i),
+                               .player = is_shot ? find_shooter(b, v) : 0,
+                               .delay = is_shot ? 0 : (uint32_t)v[FIRE_DELAY].i,
+                               .owner_task = tasks_current_serial(b) };
+    if (!api_read_place(L, b, entry, v + FIRE_PLACE, &s->x, &s->y))
         return false;
     if (s->player && b->player.deathbomb_left[s->player - 1]) /* a hit ship cannot fire */
         return false;
     if (v[FIRE_TAG].given)
-        s->tag = api_tag(L, entry, v[FIRE_TAG].at);
-    api_check_around(L, shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
-    s->around = v[FIRE_AROUND].given ? v[FIRE_AROUND].i : 0;
+        s->tag = api_intern_tag(L, entry, v[FIRE_TAG].at);
+    api_check_around(L, is_shot ? &b->shots : &b->bullets, entry, &v[FIRE_AROUND]);
+    s->orbit_target = v[FIRE_AROUND].given ? v[FIRE_AROUND].i : 0;
     if (s->player)
-        sound_cue(b, CUE_SHOT, b->player.x[s->player - 1]);
+        sound_play_cue(b, CUE_SHOT, b->player.x[s->player - 1]);
     return true;
 }
 
-static int fire(lua_State *L, struct board *b, const struct api_value *v, bool shot)
+static int fire(lua_State *L, struct board *b, const struct api_value *v, bool is_shot)
 {
-    struct bullet_shape s;
+    struct bullet_spec s;
     int32_t i = NO_SLOT;
 
-    if (api_flight(L, b, shot ? "shot.fire" : "bullet.fire", v, shot, &s)) {
+    if (api_read_flight(L, b, is_shot ? "shot.fire" : "bullet.fire", v, is_shot, &s)) {
         if (v[FIRE_AIM].i)
-            s.dir = api_aim(b, shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
-        i = emit_fire(b, shot, &s, api_units(true, &v[FIRE_SPEED]), b->core.clock);
+            s.dir = api_aim_direction(b, is_shot, s.x, s.y) + (v[FIRE_DIR].given ? v[FIRE_DIR].a : 0);
+        i = emit_fire(b, is_shot, &s, api_value_to_q32(true, &v[FIRE_SPEED]), b->core.clock);
     }
     if (i != NO_SLOT)
-        api_value_set(b, shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_VALUES);
-    lua_pushinteger(L, board_handle(b, shot ? H_SHOT : H_BULLET, i));
+        api_set_values(b, is_shot ? N_SHOT_VALUE : N_BULLET_VALUE, (uint32_t)i, v + FIRE_VALUES);
+    lua_pushinteger(L, board_handle(b, is_shot ? H_SHOT : H_BULLET, i));
     return 1;
 }
 
@@ -312,25 +314,25 @@ const struct api_param api_each_params[EACH_PARAMS] = {
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL, "function to call; it cannot wait")
 };
 
-int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
+int api_push_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag)
 {
-    lua_pushinteger(L, handle_of(kind, 1, tag->given ? api_tag(L, entry, tag->at) : 0));
+    lua_pushinteger(L, handle_make(kind, 1, tag->given ? api_intern_tag(L, entry, tag->at) : 0));
     return 1;
 }
 
 static int bullet_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_GROUP, "bullet.group", &v[EACH_TAG]);
+    return api_push_group(L, H_GROUP, "bullet.group", &v[EACH_TAG]);
 }
 
 static int shot_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
+    return api_push_group(L, H_SHOTS, "shot.group", &v[EACH_TAG]);
 }
 
-enum { VISIT = 4 /* VM instructions charged per visit, in addition to the function's own */ };
+enum { VISIT_WORK = 4 /* VM instructions charged per visit, in addition to the function's own */ };
 
 /* Pushes a userdata with the handles of the live entities that have the tag. Returns the array and stores the number of
  * handles in *n. */
@@ -346,14 +348,14 @@ static const int64_t *list_tagged(lua_State *L, const struct board *b, enum hand
     return list;
 }
 
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-             const uint16_t *tags, const struct api_value v[EACH_PARAMS])
+int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+                  const uint16_t *tags, const struct api_value v[EACH_PARAMS])
 {
-    uint32_t tag = v[EACH_TAG].given ? api_tag(L, entry, v[EACH_TAG].at) : 0;
+    uint32_t tag = v[EACH_TAG].given ? api_intern_tag(L, entry, v[EACH_TAG].at) : 0;
     uint32_t n;
     const int64_t *list = list_tagged(L, b, kind, s, tags, tag, &n);
 
-    vm_charge(L, VISIT * (uint64_t)n);
+    vm_charge(L, VISIT_WORK * (uint64_t)n);
     for (uint32_t k = 0; k < n; k++) {
         if (!board_alive(b, list[k]))
             continue;
@@ -366,17 +368,17 @@ int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *e
 
 static int bullet_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_each(L, b, H_BULLET, "bullet.each", &b->bullets.s, b->bullets.tag, v);
+    return api_call_each(L, b, H_BULLET, "bullet.each", &b->bullets.s, b->bullets.tag, v);
 }
 
 static int shot_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_each(L, b, H_SHOT, "shot.each", &b->shots.s, b->shots.tag, v);
+    return api_call_each(L, b, H_SHOT, "shot.each", &b->shots.s, b->shots.tag, v);
 }
 
-static const struct api_param bullet_sweep[] = {
+static const struct api_param bullet_sweep_params[] = {
     PLACE,
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing that the circle moves with; the sweep ends when the thing dies"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", "0", "radius of the circle at the start"),
     PARAM("radius_to", A_FX, REQ, 0, MAX_SPEED, "px", NULL, "radius of the circle at the end"),
@@ -393,10 +395,10 @@ static const struct api_param bullet_sweep[] = {
 /* ---- properties ---- */
 
 #define FLIGHT_PROPS(kind_type)                                                                                        \
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
             "horizontal position in the field; a write teleports it, without collisions on the way"),                  \
       PROP_WRITE },                                                                                                    \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "vertical position in the field; a write teleports it, without collisions on the way"),                \
           PROP_WRITE },                                                                                                \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
@@ -419,7 +421,7 @@ static const struct api_param bullet_sweep[] = {
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program it runs, or nil; a write starts the program from its first step"),                     \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"),      \
+        { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
                 "frames since it was fired, not counting its delay or frozen frames"),                                 \
@@ -459,48 +461,48 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
     int64_t x, y;
 
     switch (p) {
-    case FLIES_X:
-    case FLIES_Y:
-        bullets_place(s, i, &x, &y);
-        push_q32(L, p == FLIES_X ? x : y);
+    case FLIGHT_X:
+    case FLIGHT_Y:
+        bullets_position(s, i, &x, &y);
+        push_q32(L, p == FLIGHT_X ? x : y);
         break;
-    case FLIES_DIR:
+    case FLIGHT_DIR:
         lua_pushnumber(L, trig_to_degrees(s->dir[i]));
         break;
-    case FLIES_SPEED:
+    case FLIGHT_SPEED:
         push_q32(L, bullets_speed(s, i));
         break;
-    case FLIES_VX:
-    case FLIES_VY:
+    case FLIGHT_VX:
+    case FLIGHT_VY:
         bullets_velocity(s, i, &x, &y);
-        push_q32(L, p == FLIES_VX ? x : y);
+        push_q32(L, p == FLIGHT_VX ? x : y);
         break;
-    case FLIES_KIND:
+    case FLIGHT_KIND:
         api_names_push(L, names, bullets_kind(s, kinds, i));
         break;
-    case FLIES_BANK:
+    case FLIGHT_BANK:
         lua_pushinteger(L, s->bank[i]);
         break;
-    case FLIES_TAG:
+    case FLIGHT_TAG:
         api_push_tag(L, s->tag[i]);
         break;
-    case FLIES_MOTION:
+    case FLIGHT_MOTION:
         if (s->motion[i])
-            lua_pushinteger(L, handle_of(H_MOTION, 1, s->motion[i] - 1u));
+            lua_pushinteger(L, handle_make(H_MOTION, 1, s->motion[i] - 1u));
         else
             lua_pushnil(L);
         break;
-    case FLIES_AROUND:
+    case FLIGHT_AROUND:
         if (s->orbit_target && s->orbit_target[i])
             lua_pushinteger(L, s->orbit_target[i]);
         else
             lua_pushnil(L);
         break;
-    case FLIES_AGE:
+    case FLIGHT_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
         break;
-    case FLIES_FROZEN:
-        api_push_or_forever(L, s->frozen[i]);
+    case FLIGHT_FROZEN:
+        api_push_count(L, s->frozen_left[i]);
         break;
     default:
         if (s->player[i])
@@ -511,34 +513,34 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
 }
 
 /* Ends the running motion step's control of a property that a script wrote. */
-void api_override(struct bullets *s, uint32_t i, unsigned what)
+void api_override(struct bullets *s, uint32_t i, unsigned property)
 {
     if (s->step_flags[i] & STEP_BEGUN)
-        s->step_flags[i] |= (uint8_t)what;
+        s->step_flags[i] |= (uint8_t)property;
 }
 
 /* Sets x, y, vx or vy and leaves the other coordinate of the pair unchanged. */
-static void set_part(struct bullets *s, uint32_t i, int p, int64_t v)
+static void set_coordinate(struct bullets *s, uint32_t i, int p, int64_t v)
 {
     int64_t x, y;
 
-    if (p == FLIES_X || p == FLIES_Y) {
-        bullets_place(s, i, &x, &y);
-        bullets_set_place(s, i, p == FLIES_X ? v : x, p == FLIES_Y ? v : y);
+    if (p == FLIGHT_X || p == FLIGHT_Y) {
+        bullets_position(s, i, &x, &y);
+        bullets_set_position(s, i, p == FLIGHT_X ? v : x, p == FLIGHT_Y ? v : y);
     } else {
         bullets_velocity(s, i, &x, &y);
-        bullets_set_velocity(s, i, p == FLIES_VX ? v : x, p == FLIES_VY ? v : y);
+        bullets_set_velocity(s, i, p == FLIGHT_VX ? v : x, p == FLIGHT_VY ? v : y);
     }
 }
 
 /* Stops the running motion step, if it leads bullet i, from doing so after a script writes the position. */
-static void let_go(const struct board *b, struct bullets *s, uint32_t i)
+static void end_lead(const struct board *b, struct bullets *s, uint32_t i)
 {
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))
         return;
-    if (b->steps.does[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
-        api_override(s, i, OVERRIDE_PLACE);
-        bullets_steer(s, i);
+    if (b->steps.actions[b->motions.first[s->motion[i] - 1] + s->pc[i]] & DOES_LEAD) {
+        api_override(s, i, OVERRIDE_POSITION);
+        bullets_update_velocity(s, i);
     }
 }
 
@@ -548,44 +550,44 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
     bool fine = s->flags[i] & BULLET_FINE;
 
     switch (p) {
-    case FLIES_X:
-    case FLIES_Y:
-        set_part(s, i, p, api_units(fine, v));
-        let_go(b, s, i);
+    case FLIGHT_X:
+    case FLIGHT_Y:
+        set_coordinate(s, i, p, api_value_to_q32(fine, v));
+        end_lead(b, s, i);
         break;
-    case FLIES_DIR:
+    case FLIGHT_DIR:
         s->dir[i] = v->a;
         api_override(s, i, OVERRIDE_DIR);
-        bullets_steer(s, i);
+        bullets_update_velocity(s, i);
         break;
-    case FLIES_SPEED:
+    case FLIGHT_SPEED:
         api_override(s, i, OVERRIDE_SPEED);
-        bullets_set_speed(s, i, api_units(fine, v));
+        bullets_set_speed(s, i, api_value_to_q32(fine, v));
         break;
-    case FLIES_VX:
-    case FLIES_VY:
+    case FLIGHT_VX:
+    case FLIGHT_VY:
         api_override(s, i, OVERRIDE_DIR | OVERRIDE_SPEED);
-        set_part(s, i, p, api_units(fine, v));
+        set_coordinate(s, i, p, api_value_to_q32(fine, v));
         break;
-    case FLIES_KIND:
+    case FLIGHT_KIND:
         bullets_set_kind(s, kinds, i, (uint16_t)v->i);
         break;
-    case FLIES_BANK:
+    case FLIGHT_BANK:
         s->bank[i] = (uint8_t)v->i;
         break;
-    case FLIES_TAG:
-        s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+    case FLIGHT_TAG:
+        s->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
         break;
-    case FLIES_FROZEN:
-        bullets_freeze(s, i, api_or_forever(v));
+    case FLIGHT_FROZEN:
+        bullets_freeze(s, i, api_to_count(v));
         break;
-    case FLIES_AROUND:
+    case FLIGHT_AROUND:
         api_check_around(L, s, s == &b->shots ? "shot" : s == &b->bullets ? "bullet" : "laser", v);
         if (s->orbit_target)
             s->orbit_target[i] = v->given ? v->i : 0;
         break;
-    case FLIES_MOTION:
-        bullets_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && api_motion_fine(b, (uint16_t)v->i));
+    case FLIGHT_MOTION:
+        bullets_start_program(s, i, v->given ? (uint16_t)v->i : 0, v->given && api_motion_is_fine(b, (uint16_t)v->i));
         break;
     default:
         break;
@@ -593,10 +595,10 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
 }
 
 /* Returns the bullets' column hp; raises a fault if the pool has none. */
-static int32_t *hp_of(lua_State *L, struct board *b)
+static int32_t *get_hp_column(lua_State *L, struct board *b)
 {
     if (!b->bullets.hp)
-        vm_fault(L, FAULT_SCRIPT, "bullet: hp: %s", NO_HP);
+        vm_fault(L, FAULT_SCRIPT, "bullet: hp: %s", hp_disabled);
     return b->bullets.hp;
 }
 
@@ -604,18 +606,18 @@ static void get_bullet(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct bullets *s = &b->bullets;
 
-    if (p == FLIES_DELAY)
+    if (p == FLIGHT_DELAY)
         lua_pushinteger(L, s->flags[i] & BULLET_DELAYED ? s->step_end[i] - b->core.clock : 0);
-    else if (p == FLIES_HP)
-        api_push_or_forever(L, hp_of(L, b)[i]);
+    else if (p == FLIGHT_HP)
+        api_push_count(L, get_hp_column(L, b)[i]);
     else
         api_get_flight(L, b, &b->bullets, N_BULLET, i, p);
 }
 
 static void set_bullet(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    if (p == FLIES_HP)
-        hp_of(L, b)[i] = api_or_forever(v);
+    if (p == FLIGHT_HP)
+        get_hp_column(L, b)[i] = api_to_count(v);
     else
         api_set_flight(L, b, &b->bullets, &b->bullet_kinds, i, p, v);
 }
@@ -653,25 +655,25 @@ static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
 
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
-    if (p != FLIES_LAST)
+    if (p != FLIGHT_SHARED)
         vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read from a group (only `count` can)",
-                 group_props[p].value.name);
+                 group_props[p].param.name);
     count_tagged(L, &b->bullets, tag);
 }
 
 static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
 {
-    if (p != FLIES_LAST)
+    if (p != FLIGHT_SHARED)
         vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read from a group (only `count` can)",
-                 shots_props[p].value.name);
+                 shots_props[p].param.name);
     count_tagged(L, &b->shots, tag);
 }
 
-enum { A_WRITE = 10, AN_ACT = 2, AN_AIM = 4 /* work per entity of a group */ };
+enum { WRITE_WORK = 10, ACT_WORK = 2, AIM_WORK = 4 /* work per entity of a group */ };
 
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
-    vm_charge(L, A_WRITE * (uint64_t)b->bullets.s.live);
+    vm_charge(L, WRITE_WORK * (uint64_t)b->bullets.s.live);
     EACH_LIVE (i, &b->bullets.s)
         if (api_has_tag(b->bullets.tag, i, tag))
             set_bullet(L, b, i, p, v);
@@ -679,16 +681,16 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
 
 static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
-    vm_charge(L, A_WRITE * (uint64_t)b->shots.s.live);
+    vm_charge(L, WRITE_WORK * (uint64_t)b->shots.s.live);
     EACH_LIVE (i, &b->shots.s)
         if (api_has_tag(b->shots.tag, i, tag))
             set_shot(L, b, i, p, v);
 }
 
-const struct api_thing api_bullet_thing = { "bullet", bullet_props, FLIES_HP + 1, get_bullet, set_bullet };
-const struct api_thing api_shot_thing = { "shot", shot_props, FLIES_LAST + 1, get_shot, set_shot };
-const struct api_thing api_group_thing = { "group", group_props, FLIES_HP + 1, get_group, set_group };
-const struct api_thing api_shots_thing = { "shots", shots_props, FLIES_LAST + 1, get_shots, set_shots };
+const struct api_thing api_bullet_thing = { "bullet", bullet_props, FLIGHT_HP + 1, get_bullet, set_bullet };
+const struct api_thing api_shot_thing = { "shot", shot_props, FLIGHT_SHARED + 1, get_shot, set_shot };
+const struct api_thing api_group_thing = { "group", group_props, FLIGHT_HP + 1, get_group, set_group };
+const struct api_thing api_shots_thing = { "shots", shots_props, FLIGHT_SHARED + 1, get_shots, set_shots };
 
 /* ---- verbs of bullets, shots and groups ---- */
 
@@ -698,7 +700,7 @@ enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY 
 /* Returns a Q32 coordinate moved by `by`, clamped to the world. */
 static int64_t shifted(int64_t at, int64_t by)
 {
-    const int64_t edge = (int64_t)WORLD << 32;
+    const int64_t edge = (int64_t)WORLD_EDGE << 32;
 
     return int64_clamp(at + by, -edge, edge);
 }
@@ -708,19 +710,20 @@ static void shift(const struct board *b, struct bullets *s, uint32_t i, const st
     bool fine = s->flags[i] & BULLET_FINE;
     int64_t x, y;
 
-    bullets_place(s, i, &x, &y);
-    bullets_set_place(s, i, shifted(x, api_units(fine, &v[ARG_DX])), shifted(y, api_units(fine, &v[ARG_DY])));
-    let_go(b, s, i);
+    bullets_position(s, i, &x, &y);
+    bullets_set_position(s, i, shifted(x, api_value_to_q32(fine, &v[ARG_DX])),
+                         shifted(y, api_value_to_q32(fine, &v[ARG_DY])));
+    end_lead(b, s, i);
 }
 
-static void act(struct board *b, bool shot, const struct targets *targets, uint32_t i, enum verb verb,
-                const struct api_value *v)
+static void act_on_one(struct board *b, bool is_shot, const struct targets *targets, uint32_t i, enum verb verb,
+                       const struct api_value *v)
 {
-    struct bullets *s = shot ? &b->shots : &b->bullets;
+    struct bullets *s = is_shot ? &b->shots : &b->bullets;
 
     switch (verb) {
     case V_AIM:
-        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
+        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
         break;
     case V_TURN:
         s->dir[i] += v[ARG_BY].a;
@@ -733,30 +736,32 @@ static void act(struct board *b, bool shot, const struct targets *targets, uint3
         return;
     }
     api_override(s, i, OVERRIDE_DIR);
-    bullets_steer(s, i);
+    bullets_update_velocity(s, i);
 }
 
-static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
+static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb apply_verb)
 {
     int64_t h = v[ARG_SELF].i;
-    bool shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
-    struct bullets *s = shot ? &b->shots : &b->bullets;
-    const struct targets targets = board_world(b, shot).targets;
-    const uint64_t each = verb != V_AIM ? AN_ACT : AN_AIM + (shot ? b->enemies.s.top / A_TARGET : 0);
+    bool is_shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
+    struct bullets *s = is_shot ? &b->shots : &b->bullets;
+    const struct targets targets = board_motion_world(b, is_shot).targets;
+    const uint64_t work_each =
+        apply_verb != V_AIM ? ACT_WORK : AIM_WORK + (is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0);
 
-    vm_charge(L, each);
-    if (!handle_kind_group(handle_kind(h))) {
+    vm_charge(L, work_each);
+    if (!handle_kind_is_group(handle_kind(h))) {
         if (board_alive(b, h))
-            act(b, shot, &targets, handle_slot(h), verb, v);
-        else if (verb == V_REMOVE && board_there(b, h)) /* held: release it, so that its pending hits have no effect */
+            act_on_one(b, is_shot, &targets, handle_slot(h), apply_verb, v);
+        else if (apply_verb == V_REMOVE &&
+                 board_is_readable(b, h)) /* held: release it, so that its pending hits have no effect */
             bullets_release(s, handle_slot(h));
         return 0;
     }
-    vm_charge(L, each * s->s.live);
+    vm_charge(L, work_each * s->s.live);
     EACH_LIVE (i, &s->s)
         if (api_has_tag(s->tag, i, handle_slot(h)))
-            act(b, shot, &targets, i, verb, v);
-    if (verb == V_REMOVE)
+            act_on_one(b, is_shot, &targets, i, apply_verb, v);
+    if (apply_verb == V_REMOVE)
         EACH_HELD (i, &s->s)
             if (api_has_tag(s->tag, i, handle_slot(h)))
                 bullets_release(s, i);
@@ -765,31 +770,31 @@ static int verb(lua_State *L, struct board *b, const struct api_value *v, enum v
 
 static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_AIM);
+    return apply_verb(L, b, v, V_AIM);
 }
 
 static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_TURN);
+    return apply_verb(L, b, v, V_TURN);
 }
 
 static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_SHIFT);
+    return apply_verb(L, b, v, V_SHIFT);
 }
 
 static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_REMOVE);
+    return apply_verb(L, b, v, V_REMOVE);
 }
 
 /* Signals all bullets or shots that wait for the group's tag, whether or not they have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
-    const bool shots = handle_kind(h) == H_SHOTS;
-    struct bullets *s = shots ? &b->shots : &b->bullets;
-    const struct motion_world w = board_world(b, shots);
+    const bool is_shots = handle_kind(h) == H_SHOTS;
+    struct bullets *s = is_shots ? &b->shots : &b->bullets;
+    const struct motion_world w = board_motion_world(b, is_shots);
 
     vm_charge(L, s->s.live);
     EACH_LIVE (i, &s->s)
@@ -797,25 +802,26 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { FLYING = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
-static const struct api_param self_add[] = { SELF_OF(FLYING), AIM_ADD };
-static const struct api_param self_by[] = { SELF_OF(FLYING), TURN_BY };
-static const struct api_param self_shift[] = { SELF_OF(FLYING), SHIFT_DX, SHIFT_DY };
-static const struct api_param self_only[] = { SELF_OF(FLYING) };
-static const struct api_param self_group[] = { SELF_OF(1 << H_GROUP | 1 << H_SHOTS) };
+enum { FLYING_KINDS = 1 << H_BULLET | 1 << H_SHOT | 1 << H_GROUP | 1 << H_SHOTS };
+static const struct api_param aim_params[] = { SELF_PARAM_OF(FLYING_KINDS), AIM_ADD_PARAM };
+static const struct api_param turn_params[] = { SELF_PARAM_OF(FLYING_KINDS), TURN_BY_PARAM };
+static const struct api_param shift_params[] = { SELF_PARAM_OF(FLYING_KINDS), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
+static const struct api_param self_params[] = { SELF_PARAM_OF(FLYING_KINDS) };
+static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_GROUP | 1 << H_SHOTS) };
 
-/* The entries bullet.fire and shot.fire. Patterns take their parameters through api_fire_bullet and api_fire_shot. */
+/* The entries bullet.fire and shot.fire. Patterns take their parameters through api_bullet_fire_entry and
+ * api_shot_fire_entry. */
 #define BULLET_FIRE                                                                                                    \
     {                                                                                                                  \
-        "bullet.fire", bullet_fire_run, PARAMS(bullet_fire), 0, API_CHANGES | API_VALUES, "bullet",                    \
+        "bullet.fire", bullet_fire_run, PARAMS(bullet_fire_params), 0, API_CHANGES | API_VALUES, "bullet",             \
             HELP("fires one bullet from a position or a thing")                                                        \
     }
 #define SHOT_FIRE                                                                                                      \
     {                                                                                                                  \
-        "shot.fire", shot_fire_run, PARAMS(shot_fire), 0, API_CHANGES | API_VALUES, "shot",                            \
+        "shot.fire", shot_fire_run, PARAMS(shot_fire_params), 0, API_CHANGES | API_VALUES, "shot",                     \
             HELP("fires one player shot from a position or a thing")                                                   \
     }
-const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
+const struct api_entry api_bullet_fire_entry = BULLET_FIRE, api_shot_fire_entry = SHOT_FIRE;
 
 #define CLEAR_ONE(thing)                                                                                               \
     API_VERB(thing ":clear", api_clear_self, api_clear_self_params, 1, NULL, "removes it and leaves a spark or an item")
@@ -825,14 +831,15 @@ const struct api_entry api_fire_bullet = BULLET_FIRE, api_fire_shot = SHOT_FIRE;
 /* The verbs of a single entity or of a group; the macro parameter `it` is how the help refers to the entity or
  * group. */
 #define FLYING_VERBS(thing, it, target, CLEAR)                                                                         \
-    API_VERB(thing ":aim", verb_aim, self_add, 2, NULL, "points " it " at the nearest " target),                       \
-        API_VERB(thing ":turn", verb_turn, self_by, 2, NULL, "turns " it " by an angle"),                              \
-        API_VERB(thing ":shift", verb_shift, self_shift, 3, NULL,                                                      \
+    API_VERB(thing ":aim", verb_aim, aim_params, 2, NULL, "points " it " at the nearest " target),                     \
+        API_VERB(thing ":turn", verb_turn, turn_params, 2, NULL, "turns " it " by an angle"),                          \
+        API_VERB(thing ":shift", verb_shift, shift_params, 3, NULL,                                                    \
                  "teleports " it " by a distance, without collisions on the way"),                                     \
-        CLEAR(thing), API_VERB(thing ":remove", verb_remove, self_only, 1, NULL, "removes " it " and leaves nothing")
+        CLEAR(thing),                                                                                                  \
+        API_VERB(thing ":remove", verb_remove, self_params, 1, NULL, "removes " it " and leaves nothing")
 
 static const struct api_entry entries[] = {
-    { "bullet.def", bullet_define, PARAMS(bullet_def), 1, API_CHANGES | API_LOAD, NULL,
+    { "bullet.def", bullet_define, PARAMS(bullet_def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of bullet: its sprite, its hitbox and its rules") },
     BULLET_FIRE,
     API_GROUPS("bullet", bullet_group, bullet_each),
@@ -840,21 +847,21 @@ static const struct api_entry entries[] = {
       HELP("removes all bullets, or only those in a circle, a box or a line; returns the number removed") },
     { "bullet.meet", api_meet, PARAMS(api_meet_params), 2, API_CHANGES | API_LOAD, NULL,
       HELP("makes bullets with one tag collide with bullets with another tag; needs `board = { meet = true }`") },
-    { "bullet.sweep", NULL, PARAMS(bullet_sweep), 0, API_LUA, "task",
+    { "bullet.sweep", NULL, PARAMS(bullet_sweep_params), 0, API_LUA, "task",
       HELP("starts a task that removes the bullets in a growing circle; the task has the same owner as the calling "
            "task") },
     FLYING_VERBS("bullet", "it", "player", CLEAR_ONE),
     FLYING_VERBS("group", "each bullet", "player", CLEAR_GROUP),
-    API_VERB("group:signal", verb_signal, self_group, 1, NULL,
+    API_VERB("group:signal", verb_signal, signal_params, 1, NULL,
              "resumes every bullet whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
-    { "shot.def", shot_define, PARAMS(shot_def), 1, API_CHANGES | API_LOAD, NULL,
+    { "shot.def", shot_define, PARAMS(shot_def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of player shot: its sprite, its hitbox and its damage") },
     SHOT_FIRE,
     API_GROUPS("shot", shot_group, shot_each),
     FLYING_VERBS("shot", "it", "enemy", CLEAR_ONE),
     FLYING_VERBS("shots", "each shot", "enemy", CLEAR_GROUP),
-    API_VERB("shots:signal", verb_signal, self_group, 1, NULL,
+    API_VERB("shots:signal", verb_signal, signal_params, 1, NULL,
              "resumes every shot whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
 };

@@ -24,9 +24,9 @@ enum {
     P_ON_FIRE
 };
 
-static const char ENTRY[] = "bullet.ml";
+static const char entry_name[] = "bullet.ml";
 
-enum { FASTEST = 64 /* px per frame for speed 1 */ };
+enum { MAX_UNIT_SPEED = 64 /* px per frame for speed 1 */ };
 
 static const struct api_param params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document; NAME runs bulletml/NAME.xml"),
@@ -36,7 +36,8 @@ static const struct api_param params[] = {
     PARAM("rank", A_NUM, OPT, 0, 1, NULL, "0.5", "value of $rank in the document"),
     PARAM("seed", A_INT, OPT, 0, UINT32_MAX, NULL, "0",
           "seed of $rand; the same seed gives the same numbers; 0 draws a seed from the game's random numbers"),
-    PARAM("speed", A_NUM, OPT, 0.01, FASTEST, "px/frame", "1", "pixels per frame for a speed of 1 in the document"),
+    PARAM("speed", A_NUM, OPT, 0.01, MAX_UNIT_SPEED, "px/frame", "1",
+          "pixels per frame for a speed of 1 in the document"),
     PARAM("angle", A_DIR, OPT, 0, 0, NULL, "0", "degrees to rotate the document's pattern, clockwise"),
     PARAM("mirror", A_BOOL, OPT, 0, 0, NULL, "false", "mirror the document's pattern left to right"),
     PARAM("params", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -51,30 +52,30 @@ static const struct api_param params[] = {
 };
 
 /* Rounds to the nearest Q31.32; the range has been checked. */
-static int64_t q32(double v)
+static int64_t to_q32(double v)
 {
-    const double whole = v * 4294967296.0; /* exact; |v| < 2^19, so the product is below 2^51 */
+    const double scaled = v * 4294967296.0; /* exact; |v| < 2^19, so the product is below 2^51 */
 
-    return fx_nearest(whole);
+    return fx_nearest(scaled);
 }
 
-static uint16_t program_of(lua_State *L, const struct board *b, const char *name)
+static uint16_t find_program(lua_State *L, const struct board *b, const char *name)
 {
     const int i = cart_find_bulletml(&b->cart, name);
-    struct api_hint near;
+    struct api_hint hint;
 
     if (i >= 0)
         return (uint16_t)i;
-    api_hint_begin(&near, name);
+    api_hint_begin(&hint, name);
     for (int k = 0; k < b->cart.bulletmls; k++)
-        api_hint_add(&near, cart_bulletml_name(&b->cart, k));
-    api_error(L, ENTRY, "name: no bulletml/%s.xml in the game%s", name, api_hint_push(L, &near, "documents"));
+        api_hint_add(&hint, cart_bulletml_name(&b->cart, k));
+    api_error(L, entry_name, "name: no bulletml/%s.xml in the game%s", name, api_hint_push(L, &hint, "documents"));
     return 0;
 }
 
-static bool knows_label(lua_State *L, const char *key, const void *of)
+static bool knows_label(lua_State *L, const char *key, const void *context)
 {
-    const struct ml *ml = of;
+    const struct ml *ml = context;
 
     vm_charge(L, 1);
     for (uint32_t i = 0; key && i < ml->labels && i < ML_KINDS; i++)
@@ -84,21 +85,21 @@ static bool knows_label(lua_State *L, const char *key, const void *of)
 }
 
 /* Raises the error for the key on top of the stack, a label in `kinds` that cannot be used. */
-static void refuse_label(lua_State *L, const struct ml *ml)
+static void raise_bad_label(lua_State *L, const struct ml *ml)
 {
     const char *label = luakeys_text(L, -1);
-    struct api_hint near;
+    struct api_hint hint;
 
     if (!label)
-        api_error(L, ENTRY, "kinds: expected { label = kind }, got key %s", api_push_got(L, -1));
-    api_hint_begin(&near, label);
+        api_error(L, entry_name, "kinds: expected { label = kind }, got key %s", api_push_description(L, -1));
+    api_hint_begin(&hint, label);
     for (uint32_t i = 0; i < ml->labels; i++) {
-        api_hint_add(&near, ml_label(ml, i));
+        api_hint_add(&hint, ml_label(ml, i));
         if (!strcmp(ml_label(ml, i), label))
-            api_error(L, ENTRY, "kinds: label \"%s\" is not one of the first %d labels of the document", label,
+            api_error(L, entry_name, "kinds: label \"%s\" is not one of the first %d labels of the document", label,
                       ML_KINDS);
     }
-    api_error(L, ENTRY, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &near, "labels"));
+    api_error(L, entry_name, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &hint, "labels"));
 }
 
 /* Reads kinds = { label = kind } into out, indexed by label. */
@@ -107,12 +108,12 @@ static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[M
     static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
-    if (luakeys_push_stray(L, at, knows_label, ml))
-        refuse_label(L, ml);
+    if (luakeys_push_unknown(L, at, knows_label, ml))
+        raise_bad_label(L, ml);
     for (uint32_t i = 0; i < ml->labels && i < ML_KINDS; i++, lua_pop(L, 1)) {
         if (lua_getfield(L, at, ml_label(ml, i)) == LUA_TNIL)
             continue;
-        api_check(L, ENTRY, &kind, lua_gettop(L), &v);
+        api_check(L, entry_name, &kind, lua_gettop(L), &v);
         out[i] = (uint16_t)v.i;
     }
 }
@@ -125,45 +126,45 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
     struct api_value v = { 0 };
 
     if (n > ML_PARAMS)
-        api_error(L, ENTRY, "params: expected at most %d numbers, got %d", ML_PARAMS, (int)n);
+        api_error(L, entry_name, "params: expected at most %d numbers, got %d", ML_PARAMS, (int)n);
     for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1))
         if (!lua_isinteger(L, -2) || lua_tointeger(L, -2) < 1 || lua_tointeger(L, -2) > (lua_Integer)n)
-            api_error(L, ENTRY, "params: expected a list of numbers");
+            api_error(L, entry_name, "params: expected a list of numbers");
     for (lua_Unsigned i = 0; i < n; i++, lua_pop(L, 1)) {
         lua_rawgeti(L, at, (lua_Integer)i + 1);
         api_fold(L, b, -1);
-        api_check(L, ENTRY, &param, lua_gettop(L), &v);
+        api_check(L, entry_name, &param, lua_gettop(L), &v);
         const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: q32 requires |v| < 2^19 */
-        out[i] = whole * ML_ONE + q32(v.n - (double)whole);
+        out[i] = whole * ML_ONE + to_q32(v.n - (double)whole);
     }
     return (int)n;
 }
 
 /* Returns the seed given as argument or, if it is 0, a random seed other than 0. */
-static uint32_t seed_of(struct board *b, const struct api_value *v)
+static uint32_t pick_seed(struct board *b, const struct api_value *v)
 {
-    return v->i ? (uint32_t)v->i : 1 + (uint32_t)board_chance(b, UINT32_MAX);
+    return v->i ? (uint32_t)v->i : 1 + (uint32_t)board_random(b, UINT32_MAX);
 }
 
-static uint8_t flags_of(const struct api_value *v)
+static uint8_t make_root_flags(const struct api_value *v)
 {
     return (uint8_t)((v[P_LOOP].i ? ROOT_LOOPS : 0) | (v[P_STEER].i ? ROOT_STEERS : 0) |
-                     (v[P_MIRROR].i ? ROOT_MIRRORED : 0) | (v[P_ON_FIRE].given ? ROOT_TELLS : 0) |
-                     (v[P_BANK].given ? ROOT_BANK : 0));
+                     (v[P_MIRROR].i ? ROOT_MIRRORED : 0) | (v[P_ON_FIRE].given ? ROOT_HAS_HANDLER : 0) |
+                     (v[P_BANK].given ? ROOT_HAS_BANK : 0));
 }
 
-static int start(lua_State *L, struct board *b, struct api_value *v)
+static int start_document(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct api_value *from = &v[P_PLACE + PLACE_FROM];
-    struct bulletml_start s = { .program = program_of(L, b, lua_tostring(L, v[P_NAME].at)),
-                                .owner = tasks_owner(b),
+    struct bulletml_start s = { .program = find_program(L, b, lua_tostring(L, v[P_NAME].at)),
+                                .owner = tasks_current_owner(b),
                                 .follow = from->given ? from->i : 0,
                                 .dx = from->given ? v[P_PLACE + PLACE_DX].f : 0,
                                 .dy = from->given ? v[P_PLACE + PLACE_DY].f : 0,
                                 .kind = (uint16_t)v[P_KIND].i,
-                                .flags = flags_of(v),
-                                .rank = q32(v[P_RANK].n),
-                                .pace = q32(v[P_SPEED].n),
+                                .flags = make_root_flags(v),
+                                .rank = to_q32(v[P_RANK].n),
+                                .speed_scale = to_q32(v[P_SPEED].n),
                                 .angle = v[P_ANGLE].a };
     uint16_t kinds[ML_KINDS];
     int64_t param[ML_PARAMS];
@@ -175,16 +176,16 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
     if (v[P_KINDS].given)
         read_kinds(L, &ml, v[P_KINDS].at, kinds);
     if (v[P_PARAMS].given)
-        s.params = read_params(L, b, v[P_PARAMS].at, param);
+        s.param_count = read_params(L, b, v[P_PARAMS].at, param);
     if (v[P_STEER].i && !(from->given && handle_kind(from->i) == H_ENEMY))
-        api_error(L, ENTRY, "steer: requires `from` (an enemy)");
+        api_error(L, entry_name, "steer: requires `from` (an enemy)");
     s.kinds = kinds;
     s.param = param;
     s.bank = v[P_BANK].given ? (uint8_t)v[P_BANK].i : 0;
-    s.tag = v[P_TAG].given ? api_tag(L, ENTRY, v[P_TAG].at) : 0;
+    s.tag = v[P_TAG].given ? api_intern_tag(L, entry_name, v[P_TAG].at) : 0;
     int32_t i = NO_SLOT;
-    if (api_place(L, b, ENTRY, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
-        s.seed = seed_of(b, &v[P_SEED]);
+    if (api_read_place(L, b, entry_name, v + P_PLACE, &s.x, &s.y) && tasks_owner_alive(b, s.owner)) {
+        s.seed = pick_seed(b, &v[P_SEED]);
         i = bulletml_begin(b, &s);
     }
     if (i != NO_SLOT && v[P_ON_FIRE].given) {
@@ -199,7 +200,7 @@ static int start(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Returns { name =, labels = { .. } } for each document, in byte order of the names. */
-static int documents(lua_State *L, struct board *b, struct api_value *v)
+static int list_documents(lua_State *L, struct board *b, struct api_value *v)
 {
     struct ml ml;
 
@@ -224,11 +225,11 @@ static int documents(lua_State *L, struct board *b, struct api_value *v)
 enum { R_X, R_Y, R_RANK, R_NAME, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
             "position"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
             "position"),
       PROP_WRITE },
@@ -236,7 +237,7 @@ static const struct api_prop props[PROPS] = {
     { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ },
 };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct ml_roots *o = &b->ml_roots;
 
@@ -248,21 +249,21 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushnumber(L, fx_to_double((p == R_X ? o->x : o->y)[i]));
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_bulletml(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     (void)L;
     if (p == R_RANK)
-        b->ml_roots.rank[i] = q32(v->n);
+        b->ml_roots.rank[i] = to_q32(v->n);
     else
         (p == R_X ? b->ml_roots.x : b->ml_roots.y)[i] = v->f;
 }
 
-const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get, set };
+const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get_bulletml, set_bulletml };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
-                                               "the thing itself") };
+static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
+                                                      "the thing itself") };
 
-static int stop(lua_State *L, struct board *b, struct api_value *v)
+static int stop_document(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     if (board_alive(b, v[0].i))
@@ -271,11 +272,11 @@ static int stop(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "bullet.ml", start, PARAMS(params), 0, API_CHANGES, "bulletml",
+    { "bullet.ml", start_document, PARAMS(params), 0, API_CHANGES, "bulletml",
       HELP("runs a BulletML document until the document or its owner ends; needs `board = { bulletml = n }`") },
-    PARAM("bullet.documents", documents, NULL, 0, 0, 0, "list",
+    PARAM("bullet.documents", list_documents, NULL, 0, 0, 0, "list",
           "returns a list of the game's BulletML documents, { name = NAME, labels = { LABEL, .. } }, sorted by name"),
-    API_VERB("bulletml:stop", stop, self, 1, NULL,
+    API_VERB("bulletml:stop", stop_document, self_params, 1, NULL,
              "stops the document; its bullets keep flying and finish their actions"),
 };
 const struct api_module api_bulletml = { entries, sizeof entries / sizeof *entries };

@@ -10,16 +10,17 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-#define HIT_MANY "{ circles = { { x, y, r }, .. } }, { sprite = name }"
+#define HIT_COMPOUND_FORMS "{ circles = { { x, y, r }, .. } }, { sprite = name }"
 const char *const api_hit_forms[] = {
     [HIT_PLAYERS] = "{ circle = r } or { sprite = name }",
     [HIT_ENEMIES] =
-        "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_MANY " or \"none\"",
+        "{ circle = r }, { box = { w, h } }, { capsule = { length, radius, dir } }, " HIT_COMPOUND_FORMS " or \"none\"",
     [HIT_LASERS] = "{ share = s }, s from 0 to 1, or \"none\"",
-    [HIT_BULLETS] = "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_MANY " or \"none\"",
+    [HIT_BULLETS] =
+        "{ circle = r }, { box = { w, h } }, { capsule = { length, radius } }, " HIT_COMPOUND_FORMS " or \"none\"",
 };
 
-const char *const api_thing_names[HANDLES] = {
+const char *const api_thing_names[HANDLE_KINDS] = {
     NULL,       "a bullet", "a shot",           "an enemy",           "a player",  "a sprite",         "a task",
     "a motion", "a group",  "a group of shots", "a group of enemies", "an item",   "a group of items", "a line of text",
     "a layer",  "a plane",  "a laser",          "a group of lasers",  "an option", "a document"
@@ -28,25 +29,25 @@ const char *const api_thing_names[HANDLES] = {
 /* Returns whether v is probably the result of arithmetic on a handle. Handles are integers (handle.h), so Lua cannot
  * reject arithmetic on them. A handle plus a fraction is a double in the range of handles; no valid argument is that
  * large. */
-static bool was_handle(double v)
+static bool is_handle_arithmetic(double v)
 {
     return v >= 0x1p62 && v < 0x1p63;
 }
 
-const char *api_push_got(lua_State *L, int at)
+const char *api_push_description(lua_State *L, int at)
 {
     switch (lua_type(L, at)) {
     case LUA_TNIL:
     case LUA_TNONE:
         return lua_pushliteral(L, "nil");
     case LUA_TNUMBER:
-        if (lua_isinteger(L, at) && handle_is(lua_tointeger(L, at)))
+        if (lua_isinteger(L, at) && handle_is_well_formed(lua_tointeger(L, at)))
             return lua_pushstring(L, api_thing_names[handle_kind(lua_tointeger(L, at))]);
         if (lua_isinteger(L, at))
             return lua_pushfstring(L, "%I", (LUAI_UACINT)lua_tointeger(L, at));
         if (isnan(lua_tonumber(L, at)))
             return lua_pushliteral(L, "nan");
-        if (was_handle(lua_tonumber(L, at)))
+        if (is_handle_arithmetic(lua_tonumber(L, at)))
             return lua_pushfstring(L, "%f (arithmetic on a thing? use one of its properties, such as x)",
                                    lua_tonumber(L, at));
         return lua_pushfstring(L, "%f", lua_tonumber(L, at));
@@ -64,71 +65,71 @@ static void format_number(char *out, size_t size, double v)
     snprintf(out, size, "%.14g", v);
 }
 
-static void expected(lua_State *L, const char *entry, const struct api_param *p, int at, const char *what)
+static void raise_expected(lua_State *L, const char *entry, const struct api_param *p, int at, const char *form)
 {
-    const char *got = api_push_got(L, at);
+    const char *got = api_push_description(L, at);
 
-    api_error(L, entry, "%s: expected %s, got %s", p->name, what, got);
+    api_error(L, entry, "%s: expected %s, got %s", p->name, form, got);
 }
 
-static void expected_number(lua_State *L, const char *entry, const struct api_param *p, int at, const char *noun)
+static void raise_expected_number(lua_State *L, const char *entry, const struct api_param *p, int at, const char *noun)
 {
-    char lo[32], hi[32], what[160];
+    char lo[32], hi[32], form[160];
 
     format_number(lo, sizeof lo, p->lo);
     format_number(hi, sizeof hi, p->hi);
-    snprintf(what, sizeof what, "%s from %s to %s%s%s", noun, lo, hi, p->unit ? " " : "", p->unit ? p->unit : "");
-    expected(L, entry, p, at, what);
+    snprintf(form, sizeof form, "%s from %s to %s%s%s", noun, lo, hi, p->unit ? " " : "", p->unit ? p->unit : "");
+    raise_expected(L, entry, p, at, form);
 }
 
 static void check_int(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    int whole = v->whole;
+    int is_integer = v->is_integer;
 
-    v->i = whole ? v->bits : v->type == LUA_TNUMBER ? lua_tointegerx(L, at, &whole) : 0;
-    if (p->type == A_COUNT && whole && v->i == LUA_MAXINTEGER)
+    v->i = is_integer ? v->bits : v->type == LUA_TNUMBER ? lua_tointegerx(L, at, &is_integer) : 0;
+    if (p->type == A_COUNT && is_integer && v->i == LUA_MAXINTEGER)
         return;
-    if (whole && (double)v->i >= p->lo && (double)v->i <= p->hi)
+    if (is_integer && (double)v->i >= p->lo && (double)v->i <= p->hi)
         return;
     if (p->hi == 0xffffff)
-        expected(L, entry, p, at, "a colour from 0x000000 to 0xffffff");
+        raise_expected(L, entry, p, at, "a colour from 0x000000 to 0xffffff");
     else
-        expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
+        raise_expected_number(L, entry, p, at, p->type == A_COUNT ? "forever or a whole number" : "a whole number");
 }
 
 /* Returns the number in v; 0 if it is not a number. */
-static double number_of(const struct api_value *v)
+static double get_number(const struct api_value *v)
 {
     double d;
 
-    if (v->whole || v->type != LUA_TNUMBER)
-        return v->whole ? (double)v->bits : 0;
+    if (v->is_integer || v->type != LUA_TNUMBER)
+        return v->is_integer ? (double)v->bits : 0;
     memcpy(&d, &v->bits, sizeof d);
     return d;
 }
 
 static void check_number(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    bool is = v->type == LUA_TNUMBER;
+    bool is_number = v->type == LUA_TNUMBER;
 
-    v->n = number_of(v);
-    if (!is || !(v->n >= p->lo && v->n <= p->hi))
-        expected_number(L, entry, p, at, "a number");
+    v->n = get_number(v);
+    if (!is_number || !(v->n >= p->lo && v->n <= p->hi))
+        raise_expected_number(L, entry, p, at, "a number");
     if (p->type == A_FX && !fx_from_double(v->n, &v->f))
-        expected_number(L, entry, p, at, "a number");
+        raise_expected_number(L, entry, p, at, "a number");
 }
 
-/* Checks and returns one end of the span at `at`: the first (i = 1) or the last (i = 2). `what` is the expected form in
+/* Checks and returns one end of the span at `at`: the first (i = 1) or the last (i = 2). `form` is the expected form in
  * the error. */
-static lua_Integer check_end(lua_State *L, const char *entry, const struct api_param *p, int at, int i,
-                             const char *what)
+static lua_Integer check_span_end(lua_State *L, const char *entry, const struct api_param *p, int at, int i,
+                                  const char *form)
 {
-    int whole = 0;
-    lua_Integer end = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &whole) : 0;
+    int is_integer = 0;
+    lua_Integer end = lua_rawgeti(L, at, i) == LUA_TNUMBER ? lua_tointegerx(L, -1, &is_integer) : 0;
 
-    if (!whole || (double)end < p->lo || (double)end > p->hi) {
-        const char *got = api_push_got(L, lua_gettop(L));
-        api_error(L, entry, "%s: expected %s, got %s as the %s", p->name, what, got, i == 1 ? "first" : "last");
+    if (!is_integer || (double)end < p->lo || (double)end > p->hi) {
+        const char *got = api_push_description(L, lua_gettop(L));
+        api_error(L, entry, "%s: expected %s, got %s as the %s", p->name, form, got, i == 1 ? "first" : "last");
     }
     lua_pop(L, 1);
     return end;
@@ -136,15 +137,15 @@ static lua_Integer check_end(lua_State *L, const char *entry, const struct api_p
 
 static void check_span(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    char what[160];
+    char form[160];
 
     (void)v;
-    snprintf(what, sizeof what, "{ first, last }, whole numbers from %.14g to %.14g", p->lo, p->hi);
+    snprintf(form, sizeof form, "{ first, last }, whole numbers from %.14g to %.14g", p->lo, p->hi);
     if (lua_type(L, at) != LUA_TTABLE)
-        expected(L, entry, p, at, what);
+        raise_expected(L, entry, p, at, form);
     if (lua_rawlen(L, at) > 2)
-        api_error(L, entry, "%s: expected %s, got %d values", p->name, what, (int)lua_rawlen(L, at));
-    lua_Integer first = check_end(L, entry, p, at, 1, what), last = check_end(L, entry, p, at, 2, what);
+        api_error(L, entry, "%s: expected %s, got %d values", p->name, form, (int)lua_rawlen(L, at));
+    lua_Integer first = check_span_end(L, entry, p, at, 1, form), last = check_span_end(L, entry, p, at, 2, form);
     if (first > last)
         api_error(L, entry, "%s: first %d is greater than last %d (did you mean { %d, %d }?)", p->name, (int)first,
                   (int)last, (int)last, (int)first);
@@ -152,23 +153,23 @@ static void check_span(lua_State *L, const char *entry, const struct api_param *
 
 static void check_dir(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    bool is = v->type == LUA_TNUMBER;
+    bool is_number = v->type == LUA_TNUMBER;
 
-    v->n = number_of(v);
-    if (!is || !trig_from_degrees(v->n, &v->a))
-        expected(L, entry, p, at, "a number of degrees");
+    v->n = get_number(v);
+    if (!is_number || !trig_from_degrees(v->n, &v->a))
+        raise_expected(L, entry, p, at, "a number of degrees");
 }
 
-static void check_type(lua_State *L, const char *entry, const struct api_param *p, int at, int type, const char *what)
+static void check_type(lua_State *L, const char *entry, const struct api_param *p, int at, int type, const char *form)
 {
     if (lua_type(L, at) != type)
-        expected(L, entry, p, at, what);
+        raise_expected(L, entry, p, at, form);
 }
 
 /* Checks a string. lo and hi bound its length in bytes; hi 0: no bound. */
 static void check_string(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    char what[64];
+    char form[64];
     size_t bytes;
 
     (void)v;
@@ -176,10 +177,10 @@ static void check_string(lua_State *L, const char *entry, const struct api_param
     const char *s = lua_tolstring(L, at, &bytes);
     double n = (double)bytes;
     if (strlen(s) != bytes)
-        expected(L, entry, p, at, "a string without \\0");
+        raise_expected(L, entry, p, at, "a string without \\0");
     if (p->hi > 0 && (n < p->lo || n > p->hi)) {
-        snprintf(what, sizeof what, "a string of %d to %d bytes", (int)p->lo, (int)p->hi);
-        expected(L, entry, p, at, what);
+        snprintf(form, sizeof form, "a string of %d to %d bytes", (int)p->lo, (int)p->hi);
+        raise_expected(L, entry, p, at, form);
     }
 }
 
@@ -187,18 +188,18 @@ static void check_thing(lua_State *L, const char *entry, const struct api_param 
 {
     unsigned mask = (unsigned)p->lo;
 
-    v->i = v->whole ? v->bits : 0;
-    if (handle_is(v->i) && mask >> handle_kind(v->i) & 1)
+    v->i = v->is_integer ? v->bits : 0;
+    if (handle_is_well_formed(v->i) && mask >> handle_kind(v->i) & 1)
         return;
     if (!strcmp(p->name, "self")) {
         const char *colon = strchr(entry, ':');
         const char *type = lua_pushlstring(L, entry, colon ? (size_t)(colon - entry) : strlen(entry));
-        api_error(L, entry, "self: expected %s, got %s (call it with a colon)", type, api_push_got(L, at));
+        api_error(L, entry, "self: expected %s, got %s (call it with a colon)", type, api_push_description(L, at));
     }
-    for (int k = 1; k < HANDLES; k++)
+    for (int k = 1; k < HANDLE_KINDS; k++)
         if (mask == 1u << k)
-            expected(L, entry, p, at, api_thing_names[k]);
-    expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing with a position");
+            raise_expected(L, entry, p, at, api_thing_names[k]);
+    raise_expected(L, entry, p, at, mask & 1 << H_TASK ? "a thing, a task or a scope" : "a thing with a position");
 }
 
 static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kind", "player kind",
@@ -206,7 +207,7 @@ static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kin
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
 /* Returns the noun ("bullet") of the sort of kind that is declared under that name, or NULL. */
-static const char *kind_elsewhere(lua_State *L, const char *name)
+static const char *find_kind_noun(lua_State *L, const char *name)
 {
     for (int k = 0; k < KIND_NOUNS; k++)
         if (api_names_find(L, (enum name_kind)k, name) != NO_SLOT)
@@ -216,27 +217,27 @@ static const char *kind_elsewhere(lua_State *L, const char *name)
 
 /* Sets v->i to the index of a declared name; raises an error with the nearest one if it is unknown. */
 static void check_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v,
-                       enum name_kind what, const char *noun)
+                       enum name_kind kind, const char *noun)
 {
     check_type(L, entry, p, at, LUA_TSTRING, "a name");
-    v->i = api_names_find(L, what, lua_tostring(L, at));
+    v->i = api_names_find(L, kind, lua_tostring(L, at));
     if (v->i != NO_SLOT)
         return;
-    const char *line = api_names_off(L, what);
-    if (line)
-        api_error(L, entry, "%s: " API_OFF, p->name, line);
-    const char *other = (int)what < KIND_NOUNS ? kind_elsewhere(L, lua_tostring(L, at)) : NULL;
-    if (other)
-        api_error(L, entry, "unknown %s \"%s\" (found %s \"%s\")", noun, lua_tostring(L, at), other,
+    const char *off_text = api_names_off_text(L, kind);
+    if (off_text)
+        api_error(L, entry, "%s: " API_DISABLED_FORMAT, p->name, off_text);
+    const char *other_noun = (int)kind < KIND_NOUNS ? find_kind_noun(L, lua_tostring(L, at)) : NULL;
+    if (other_noun)
+        api_error(L, entry, "unknown %s \"%s\" (found %s \"%s\")", noun, lua_tostring(L, at), other_noun,
                   lua_tostring(L, at));
-    struct api_hint near;
-    api_hint_begin(&near, lua_tostring(L, at));
-    for (uint32_t i = 0; i < vm_board(L)->names[what].n; i++) {
-        const char *known = board_name(vm_board(L), what, (int)i);
+    struct api_hint hint;
+    api_hint_begin(&hint, lua_tostring(L, at));
+    for (uint32_t i = 0; i < vm_board(L)->names[kind].n; i++) {
+        const char *known = board_name(vm_board(L), kind, (int)i);
         if (known) /* NULL: an extra row of another kind, such as a cloud or a picture */
-            api_hint_add(&near, known);
+            api_hint_add(&hint, known);
     }
-    api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &near, "declared"));
+    api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &hint, "declared"));
 }
 
 static void check_sprite(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -259,65 +260,66 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
 static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    struct api_hint near;
+    struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a font name");
     v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
-    api_hint_begin(&near, lua_tostring(L, at));
+    api_hint_begin(&hint, lua_tostring(L, at));
     for (int i = 0; i < cart->faces; i++)
-        api_hint_add(&near, cart_face_name(cart, i));
-    api_error(L, entry, "unknown font \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, cart_face_name(cart, i));
+    api_error(L, entry, "unknown font \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
 static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    struct api_hint near;
+    struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a blend name");
     v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
-    api_hint_begin(&near, lua_tostring(L, at));
+    api_hint_begin(&hint, lua_tostring(L, at));
     for (int i = 0; i < cart->blends; i++)
-        api_hint_add(&near, cart_blend_name(cart, i));
-    api_error(L, entry, "unknown blend \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, cart_blend_name(cart, i));
+    api_error(L, entry, "unknown blend \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
 static void check_map(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    struct api_hint near;
+    struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a map name");
     v->i = cart_find_map(cart, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
-    api_hint_begin(&near, lua_tostring(L, at));
+    api_hint_begin(&hint, lua_tostring(L, at));
     for (int i = 0; i < cart->maps; i++)
-        api_hint_add(&near, cart_map_name(cart, i));
-    api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, cart_map_name(cart, i));
+    api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
 /* Sets v->i to 1 + the index of a sound or a piece of music in rom.lua. */
 static void check_tune(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    const bool sound = p->type == A_SOUND;
-    const char *found = NULL, *noun = sound ? "sound" : "music";
+    const bool is_sound = p->type == A_SOUND;
+    const char *found = NULL, *noun = is_sound ? "sound" : "music";
     int best = EDIT_FAR;
 
-    check_type(L, entry, p, at, LUA_TSTRING, sound ? "a sound name" : "a music name");
+    check_type(L, entry, p, at, LUA_TSTRING, is_sound ? "a sound name" : "a music name");
     const char *name = lua_tostring(L, at);
-    v->i = (sound ? cart_find_sound(cart, name) : cart_find_tune(cart, name)) + 1;
+    v->i = (is_sound ? cart_find_sound(cart, name) : cart_find_tune(cart, name)) + 1;
     if (v->i > 0)
         return;
-    for (int i = 0; i < (sound ? cart->sounds : cart->tunes); i++)
-        api_suggest_nearer(name, sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
-    if ((sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
-        api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", noun, name, sound ? "music" : "sounds");
+    for (int i = 0; i < (is_sound ? cart->sounds : cart->tunes); i++)
+        api_suggest_nearer(name, is_sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
+    if ((is_sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
+        api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", noun, name,
+                  is_sound ? "music" : "sounds");
     if (!found)
         api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", noun, name);
     api_error(L, entry, "unknown %s \"%s\" (did you mean \"%s\"?)", noun, name, found);
@@ -327,42 +329,41 @@ const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
 static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in", "out", "both" },
                          *const depths[] = { "back", "front" }, *const aligns[] = { "left", "center", "right" },
                          *const fire_words[FIRES] = { "bullet", "shot", "bolt", "curve", "beam" },
-                         *const meets[] = { "none", "first", "second", "both" }, *const emits[] = { "one",   "ring",
-                                                                                                    "fan",   "arc",
-                                                                                                    "stack", "line" },
-                         *const downs[] = { "all", "any" },
-                         *const asks[] = { "settings", "replays", "practice", "keys" };
+                         *const meet_words[] = { "none", "first", "second", "both" },
+                         *const emit_words[] = { "one", "ring", "fan", "arc", "stack", "line" },
+                         *const down_words[] = { "all", "any" },
+                         *const ask_words[] = { "settings", "replays", "practice", "keys" };
 
 /* Word lists, indexed by enum api_type. fire_words is indexed by FIRES_. */
 
 static const struct word_list {
     const char *const *words;
     int n;
-} WORDS[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
-              [A_EASE] = { eases, 4 },
-              [A_LAYER] = { api_layers, LAYERS },
-              [A_SPARK_LAYER] = { api_layers + LAYER_MIDDLE, 2 },
-              [A_DEPTH] = { depths, 2 },
-              [A_ALIGN] = { aligns, 3 },
-              [A_FIRE] = { fire_words, FIRES },
-              [A_SHOOT] = { fire_words, FIRES_SHOTS + 1 },
-              [A_MEET] = { meets, 4 },
-              [A_EMIT] = { emits, EMIT_PATTERNS },
-              [A_DOWN] = { downs, 2 },
-              [A_ASK] = { asks, ASKS } };
+} word_lists[] = { [A_BUTTON] = { buttons, PAD_BUTTONS },
+                   [A_EASE] = { eases, 4 },
+                   [A_LAYER] = { api_layers, LAYERS },
+                   [A_SPARK_LAYER] = { api_layers + LAYER_MIDDLE, 2 },
+                   [A_DEPTH] = { depths, 2 },
+                   [A_ALIGN] = { aligns, 3 },
+                   [A_FIRE] = { fire_words, FIRES },
+                   [A_EMIT_FIRE] = { fire_words, FIRES_SHOTS + 1 },
+                   [A_MEET] = { meet_words, 4 },
+                   [A_EMIT_PATTERN] = { emit_words, EMIT_PATTERNS },
+                   [A_DOWN] = { down_words, 2 },
+                   [A_HOST_SCREEN] = { ask_words, HOST_SCREENS } };
 
 const char *const *api_type_list(enum api_type type, int *n)
 {
-    const bool has = (size_t)type < sizeof WORDS / sizeof *WORDS && WORDS[type].n > 0;
+    const bool is_listed = (size_t)type < sizeof word_lists / sizeof *word_lists && word_lists[type].n > 0;
 
-    *n = has ? WORDS[type].n : 0;
-    return has ? WORDS[type].words : NULL;
+    *n = is_listed ? word_lists[type].n : 0;
+    return is_listed ? word_lists[type].words : NULL;
 }
 
 /* Sets v->i to the index of the word in the type's list. */
 static void check_word(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    const struct word_list *w = &WORDS[p->type];
+    const struct word_list *w = &word_lists[p->type];
     luaL_Buffer list;
 
     for (v->i = 0; v->i < w->n; v->i++)
@@ -374,13 +375,13 @@ static void check_word(lua_State *L, const char *entry, const struct api_param *
         luaL_addstring(&list, w->words[i]);
     }
     luaL_pushresult(&list);
-    expected(L, entry, p, at, lua_tostring(L, -1));
+    raise_expected(L, entry, p, at, lua_tostring(L, -1));
 }
 
 static void check_pad(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    v->i = v->whole ? v->bits : 0;
-    if (handle_is(v->i) && handle_kind(v->i) == H_PLAYER) {
+    v->i = v->is_integer ? v->bits : 0;
+    if (handle_is_well_formed(v->i) && handle_kind(v->i) == H_PLAYER) {
         if (!handle_gen(v->i)) {
             v->i = 0;
             return;
@@ -388,22 +389,23 @@ static void check_pad(lua_State *L, const char *entry, const struct api_param *p
         v->i = handle_slot(v->i) + 1;
     }
     if (v->i < 1 || v->i > PADS)
-        expected(L, entry, p, at, "1, 2 or a player");
+        raise_expected(L, entry, p, at, "1, 2 or a player");
 }
 
 static void check_motion(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    int64_t h = v->whole ? v->bits : 0;
+    int64_t h = v->is_integer ? v->bits : 0;
 
-    if (handle_is(h) && handle_kind(h) == H_MOTION) {
+    if (handle_is_well_formed(h) && handle_kind(h) == H_MOTION) {
         v->i = handle_gen(h) ? handle_slot(h) + 1 : 0;
         if (v->i > vm_board(L)->motions.s.live)
-            expected(L, entry, p, at, "a motion from motion.def");
+            raise_expected(L, entry, p, at, "a motion from motion.def");
         return;
     }
     if (lua_type(L, at) != LUA_TSTRING)
-        expected(L, entry, p, at,
-                 lua_istable(L, at) ? "a motion (motion.def { ... }) or a motion name" : "a motion or a motion name");
+        raise_expected(L, entry, p, at,
+                       lua_istable(L, at) ? "a motion (motion.def { ... }) or a motion name"
+                                          : "a motion or a motion name");
     check_name(L, entry, p, at, v, N_MOTION, "motion");
     v->i = v->i == NO_MOTION ? 0 : v->i + 1;
 }
@@ -420,13 +422,13 @@ static void check_lua_type(lua_State *L, const char *entry, const struct api_par
 {
     static const struct {
         int type;
-        const char *what;
+        const char *form;
     } types[] = { [A_FUNC] = { LUA_TFUNCTION, "a function" },
                   [A_TABLE] = { LUA_TTABLE, "a table" },
                   [A_ROUTE] = { LUA_TTABLE, "a route (from path.def)" } };
 
     (void)v;
-    check_type(L, entry, p, at, types[p->type].type, types[p->type].what);
+    check_type(L, entry, p, at, types[p->type].type, types[p->type].form);
 }
 
 static void check_bool(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
@@ -438,21 +440,21 @@ static void check_bool(lua_State *L, const char *entry, const struct api_param *
 static void check_any(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     if (!v->given)
-        expected(L, entry, p, at, "a value");
+        raise_expected(L, entry, p, at, "a value");
 }
 
-/* Accepts a table or a string; api_hit checks the contents. */
+/* Accepts a table or a string; api_read_hit_shape checks the contents. */
 static void check_hit(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     (void)v;
     if (lua_type(L, at) != LUA_TTABLE && lua_type(L, at) != LUA_TSTRING)
-        expected(L, entry, p, at, api_hit_forms[(int)p->lo]);
+        raise_expected(L, entry, p, at, api_hit_forms[(int)p->lo]);
 }
 
-typedef void check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
+typedef void check_function(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
 /* The check of each type. A new type needs a row here, and in WORDS if it is a word list. */
-static check *const CHECKS[] = {
+static check_function *const checks[] = {
     [A_INT] = check_int,
     [A_COUNT] = check_int,
     [A_NUM] = check_number,
@@ -478,7 +480,7 @@ static check *const CHECKS[] = {
     [A_OPTION_KIND] = check_declared,
     [A_SPRITE] = check_sprite,
     [A_BLEND] = check_blend,
-    [A_FACE] = check_face,
+    [A_FONT] = check_face,
     [A_MAP] = check_map,
     [A_SOUND] = check_tune,
     [A_TUNE] = check_tune,
@@ -490,27 +492,27 @@ static check *const CHECKS[] = {
     [A_DEPTH] = check_word,
     [A_ALIGN] = check_word,
     [A_FIRE] = check_word,
-    [A_SHOOT] = check_word,
+    [A_EMIT_FIRE] = check_word,
     [A_MEET] = check_word,
-    [A_EMIT] = check_word,
+    [A_EMIT_PATTERN] = check_word,
     [A_DOWN] = check_word,
-    [A_ASK] = check_word,
+    [A_HOST_SCREEN] = check_word,
 };
 
 void api_check_value(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v)
 {
-    assert(p->type < sizeof CHECKS / sizeof *CHECKS && CHECKS[p->type]);
-    CHECKS[p->type](L, entry, p, v->at, v);
+    assert(p->type < sizeof checks / sizeof *checks && checks[p->type]);
+    checks[p->type](L, entry, p, v->at, v);
 }
 
 void api_check(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
-    api_look(L, at, at, v);
+    api_read_value(L, at, at, v);
     if (v->given || !p->optional)
         api_check_value(L, entry, p, v);
 }
 
-static double default_of(const struct api_param *p)
+static double parse_default(const struct api_param *p)
 {
     const char *s = p->def;
     double n = 0;
@@ -527,7 +529,7 @@ void api_fill_default(const struct api_param *p, struct api_value *v)
 {
     if (!p->def || (p->def[0] == '0' && !p->def[1]) || (p->type == A_BOOL && p->def[0] == 'f'))
         return; /* most defaults: v is already 0 or false */
-    v->n = default_of(p);
+    v->n = parse_default(p);
     v->i = (int64_t)v->n;
     if (p->type == A_FX)
         fx_from_double(v->n, &v->f);
@@ -535,31 +537,31 @@ void api_fill_default(const struct api_param *p, struct api_value *v)
         trig_from_degrees(v->n, &v->a);
     else if (p->type == A_BOOL)
         v->i = !strcmp(p->def, "true");
-    else if ((size_t)p->type < sizeof WORDS / sizeof *WORDS && WORDS[p->type].n)
-        while (strcmp(WORDS[p->type].words[v->i], p->def) != 0)
+    else if ((size_t)p->type < sizeof word_lists / sizeof *word_lists && word_lists[p->type].n)
+        while (strcmp(word_lists[p->type].words[v->i], p->def) != 0)
             v->i++;
     else if (p->type == A_COUNT && !strcmp(p->def, "forever"))
         v->i = LUA_MAXINTEGER;
 }
 
-int api_param_count(const struct api_entry *e, const struct api_entry *fire)
+int api_param_count(const struct api_entry *e, const struct api_entry *fired_entry)
 {
-    return e->count + (fire ? fire->count : 0);
+    return e->count + (fired_entry ? fired_entry->count : 0);
 }
 
-const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i)
+const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fired_entry, int i)
 {
-    return i < e->count ? &e->params[i] : &fire->params[i - e->count];
+    return i < e->count ? &e->params[i] : &fired_entry->params[i - e->count];
 }
 
 /* If e is a pattern, returns the entry selected by the field `fire` of the table at `at`. An unknown word selects
  * bullet.fire here and is reported when the argument `fire` is checked. */
-const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at)
+const struct api_entry *api_fired_entry(lua_State *L, const struct api_entry *e, int at)
 {
     if (!(e->flags & API_FIRE))
         return NULL;
     if (lua_type(L, at) != LUA_TTABLE)
-        return api_of(L)->fire[FIRES_BULLETS];
+        return api_of(L)->fire_entries[FIRES_BULLETS];
     lua_pushliteral(L, "fire");
     const char *word = lua_rawget(L, at) == LUA_TSTRING ? lua_tostring(L, -1) : "";
     int found = FIRES_BULLETS;
@@ -567,109 +569,112 @@ const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int a
         if (!strcmp(word, fire_words[k]))
             found = k;
     lua_pop(L, 1);
-    const struct manifest *m = &vm_board(L)->cart.m;
-    const char *line = found < FIRES_BOLTS ? NULL : api_off(m, "laser");
-    if (!line)
-        line = api_off(m, api_of(L)->fire[found]->name);
-    if (line)
-        api_error(L, e->name, "fire: " API_OFF, line);
-    return api_of(L)->fire[found];
+    const struct manifest *m = &vm_board(L)->cart.manifest;
+    const char *off_text = found < FIRES_BOLTS ? NULL : api_disabled_reason(m, "laser");
+    if (!off_text)
+        off_text = api_disabled_reason(m, api_of(L)->fire_entries[found]->name);
+    if (off_text)
+        api_error(L, e->name, "fire: " API_DISABLED_FORMAT, off_text);
+    return api_of(L)->fire_entries[found];
 }
 
-/* Searches e's own parameters first, so they take precedence over parameters of `fire` with the same name. */
-int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name)
+/* Searches e's own parameters first, so they take precedence over parameters of `fired_entry` with the same name. */
+int api_search_param(const struct api_entry *e, const struct api_entry *fired_entry, const char *name)
 {
-    int n = api_param_count(e, fire);
+    int n = api_param_count(e, fired_entry);
 
-    for (int i = e->plain; i < n; i++) {
-        const char *p = api_param_at(e, fire, i)->name;
+    for (int i = e->positional_count; i < n; i++) {
+        const char *p = api_param_at(e, fired_entry, i)->name;
         if (p[0] == name[0] && !strcmp(p, name))
             return i;
     }
     return -1;
 }
 
-bool api_step_word(lua_State *L, const char *name)
+bool api_is_step_key(lua_State *L, const char *name)
 {
     return api_search_param(api_find(api_of(L), "motion.def step"), NULL, name) >= 0;
 }
 
 /* Raises the error for the unknown key on top of the stack. */
-static void unknown(lua_State *L, const struct api_entry *e, const struct api_entry *fire)
+static void raise_unknown_argument(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry)
 {
     const struct board *b = vm_board(L);
-    enum name_kind values = api_value_names(fire ? fire : e);
-    struct api_hint near;
+    enum name_kind value_names = api_value_names(fired_entry ? fired_entry : e);
+    struct api_hint hint;
 
     if (lua_type(L, -1) != LUA_TSTRING)
-        api_error(L, e->name, "expected named arguments ({ name = value }), got key %s", api_push_got(L, -1));
+        api_error(L, e->name, "expected named arguments ({ name = value }), got key %s", api_push_description(L, -1));
     const char *name = lua_tostring(L, -1);
-    if (api_reserved(e->name, '{', name) || (fire && api_reserved(fire->name, '{', name)))
-        api_error(L, e->name, "%s %s", name, NOT_YET);
-    if (fire == api_of(L)->fire[FIRES_BULLETS] && api_search_param(api_of(L)->fire[FIRES_SHOTS], NULL, name) >= 0)
+    if (api_is_reserved(e->name, '{', name) || (fired_entry && api_is_reserved(fired_entry->name, '{', name)))
+        api_error(L, e->name, "%s %s", name, RESERVED_MESSAGE);
+    if (fired_entry == api_of(L)->fire_entries[FIRES_BULLETS] &&
+        api_search_param(api_of(L)->fire_entries[FIRES_SHOTS], NULL, name) >= 0)
         api_error(L, e->name, "`%s` requires a shot (did you forget `fire = \"shot\"`?)", name);
-    if (api_step_word(L, name) && api_search_param(e, fire, "motion") >= 0)
+    if (api_is_step_key(L, name) && api_search_param(e, fired_entry, "motion") >= 0)
         api_error(L, e->name,
                   "unknown argument \"%s\" (it is a step of a motion: motion = motion.def { { %s = ... } })", name,
                   name);
-    api_hint_begin(&near, name);
-    for (int i = e->plain; i < api_param_count(e, fire); i++)
-        api_hint_add(&near, api_param_at(e, fire, i)->name);
-    for (int k = 0; k < api_values(b, values); k++)
-        api_hint_add(&near, board_name(b, values, k));
-    api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &near, "arguments"));
+    api_hint_begin(&hint, name);
+    for (int i = e->positional_count; i < api_param_count(e, fired_entry); i++)
+        api_hint_add(&hint, api_param_at(e, fired_entry, i)->name);
+    for (int k = 0; k < api_value_count(b, value_names); k++)
+        api_hint_add(&hint, board_name(b, value_names, k));
+    api_error(L, e->name, "unknown argument \"%s\"%s", name, api_hint_push(L, &hint, "arguments"));
 }
 
-/* The arguments that a call accepts: the parameters of e and fire, and the declared values of list `values`. */
-struct taken {
-    const struct api_entry *e, *fire;
-    enum name_kind values;
+/* The arguments that a call accepts: the parameters of e and fired_entry, and the declared values of list
+ * `value_names`. */
+struct accepted_arguments {
+    const struct api_entry *e, *fired_entry;
+    enum name_kind value_names;
 };
 
 /* Returns the index of the argument named `key`: parameters are counted first, then declared values; -1: unknown. */
-static int argument(lua_State *L, const struct taken *t, const char *key)
+static int find_argument(lua_State *L, const struct accepted_arguments *t, const char *key)
 {
-    const int i = key ? api_search_param(t->e, t->fire, key) : -1;
+    const int i = key ? api_search_param(t->e, t->fired_entry, key) : -1;
 
-    if (i >= 0 || !key || !api_values(vm_board(L), t->values))
+    if (i >= 0 || !key || !api_value_count(vm_board(L), t->value_names))
         return i;
-    const int k = api_names_find(L, t->values, key);
-    return k == NO_SLOT ? -1 : api_param_count(t->e, t->fire) + k;
+    const int k = api_names_find(L, t->value_names, key);
+    return k == NO_SLOT ? -1 : api_param_count(t->e, t->fired_entry) + k;
 }
 
-static bool knows_argument(lua_State *L, const char *key, const void *of)
+static bool knows_argument(lua_State *L, const char *key, const void *context)
 {
     vm_charge(L, 1);
-    return argument(L, of, key) >= 0;
+    return find_argument(L, context, key) >= 0;
 }
 
 /* Spreads the table of named arguments at `at` over the stack above it, one slot per parameter, and reads the
  * parameters into v. */
-static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fire, int at, struct api_value *v)
+static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry, int at,
+                   struct api_value *v)
 {
-    const struct taken taken = { e, fire, api_value_names(fire ? fire : e) };
-    const int n = api_param_count(e, fire), first = at + 1;
-    bool stray = false;
+    const struct accepted_arguments accepted = { e, fired_entry, api_value_names(fired_entry ? fired_entry : e) };
+    const int n = api_param_count(e, fired_entry), first = at + 1;
+    bool has_stray = false;
 
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        const int i = argument(L, &taken, luakeys_text(L, -2));
+        const int i = find_argument(L, &accepted, luakeys_text(L, -2));
         if (i >= 0 && i < n)
-            api_look(L, first + i - e->plain, -1, &v[i]);
-        stray |= i < 0;
+            api_read_value(L, first + i - e->positional_count, -1, &v[i]);
+        has_stray |= i < 0;
         if (i >= 0)
-            lua_replace(L, first + i - e->plain);
+            lua_replace(L, first + i - e->positional_count);
         else
             lua_pop(L, 1);
     }
-    if (stray && luakeys_push_stray(L, at, knows_argument, &taken))
-        unknown(L, e, fire);
+    if (has_stray && luakeys_push_unknown(L, at, knows_argument, &accepted))
+        raise_unknown_argument(L, e, fired_entry);
 }
 
 /* Checks the declared values among the arguments, from stack index `at` on. */
 static void check_values(lua_State *L, const struct api_entry *e, enum name_kind names, int at, struct api_value *v)
 {
-    for (int k = 0; k < api_values(vm_board(L), names); k++) {
+    for (int k = 0; k < api_value_count(vm_board(L), names); k++) {
         struct api_param p = api_value_param(board_name(vm_board(L), names, k));
         p.optional = OPT;
         v[k] = (struct api_value){ 0 };
@@ -678,7 +683,7 @@ static void check_values(lua_State *L, const struct api_entry *e, enum name_kind
 }
 
 /* Returns whether a task runs the library function directly: no game function is on the stack. */
-static bool runs_bare(lua_State *L)
+static bool is_called_by_task(lua_State *L)
 {
     lua_Debug ar;
 
@@ -690,44 +695,48 @@ static bool runs_bare(lua_State *L)
     return true;
 }
 
-enum { ROOMY = LUA_MINSTACK - 17 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
+enum {
+    MAX_UNCHECKED_ARGUMENTS = LUA_MINSTACK - 17
+}; /* arguments that leave enough free slots in a C function's guaranteed stack */
 
-int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_of)
+int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_out)
 {
-    const struct api_entry *fire = *fire_of = api_fires(L, e, e->plain + 1);
-    const enum name_kind names = api_value_names(fire ? fire : e);
-    int n = api_param_count(e, fire), top = lua_gettop(L), values = api_values(vm_board(L), names);
-    int named = n - e->plain;
+    const struct api_entry *fired_entry = *fire_out = api_fired_entry(L, e, e->positional_count + 1);
+    const enum name_kind names = api_value_names(fired_entry ? fired_entry : e);
+    int n = api_param_count(e, fired_entry), top = lua_gettop(L), n_values = api_value_count(vm_board(L), names);
+    int n_named = n - e->positional_count;
 
-    if (!(e->flags & API_MORE) && top > e->plain + (named > 0)) {
-        const int self = (e->flags & API_METHOD) != 0, most = e->plain + (named > 0) - self, got = top - self;
-        if (named > 0 && e->plain == self && lua_type(L, self + 1) != LUA_TTABLE)
+    if (!(e->flags & API_VARARGS) && top > e->positional_count + (n_named > 0)) {
+        const int n_self = (e->flags & API_METHOD) != 0, max = e->positional_count + (n_named > 0) - n_self,
+                  got = top - n_self;
+        if (n_named > 0 && e->positional_count == n_self && lua_type(L, n_self + 1) != LUA_TTABLE)
             api_error(L, e->name, "expected a table of named arguments (%s { ... }), got %d arguments", e->name, got);
-        if (most == 0)
+        if (max == 0)
             api_error(L, e->name, "expected no arguments, got %d", got);
-        api_error(L, e->name, "expected at most %d argument%s, got %d", most, most == 1 ? "" : "s", got);
+        api_error(L, e->name, "expected at most %d argument%s, got %d", max, max == 1 ? "" : "s", got);
     }
-    if (n + values > ROOMY)
+    if (n + n_values > MAX_UNCHECKED_ARGUMENTS)
         luaL_checkstack(L, n + 16, NULL);
     memset(v, 0, (size_t)n * sizeof *v);
-    if (named > 0) {
-        int at = e->plain + 1;
-        lua_settop(L, at + named + values);
+    if (n_named > 0) {
+        int at = e->positional_count + 1;
+        lua_settop(L, at + n_named + n_values);
         if (lua_type(L, at) == LUA_TTABLE)
-            spread(L, e, fire, at, v);
+            spread(L, e, fired_entry, at, v);
         else if (!lua_isnil(L, at)) {
-            const char *got = api_push_got(L, at);
+            const char *got = api_push_description(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,
-                      runs_bare(L) ? " (a task passes its owner as the first argument: write `function(e) ... end`)"
-                                   : "");
+                      is_called_by_task(L)
+                          ? " (a task passes its owner as the first argument: write `function(e) ... end`)"
+                          : "");
         }
-    } else if (top < e->plain)
-        lua_settop(L, e->plain);
+    } else if (top < e->positional_count)
+        lua_settop(L, e->positional_count);
     bool lenient = false; /* set once `each` is given: its function need not use the arguments of `fire` */
     for (int i = 0; i < n; i++) {
-        const struct api_param *p = api_param_at(e, fire, i);
-        if (i < e->plain)
-            api_look(L, i + 1, i + 1, &v[i]);
+        const struct api_param *p = api_param_at(e, fired_entry, i);
+        if (i < e->positional_count)
+            api_read_value(L, i + 1, i + 1, &v[i]);
         else
             v[i].at = i + 2;
         if (v[i].given && i < e->count && e->flags & API_FIRE && !strcmp(p->name, "each"))
@@ -738,5 +747,5 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
             api_fill_default(p, &v[i]);
     }
     check_values(L, e, names, n + 2, v + n);
-    return n + values;
+    return n + n_values;
 }

@@ -28,7 +28,7 @@ enum {
     D_BLINK_SOFT
 };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_ENEMIES, 0, NULL, NULL,
@@ -58,7 +58,7 @@ static const struct api_param def[] = {
           "up to 7 more sprites, { NAME = sprite }, which `picture` selects by name; the picture `hurt` is shown while "
           "the enemy blinks"),
     PARAM("blink", A_INT, OPT, 0, 15, "frames", "0", "frames it blinks after a hit; at 0 it never blinks"),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+    PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
           "damage multiplier; at 0 it takes no damage; defaults to 1; needs `board = { bodies = true }`"),
     PARAM("parts", A_TABLE, OPT, 0, 0, NULL, NULL,
           "list of 1 to 64 enemies attached to it; needs `board = { bodies = true }`"),
@@ -67,20 +67,20 @@ static const struct api_param def[] = {
 
 static const char *const first_pictures[] = { "hurt", NULL };
 
-static void keep_function(lua_State *L, const struct api_value *v, int32_t kind, const char *what)
+static void store_function(lua_State *L, const struct api_value *v, int32_t kind, const char *name)
 {
     if (!v->given)
         return;
     lua_pushvalue(L, v->at);
-    events_set_function(L, (uint16_t)kind, what);
+    events_set_property(L, (uint16_t)kind, name);
 }
 
 static void define_body(lua_State *L, struct enemy_kinds *k, int32_t i, const struct api_value *v)
 {
     if (v[D_RATE].given)
-        api_body_check(L, "enemy.def", "rate");
+        api_check_bodies(L, "enemy.def", "rate");
     if (k->rate)
-        k->rate[i] = v[D_RATE].given ? v[D_RATE].f : ENEMY_WHOLE;
+        k->rate[i] = v[D_RATE].given ? v[D_RATE].f : ENEMY_RATE_ONE;
     if (v[D_PARTS].given)
         api_body_define(L, i, v[D_PARTS].at);
 }
@@ -89,14 +89,14 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct enemy_kinds *k = &b->enemy_kinds;
 
-    const struct api_shape shape = api_hit(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
+    const struct api_shape shape = api_read_hit_shape(L, "enemy.def", v[D_HIT].at, HIT_ENEMIES);
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     struct api_pictures pictures;
 
     api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_PICTURES,
                       &pictures);
-    api_pictures_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
-    int32_t i = api_kind(L, "enemy.def", &k->s, &columns, &shape);
+    api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
+    int32_t i = api_declare_kind(L, "enemy.def", &k->s, &columns, &shape);
     api_names_declare(L, N_ENEMY, "enemy.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->hp[i] = (int32_t)v[D_HP].i;
@@ -104,15 +104,15 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
     k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
                             v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) |
-                            (pictures.n ? ENEMY_HURT : 0) | (v[D_BLINK_SOFT].i ? ENEMY_SOFT : 0));
-    api_pictures_keep(L, N_ENEMY, i, &pictures);
+                            (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_SOFT : 0));
+    api_pictures_store_names(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
-    keep_function(L, &v[D_RUN], i, "run");
-    keep_function(L, &v[D_ON_HIT], i, "on_hit");
-    keep_function(L, &v[D_ON_DEATH], i, "on_death");
+    store_function(L, &v[D_RUN], i, "run");
+    store_function(L, &v[D_ON_HIT], i, "on_hit");
+    store_function(L, &v[D_ON_DEATH], i, "on_death");
     if (v[D_DROPS].given) {
         api_push_folded_drops(L, "enemy.def", v[D_DROPS].at);
-        events_set_function(L, (uint16_t)i, "drops");
+        events_set_property(L, (uint16_t)i, "drops");
     }
     define_body(L, k, i, v);
     return 0;
@@ -136,7 +136,7 @@ enum {
     S_VALUES
 };
 
-static const struct api_param spawn[] = {
+static const struct api_param spawn_params[] = {
     PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "declared kind to spawn"),
     PLACE,
     PARAM("path", A_ROUTE, OPT, 0, 0, NULL, NULL,
@@ -158,7 +158,7 @@ static const struct api_param spawn[] = {
           "{ bodies = true }`"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, NULL,
           "fraction of the damage to the part that is also dealt to the body; defaults to 0; needs `follow`"),
-    PARAM("rate", A_FX, OPT, 0, MOST_RATE, NULL, NULL,
+    PARAM("rate", A_FX, OPT, 0, MAX_RATE, NULL, NULL,
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
 
@@ -172,7 +172,7 @@ static void start_task(lua_State *L, struct board *b, int64_t h, int n)
 }
 
 /* In a game without the module path, no value can be a route, so `message` is raised. */
-void api_push_routes(lua_State *L, const char *entry, int at, const char *message)
+void api_push_path_module(lua_State *L, const char *entry, int at, const char *message)
 {
     lua_pushglobaltable(L);
     lua_pushliteral(L, "path");
@@ -190,11 +190,11 @@ void api_push_routes(lua_State *L, const char *entry, int at, const char *messag
 
 /* Starts an enemy's route. path.lua implements routes: path.place returns the start position, path.travel follows the
  * route and removes the enemy. */
-static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
+static void get_path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
 
-    api_push_routes(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (from path.def)");
+    api_push_path_module(L, "enemy.spawn", v[S_PATH].at, "path: expected a route (from path.def)");
     lua_getfield(L, -1, "place");
     lua_rawgeti(L, v[S_PATH].at, 1);
     lua_pushboolean(L, (int)v[S_MIRROR].i);
@@ -208,7 +208,7 @@ static void path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
     lua_pop(L, 3);
 }
 
-static void follow(lua_State *L, struct board *b, int64_t h, const struct api_value *v)
+static void start_path_task(lua_State *L, struct board *b, int64_t h, const struct api_value *v)
 {
     lua_getglobal(L, "path");
     lua_getfield(L, -1, "travel");
@@ -232,38 +232,38 @@ static void set_drops(lua_State *L, struct board *b, uint32_t i, const struct ap
     events_set_drops(L, i);
 }
 
-int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner)
+int32_t api_enemy_spawn(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner)
 {
     int32_t i = enemies_spawn(&b->enemies, &b->enemy_kinds, kind, x, y, b->core.clock);
 
     if (i == NO_SLOT) {
-        board_full(b, &b->enemies.s);
+        board_report_full(b, &b->enemies.s);
         return i;
     }
-    b->enemies.owner_task[i] = tasks_serial(b);
+    b->enemies.owner_task[i] = tasks_current_serial(b);
     b->enemies.owner[i] = owner;
     lua_pushnil(L);
-    events_set_death(L, (uint32_t)i);
+    events_set_on_death(L, (uint32_t)i);
     set_drops(L, b, (uint32_t)i, NULL);
     return i;
 }
 
-void api_enemy_run(lua_State *L, struct board *b, uint32_t i)
+void api_enemy_start_task(lua_State *L, struct board *b, uint32_t i)
 {
     if (events_push_function(L, b->enemies.kind[i], "run"))
         start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
-/* Reads the spawn position. Returns false if the thing `from` or `follow` is dead. */
-static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+/* Reads the spawn position. Returns false if the thing `from` or `start_path_task` is dead. */
+static bool read_spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     const struct api_value *at = v + S_PLACE;
-    const bool place = at[PLACE_X].given || at[PLACE_Y].given || at[PLACE_FROM].given;
+    const bool has_place = at[PLACE_X].given || at[PLACE_Y].given || at[PLACE_FROM].given;
 
     if (v[S_FOLLOW].given || v[S_SHARE].given || v[S_RATE].given)
-        api_body_check(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
+        api_check_bodies(L, "enemy.spawn", v[S_FOLLOW].given ? "follow" : v[S_SHARE].given ? "share" : "rate");
     if (v[S_FOLLOW].given) {
-        if (place || v[S_PATH].given)
+        if (has_place || v[S_PATH].given)
             api_error(L, "enemy.spawn", "`follow` cannot be combined with a position or a path");
         *x = *y = 0;
         return board_alive(b, v[S_FOLLOW].i);
@@ -271,15 +271,15 @@ static bool spawn_place(lua_State *L, struct board *b, const struct api_value *v
     if (v[S_SHARE].given)
         api_error(L, "enemy.spawn", "share: requires `follow`");
     if (!v[S_PATH].given)
-        return api_place(L, b, "enemy.spawn", at, x, y);
-    if (place)
+        return api_read_place(L, b, "enemy.spawn", at, x, y);
+    if (has_place)
         api_error(L, "enemy.spawn", "expected a position or a path, got both");
-    path_start(L, v, x, y);
+    get_path_start(L, v, x, y);
     return true;
 }
 
 /* Applies the arguments of enemy.spawn to a new enemy. */
-static void set_spawned(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
+static void apply_spawn_arguments(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
     struct enemies *e = &b->enemies;
 
@@ -288,15 +288,15 @@ static void set_spawned(lua_State *L, struct board *b, uint32_t i, const struct 
     if (v[S_BANK].given)
         e->bank[i] = (uint8_t)v[S_BANK].i;
     if (v[S_TAG].given)
-        e->tag[i] = api_tag(L, "enemy.spawn", v[S_TAG].at);
+        e->tag[i] = api_intern_tag(L, "enemy.spawn", v[S_TAG].at);
     if (v[S_RATE].given)
         e->rate[i] = v[S_RATE].f;
     if (v[S_FOLLOW].given)
         enemies_attach(e, i, handle_slot(v[S_FOLLOW].i), v[S_PLACE + PLACE_DX].f, v[S_PLACE + PLACE_DY].f,
                        v[S_SHARE].f);
-    api_value_set(b, N_ENEMY_VALUE, i, v + S_VALUES);
+    api_set_values(b, N_ENEMY_VALUE, i, v + S_VALUES);
     lua_pushvalue(L, v[S_ON_DEATH].at);
-    events_set_death(L, i);
+    events_set_on_death(L, i);
     if (v[S_DROPS].given)
         set_drops(L, b, i, &v[S_DROPS]);
 }
@@ -309,9 +309,9 @@ static void start_tasks(lua_State *L, struct board *b, uint32_t i, const struct 
         lua_pushvalue(L, v[S_RUN].at);
         start_task(L, b, h, 0);
     } else
-        api_enemy_run(L, b, i);
+        api_enemy_start_task(L, b, i);
     if (v[S_PATH].given)
-        follow(L, b, h, v);
+        start_path_task(L, b, h, v);
 }
 
 static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
@@ -321,19 +321,19 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
     fx x, y;
 
-    if (spawn_place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[S_STAY].i, &owner)) {
+    if (read_spawn_place(L, b, v, &x, &y) && tasks_get_owner_of_new(b, v[S_STAY].i, &owner)) {
         if (v[S_FOLLOW].given)
             api_body_check_depth(L, b, kind, v[S_FOLLOW].i);
-        i = api_enemy_bring(L, b, kind, x, y, owner);
+        i = api_enemy_spawn(L, b, kind, x, y, owner);
     }
     const int64_t h = board_handle(b, H_ENEMY, i);
     if (i != NO_SLOT) {
-        set_spawned(L, b, (uint32_t)i, v);
+        apply_spawn_arguments(L, b, (uint32_t)i, v);
         if (b->enemies.rate)
             api_body_spawn_parts(L, b, (uint32_t)i);
         start_tasks(L, b, (uint32_t)i, v);
-        if (b->enemies.rate && b->enemies.parts[i])
-            api_body_run_parts(L, b, (uint32_t)i);
+        if (b->enemies.rate && b->enemies.n_parts[i])
+            api_body_start_part_tasks(L, b, (uint32_t)i);
     }
     lua_pushinteger(L, h);
     return 1;
@@ -341,17 +341,17 @@ static int enemy_spawn(lua_State *L, struct board *b, struct api_value *v)
 
 static int enemy_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_each(L, b, H_ENEMY, "enemy.each", &b->enemies.s, b->enemies.tag, v);
+    return api_call_each(L, b, H_ENEMY, "enemy.each", &b->enemies.s, b->enemies.tag, v);
 }
 
 static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
+    return api_push_group(L, H_ENEMIES, "enemy.group", &v[EACH_TAG]);
 }
 
 /* Returns whether enemy i is alive and has the tag (0: any). */
-static bool in_group(const struct board *b, uint32_t i, uint32_t tag)
+static bool is_in_group(const struct board *b, uint32_t i, uint32_t tag)
 {
     return !(b->enemies.flags[i] & ENEMY_GONE) && api_has_tag(b->enemies.tag, i, tag);
 }
@@ -362,13 +362,13 @@ static void push_count(lua_State *L, struct board *b, uint32_t tag)
 
     vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        n += in_group(b, i, tag);
+        n += is_in_group(b, i, tag);
     lua_pushinteger(L, n);
 }
 
 static int enemy_count(lua_State *L, struct board *b, struct api_value *v)
 {
-    push_count(L, b, v[EACH_TAG].given ? api_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
+    push_count(L, b, v[EACH_TAG].given ? api_intern_tag(L, "enemy.count", v[EACH_TAG].at) : 0);
     return 1;
 }
 
@@ -393,10 +393,10 @@ enum {
 
 /* The last property exists only for groups. */
 static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports the enemy and ends its move"),
       PROP_WRITE },
     { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
@@ -417,13 +417,13 @@ static const struct api_prop props[PROPS + 1] = {
     { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"),
       PROP_WRITE },
-    { PARAM("rate", A_FX, REQ, 0, MOST_RATE, NULL, NULL,
+    { PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
             "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
       PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "for a part, distance to the right of its body; a write ends the part's move"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "for a part, distance below its body; a write ends the part's move"),
       PROP_WRITE },
     { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
@@ -435,9 +435,9 @@ static const struct api_prop props[PROPS + 1] = {
       PROP_READ },
 };
 
-static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
+static const uint8_t prop_flags[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_enemy(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct enemies *e = &b->enemies;
 
@@ -458,20 +458,20 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         api_push_tag(L, e->tag[i]);
         break;
     case P_SAFE:
-        api_push_or_forever(L, e->safe[i]);
+        api_push_count(L, e->safe_left[i]);
         break;
     case P_KIND:
         api_names_push(L, N_ENEMY, e->kind[i]);
         break;
     case P_FROZEN:
-        api_push_or_forever(L, e->frozen[i]);
+        api_push_count(L, e->frozen_left[i]);
         break;
     case P_PICTURE:
         api_picture_push(L, N_ENEMY, e->kind[i], e->flags[i] / ENEMY_PICTURE_ONE);
         break;
     case P_FLIP_X:
     case P_HIDDEN:
-        lua_pushboolean(L, e->flags[i] & flag_of[p]);
+        lua_pushboolean(L, e->flags[i] & prop_flags[p]);
         break;
     case P_AGE:
         lua_pushinteger(L, b->core.clock - e->born[i]);
@@ -481,7 +481,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_enemy(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct enemies *e = &b->enemies;
 
@@ -494,28 +494,28 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         break;
     case P_HP:
         e->hp[i] = (int32_t)v->i;
-        if (e->wound)
-            e->wound[i] = 0;
+        if (e->hp_deficit)
+            e->hp_deficit[i] = 0;
         break;
     case P_BANK:
         e->bank[i] = (uint8_t)((e->bank[i] & ENEMY_BLINK) | v->i);
         break;
     case P_PICTURE:
         e->flags[i] = (uint8_t)((unsigned)(e->flags[i] & ~ENEMY_PICTURE) |
-                                api_picture_named(L, N_ENEMY, e->kind[i], "enemy", v) * ENEMY_PICTURE_ONE);
+                                api_picture_find(L, N_ENEMY, e->kind[i], "enemy", v) * ENEMY_PICTURE_ONE);
         break;
     case P_FLIP_X:
     case P_HIDDEN:
-        e->flags[i] = (uint8_t)(v->i ? e->flags[i] | flag_of[p] : e->flags[i] & ~flag_of[p]);
+        e->flags[i] = (uint8_t)(v->i ? e->flags[i] | prop_flags[p] : e->flags[i] & ~prop_flags[p]);
         break;
     case P_TAG:
-        e->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        e->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
         break;
     case P_FROZEN:
-        e->frozen[i] = api_or_forever(v);
+        e->frozen_left[i] = api_to_count(v);
         break;
     case P_SAFE:
-        e->safe[i] = api_or_forever(v);
+        e->safe_left[i] = api_to_count(v);
         break;
     default:
         api_body_set(L, b, i, (enum api_body_prop)(p - P_BODY), v->f);
@@ -525,21 +525,21 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 {
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only `count` can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only `count` can)", props[p].param.name);
     push_count(L, b, tag);
 }
 
 static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
 {
-    const bool parts = p > P_BODY + BODY_RATE;
+    const bool parts_only = p > P_BODY + BODY_RATE;
 
     vm_charge(L, b->enemies.s.live);
     EACH_LIVE (i, &b->enemies.s)
-        if (in_group(b, i, tag) && (!parts || b->enemies.body[i]))
-            set(L, b, i, p, v);
+        if (is_in_group(b, i, tag) && (!parts_only || b->enemies.body[i]))
+            set_enemy(L, b, i, p, v);
 }
 
-const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get, set };
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get_enemy, set_enemy };
 const struct api_thing api_enemies_thing = { "enemies", props, PROPS + 1, get_group, set_group };
 
 /* ---- verbs ---- */
@@ -559,39 +559,41 @@ enum {
     KILL_PLAYER = 1
 };
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
-static const struct api_param move[] = {
-    SELF,
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ENEMY | 1 << H_ENEMIES, 0, NULL, NULL, "the thing itself")
+static const struct api_param move_params[] = {
+    SELF_PARAM,
+    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "horizontal position to move to; give `x` and `y`, or `dx` and `dy`"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position to move to"),
+    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position to move to"),
     PARAM("over", A_INT, REQ, 1, 1e9, "frames", NULL, "duration of the move"),
     PARAM("ease", A_EASE, OPT, 0, 0, NULL, "linear",
           "how the speed changes on the way: `in` starts slowly, `out` ends slowly, `both` starts and ends slowly"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance to the right; for a part, its new `dx`"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", NULL, "distance down; for a part, its new `dy`"),
+    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right; for a part, its new `dx`"),
+    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down; for a part, its new `dy`"),
 };
-static const struct api_param shift_by[] = {
-    SELF, PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; a negative distance moves left"),
-    PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; a negative distance moves up")
-};
-static const struct api_param hurt[] = {
-    SELF, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
+static const struct api_param shift_params[] = { SELF_PARAM,
+                                                 PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+                                                       "distance to the right; a negative distance moves left"),
+                                                 PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+                                                       "distance down; a negative distance moves up") };
+static const struct api_param hurt_params[] = {
+    SELF_PARAM, PARAM("n", A_INT, REQ, 0, INT32_MAX, "hp", NULL, "damage to deal, before it is multiplied by `rate`"),
     PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets the score for a kill; defaults to the nearest player")
 };
-static const struct api_param kill_by[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
-                                                        "player who gets its score; defaults to the nearest player") };
-static const struct api_param self[] = { SELF };
+static const struct api_param kill_params[] = {
+    SELF_PARAM, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL, "player who gets its score; defaults to the nearest player")
+};
+static const struct api_param self_params[] = { SELF_PARAM };
 
 static void move_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
-    const uint32_t over = (uint32_t)v[MOVE_OVER].i;
+    const uint32_t frames = (uint32_t)v[MOVE_OVER].i;
 
     (void)L;
     if (v[MOVE_X].given)
-        enemies_go(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, over, (enum ease)v[MOVE_EASE].i);
+        enemies_move_to(&b->enemies, i, v[MOVE_X].f, v[MOVE_Y].f, frames, (enum ease)v[MOVE_EASE].i);
     else
-        enemies_go_by(&b->enemies, i, v[MOVE_DX].f, v[MOVE_DY].f, over, (enum ease)v[MOVE_EASE].i);
+        enemies_move_by(&b->enemies, i, v[MOVE_DX].f, v[MOVE_DY].f, frames, (enum ease)v[MOVE_EASE].i);
 }
 
 static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
@@ -602,27 +604,27 @@ static void shift_one(lua_State *L, struct board *b, uint32_t i, const struct ap
 
 /* Returns the player, 1 or 2, who is credited when a script damages or kills enemy i: `player` if given, otherwise the
  * nearest living player; 0: nobody. */
-static uint32_t credit(const struct board *b, uint32_t i, const struct api_value *player)
+static uint32_t find_credited_player(const struct board *b, uint32_t i, const struct api_value *player)
 {
-    struct targets t = board_players(b);
+    struct targets t = board_player_targets(b);
 
     return player->given ? (uint32_t)player->i : (uint32_t)(targets_nearest(&t, b->enemies.x[i], b->enemies.y[i]) + 1);
 }
 
 static void hurt_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
-    events_enemy_hurt(b, L, i, (int32_t)v[HURT_HP].i, credit(b, i, &v[HURT_PLAYER]));
+    events_hurt_enemy(b, L, i, (int32_t)v[HURT_HP].i, find_credited_player(b, i, &v[HURT_PLAYER]));
 }
 
 static void kill_one(lua_State *L, struct board *b, uint32_t i, const struct api_value *v)
 {
-    events_enemy_die(b, L, i, credit(b, i, &v[KILL_PLAYER]));
+    events_kill_enemy(b, L, i, find_credited_player(b, i, &v[KILL_PLAYER]));
 }
 
 /* Applies the verb to each enemy of a group. A death runs on_death, which may remove enemies and spawn others in their
  * slots. Therefore the live enemies are listed first, and the verb is applied only to those still alive when their turn
  * comes. */
-static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
+static void apply_to_group(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb *verb, const struct api_value *v)
 {
     int list = lua_gettop(L) + 1;
     lua_Integer n = 0;
@@ -631,7 +633,7 @@ static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb 
     luaL_checkstack(L, 2, NULL);
     lua_newtable(L);
     EACH_LIVE (i, &b->enemies.s)
-        if (in_group(b, i, tag)) {
+        if (is_in_group(b, i, tag)) {
             lua_pushinteger(L, board_handle(b, H_ENEMY, (int32_t)i));
             lua_rawseti(L, list, ++n);
         }
@@ -645,12 +647,12 @@ static void each_of(lua_State *L, struct board *b, uint32_t tag, api_enemy_verb 
     lua_settop(L, list - 1);
 }
 
-int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v)
+int api_enemy_apply_verb(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
 
     if (handle_kind(h) == H_ENEMIES)
-        each_of(L, b, handle_slot(h), verb, v);
+        apply_to_group(L, b, handle_slot(h), verb, v);
     else if (board_alive(b, h))
         verb(L, b, handle_slot(h), v);
     return 0;
@@ -658,37 +660,37 @@ int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const str
 
 static int enemy_move(lua_State *L, struct board *b, struct api_value *v)
 {
-    const bool x = v[MOVE_X].given, y = v[MOVE_Y].given, dx = v[MOVE_DX].given, dy = v[MOVE_DY].given;
+    const bool has_x = v[MOVE_X].given, has_y = v[MOVE_Y].given, has_dx = v[MOVE_DX].given, has_dy = v[MOVE_DY].given;
 
-    if (x != y || dx != dy || x == dx)
-        return api_error(L, api_bound(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
-    return api_enemy_act(L, b, move_one, v);
+    if (has_x != has_y || has_dx != has_dy || has_x == has_dx)
+        return api_error(L, api_current_binding(L)->entry->name, "expected either `x` and `y` or `dx` and `dy`");
+    return api_enemy_apply_verb(L, b, move_one, v);
 }
 
 static int enemy_shift(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_enemy_act(L, b, shift_one, v);
+    return api_enemy_apply_verb(L, b, shift_one, v);
 }
 
 static int enemy_hurt_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_enemy_act(L, b, hurt_one, v);
+    return api_enemy_apply_verb(L, b, hurt_one, v);
 }
 
 static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_enemy_act(L, b, kill_one, v);
+    return api_enemy_apply_verb(L, b, kill_one, v);
 }
 
-/* Also removes enemies that left in this frame but can still be read (board_there), so that their pending hits have no
- * effect. */
+/* Also removes enemies that left in this frame but can still be read (board_is_readable), so that their pending hits
+ * have no effect. */
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
     struct enemies *e = &b->enemies;
 
     if (handle_kind(h) != H_ENEMIES) {
-        if (board_there(b, h) && !(e->flags[handle_slot(h)] & ENEMY_DYING))
+        if (board_is_readable(b, h) && !(e->flags[handle_slot(h)] & ENEMY_DYING))
             enemies_drop(e, handle_slot(h));
         return 0;
     }
@@ -701,20 +703,20 @@ static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 
 /* The verbs of a single enemy or of a group; the macro parameter `it` is how the help refers to the enemy or group. */
 #define ENEMY_VERBS(thing, it, order)                                                                                  \
-    API_VERB(thing ":move", enemy_move, move, 1, NULL,                                                                 \
+    API_VERB(thing ":move", enemy_move, move_params, 1, NULL,                                                          \
              "starts moving " it " to a position or by a distance, and returns immediately"),                          \
-        API_VERB(thing ":shift", enemy_shift, shift_by, 3, NULL,                                                       \
+        API_VERB(thing ":shift", enemy_shift, shift_params, 3, NULL,                                                   \
                  "teleports " it " by a distance and shifts the rest of its move by the same distance"),               \
-        API_VERB(thing ":hurt", enemy_hurt_run, hurt, 3, NULL, "damages " it " unless it is safe"),                    \
-        API_VERB(thing ":kill", enemy_kill, kill_by, 2, NULL,                                                          \
+        API_VERB(thing ":hurt", enemy_hurt_run, hurt_params, 3, NULL, "damages " it " unless it is safe"),             \
+        API_VERB(thing ":kill", enemy_kill, kill_params, 2, NULL,                                                      \
                  "kills " it order "; score, sparks, drops and on_death work as usual"),                               \
-        API_VERB(thing ":remove", enemy_remove, self, 1, NULL,                                                         \
+        API_VERB(thing ":remove", enemy_remove, self_params, 1, NULL,                                                  \
                  "removes " it " without score, sparks, drops or on_death")
 
 static const struct api_entry entries[] = {
-    { "enemy.def", enemy_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "enemy.def", enemy_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of enemy: its sprite, its hitbox and its rules") },
-    { "enemy.spawn", enemy_spawn, PARAMS(spawn), 0, API_CHANGES | API_VALUES, "enemy",
+    { "enemy.spawn", enemy_spawn, PARAMS(spawn_params), 0, API_CHANGES | API_VALUES, "enemy",
       HELP("spawns an enemy at a position, on a path or as a part of another enemy") },
     API_GROUPS("enemy", enemy_group, enemy_each),
     { "enemy.count", enemy_count, PARAMS(api_tag_params), 1, 0, "count",

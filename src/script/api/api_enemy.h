@@ -6,17 +6,17 @@
 
 #include "api_parts.h"
 
-enum { MOST_RATE = ENEMY_MOST_RATE / ENEMY_WHOLE };
+enum { MAX_RATE = ENEMY_MAX_RATE / ENEMY_RATE_ONE };
 
-/* A verb acts on enemy i; api_enemy_act applies it to the enemy or group in the first argument. */
+/* A verb acts on enemy i; api_enemy_apply_verb applies it to the enemy or group in the first argument. */
 typedef void api_enemy_verb(lua_State *L, struct board *b, uint32_t i, const struct api_value *v);
-int api_enemy_act(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v);
+int api_enemy_apply_verb(lua_State *L, struct board *b, api_enemy_verb *verb, const struct api_value *v);
 
 /* Spawns an enemy without starting the task of its kind. Returns its slot, or NO_SLOT. */
-int32_t api_enemy_bring(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner);
+int32_t api_enemy_spawn(lua_State *L, struct board *b, uint16_t kind, fx x, fx y, int64_t owner);
 
 /* Starts the run function of enemy i's kind as a task, if the kind has one. */
-void api_enemy_run(lua_State *L, struct board *b, uint32_t i);
+void api_enemy_start_task(lua_State *L, struct board *b, uint32_t i);
 
 /* Stores the parts listed in the table at `at` as the parts of an enemy kind. */
 void api_body_define(lua_State *L, int32_t kind, int at);
@@ -24,10 +24,10 @@ void api_body_define(lua_State *L, int32_t kind, int at);
 /* Raises an error if an enemy of that kind, as a part of `body`, would be nested too deep. */
 void api_body_check_depth(lua_State *L, const struct board *b, uint16_t kind, int64_t body);
 
-/* api_body_spawn_parts spawns the parts of a new enemy and, recursively, the parts of those parts. api_body_run_parts
- * then starts the tasks of all of them. */
+/* api_body_spawn_parts spawns the parts of a new enemy and, recursively, the parts of those parts.
+ * api_body_start_part_tasks then starts the tasks of all of them. */
 void api_body_spawn_parts(lua_State *L, struct board *b, uint32_t body);
-void api_body_run_parts(lua_State *L, struct board *b, uint32_t body);
+void api_body_start_part_tasks(lua_State *L, struct board *b, uint32_t body);
 
 /* Properties that require `bodies` in rom.lua. api_body_set raises an error if enemy i is not a part, except for
  * BODY_RATE, which every enemy has. */

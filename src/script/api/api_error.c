@@ -19,21 +19,21 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
 
 /* ---- places of calls, for errors found later ---- */
 
-static const char places_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
+static const char locations_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
 
-void api_note_place(lua_State *L, const char *entry, const char *name)
+void api_record_location(lua_State *L, const char *entry, const char *name)
 {
     const int top = lua_gettop(L);
-    char place[VM_PLACE];
+    char location[VM_PLACE_SIZE];
 
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) != LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &locations_key) != LUA_TTABLE) {
         lua_newtable(L);
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &places_key);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &locations_key);
     }
-    vm_where(L, place, sizeof place);
+    vm_where(L, location, sizeof location);
     lua_pushfstring(L, "%s %s", entry, name);
-    lua_pushstring(L, place);
+    lua_pushstring(L, location);
     lua_rawset(L, -3);
     lua_settop(L, top);
 }
@@ -43,24 +43,24 @@ int api_error_at(lua_State *L, const char *entry, const char *name, const char *
     va_list args;
 
     va_start(args, format);
-    const char *message = lua_pushvfstring(L, format, args), *place = NULL;
+    const char *message = lua_pushvfstring(L, format, args), *location = NULL;
     va_end(args);
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &places_key) == LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &locations_key) == LUA_TTABLE) {
         lua_pushfstring(L, "%s %s", entry, name);
         lua_rawget(L, -2);
-        place = lua_tostring(L, -1);
+        location = lua_tostring(L, -1);
     }
-    return place ? vm_fault_at(L, place, "%s: %s", entry, message) : api_error(L, entry, "%s", message);
+    return location ? vm_fault_at(L, location, "%s: %s", entry, message) : api_error(L, entry, "%s", message);
 }
 
 /* ---- the script digest ---- */
 
-enum { FOLDED = 8 /* bytes of text charged as one VM instruction */ };
+enum { FOLD_BYTES_PER_WORK = 8 /* bytes of text charged as one VM instruction */ };
 
 void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n)
 {
-    if (n >= FOLDED)
-        vm_charge(L, n / FOLDED);
+    if (n >= FOLD_BYTES_PER_WORK)
+        vm_charge(L, n / FOLD_BYTES_PER_WORK);
     b->script.digest = hash_bytes(b->script.digest, s, n);
 }
 
@@ -93,7 +93,7 @@ void api_fold(lua_State *L, struct board *b, int at)
     }
 }
 
-void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v)
+void api_fold_value(lua_State *L, struct board *b, const struct api_value *v)
 {
     double d;
 
@@ -102,16 +102,16 @@ void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v)
         return;
     }
     memcpy(&d, &v->bits, sizeof d);
-    script_fold(b, !v->whole && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
+    script_fold(b, !v->is_integer && isnan(d) ? 0x7ff8000000000000u : (uint64_t)v->bits);
 }
 
-void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n)
+void api_fold_call(lua_State *L, struct board *b, uint64_t entry_hash, const struct api_value *v, int n)
 {
     b->script.calls++;
-    script_fold(b, entry);
+    script_fold(b, entry_hash);
     for (int i = 0; i < n; i++)
         if (v[i].given) {
             script_fold(b, (uint64_t)i);
-            api_fold_looked(L, b, &v[i]);
+            api_fold_value(L, b, &v[i]);
         }
 }

@@ -6,8 +6,8 @@
 #include "api_parts.h"
 
 static const struct {
-    const char *space, *name, *instead;
-} gone[] = {
+    const char *library, *name, *advice;
+} missing_names[] = {
     { NULL, "os", "use board.frame() for time and save.set for saved data" },
     { NULL, "io", "use rom.text to read the game's text files, and print to write to the log" },
     { NULL, "debug", "use print and board.note" },
@@ -43,20 +43,21 @@ static const struct {
     { "table", "foreachi", "use `for i, value in ipairs(t) do`" },
 };
 
-const char *api_instead(const char *space, const char *name)
+const char *api_replacement(const char *library, const char *name)
 {
-    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++)
-        if (!gone[i].space == !space && (!space || !strcmp(gone[i].space, space)) && !strcmp(gone[i].name, name))
-            return gone[i].instead;
+    for (size_t i = 0; i < sizeof missing_names / sizeof *missing_names; i++)
+        if (!missing_names[i].library == !library && (!library || !strcmp(missing_names[i].library, library)) &&
+            !strcmp(missing_names[i].name, name))
+            return missing_names[i].advice;
     return NULL;
 }
 
-const char *api_instead_field(const char *name, const char **space)
+const char *api_find_replacement(const char *name, const char **library)
 {
-    for (size_t i = 0; i < sizeof gone / sizeof *gone; i++)
-        if (gone[i].space && !strcmp(gone[i].name, name)) {
-            *space = gone[i].space;
-            return gone[i].instead;
+    for (size_t i = 0; i < sizeof missing_names / sizeof *missing_names; i++)
+        if (missing_names[i].library && !strcmp(missing_names[i].name, name)) {
+            *library = missing_names[i].library;
+            return missing_names[i].advice;
         }
     return NULL;
 }

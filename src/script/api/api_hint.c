@@ -7,32 +7,32 @@
 #include "../../base/edit.h"
 #include "api_parts.h"
 
-enum { WHOLE = 100 }; /* characters of the longest list worth printing */
+enum { MAX_LIST = 100 }; /* characters of the longest list worth printing */
 
 void api_hint_begin(struct api_hint *h, const char *word)
 {
-    *h = (struct api_hint){ .word = word, .best = EDIT_FAR };
+    *h = (struct api_hint){ .word = word, .best_distance = EDIT_FAR };
 }
 
 void api_hint_add(struct api_hint *h, const char *name)
 {
     const size_t n = strlen(h->list);
 
-    api_suggest_nearer(h->word, name, &h->best, &h->found);
+    api_suggest_nearer(h->word, name, &h->best_distance, &h->nearest);
     h->n++;
-    if (n + strlen(name) + 2 < WHOLE)
+    if (n + strlen(name) + 2 < MAX_LIST)
         snprintf(h->list + n, sizeof h->list - n, "%s%s", n ? ", " : "", name);
     else
-        h->long_ = true;
+        h->is_long = true;
 }
 
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label)
 {
-    if (h->found)
-        return lua_pushfstring(L, " (did you mean \"%s\"?)", h->found);
+    if (h->nearest)
+        return lua_pushfstring(L, " (did you mean \"%s\"?)", h->nearest);
     if (h->n == 0)
         return lua_pushfstring(L, " (%s: none)", label);
-    return h->long_ ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
+    return h->is_long ? lua_pushliteral(L, "") : lua_pushfstring(L, " (%s: %s)", label, h->list);
 }
 
 /* ---- suggestions for unknown globals ---- */
@@ -40,7 +40,7 @@ const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *la
 enum { SHORT_NAME = 2 /* bytes; a name this short resembles too many others */ };
 
 /* Suggests the nearest local or upvalue visible to the code at level 1. */
-static void near_local(lua_State *L, const char *name, int *best, const char **found)
+static void suggest_local(lua_State *L, const char *name, int *best, const char **found)
 {
     const char *local;
     lua_Debug ar;
@@ -57,14 +57,14 @@ static void near_local(lua_State *L, const char *name, int *best, const char **f
     lua_pop(L, 1);
 }
 
-const char *api_push_meant(lua_State *L, const char *name, bool read)
+const char *api_push_suggestion(lua_State *L, const char *name, bool is_read)
 {
     const char *found = NULL;
     int best = EDIT_FAR;
 
     if (strlen(name) > SHORT_NAME)
-        near_local(L, name, &best, &found);
-    if (strlen(name) > SHORT_NAME && read) {
+        suggest_local(L, name, &best, &found);
+    if (strlen(name) > SHORT_NAME && is_read) {
         const char *global = NULL;
         int global_best = best;
         lua_pushglobaltable(L);
@@ -79,82 +79,82 @@ const char *api_push_meant(lua_State *L, const char *name, bool read)
 
 /* ---- tables of settings ---- */
 
-static const char *key_of(const struct api_param *p)
+static const char *field_key(const struct api_param *p)
 {
     const char *dot = strrchr(p->name, '.');
 
     return dot ? dot + 1 : p->name;
 }
 
-bool api_knows_field(lua_State *L, const char *key, const void *of)
+bool api_knows_field(lua_State *L, const char *key, const void *fields)
 {
-    const struct api_fields *f = of;
+    const struct api_fields *f = fields;
 
     vm_charge(L, 1);
     for (int i = 0; key && i < f->n; i++)
-        if (!strcmp(key, key_of(&f->params[i])))
+        if (!strcmp(key, field_key(&f->params[i])))
             return true;
-    return key && f->values != NAME_LISTS && api_names_find(L, f->values, key) != NO_SLOT;
+    return key && f->value_names != NAME_LISTS && api_names_find(L, f->value_names, key) != NO_SLOT;
 }
 
-void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f)
+void api_raise_unknown_key(lua_State *L, const char *entry, const struct api_fields *f)
 {
-    struct api_hint near;
+    struct api_hint hint;
 
     if (lua_type(L, -1) != LUA_TSTRING)
-        api_error(L, entry, "expected named arguments ({ name = value }), got key %s", api_push_got(L, -1));
+        api_error(L, entry, "expected named arguments ({ name = value }), got key %s", api_push_description(L, -1));
     const char *key = lua_tostring(L, -1);
-    api_hint_begin(&near, key);
+    api_hint_begin(&hint, key);
     for (int i = 0; i < f->n; i++)
-        api_hint_add(&near, key_of(&f->params[i]));
-    for (int k = 0; f->values != NAME_LISTS && k < api_values(vm_board(L), f->values); k++)
-        api_hint_add(&near, board_name(vm_board(L), f->values, k));
-    api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &near, "arguments"));
+        api_hint_add(&hint, field_key(&f->params[i]));
+    for (int k = 0; f->value_names != NAME_LISTS && k < api_value_count(vm_board(L), f->value_names); k++)
+        api_hint_add(&hint, board_name(vm_board(L), f->value_names, k));
+    api_error(L, entry, "unknown argument \"%s\"%s", key, api_hint_push(L, &hint, "arguments"));
 }
 
-void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,
+void api_read_fields(lua_State *L, const char *entry, const char *prefix, const struct api_fields *f, int at,
                      struct api_value *v)
 {
-    char full[80];
+    char full_name[80];
 
     luaL_checkstack(L, f->n + 8, NULL);
-    if (luakeys_push_stray(L, at, api_knows_field, f)) {
-        lua_pushfstring(L, "%s: %s", entry, where);
+    if (luakeys_push_unknown(L, at, api_knows_field, f)) {
+        lua_pushfstring(L, "%s: %s", entry, prefix);
         lua_insert(L, -2);
-        api_refuse_key(L, where ? lua_tostring(L, -2) : entry, f);
+        api_raise_unknown_key(L, prefix ? lua_tostring(L, -2) : entry, f);
     }
     for (int i = 0; i < f->n; i++) {
         struct api_param p = f->params[i];
-        if (where) {
-            snprintf(full, sizeof full, "%s.%s", where, key_of(&p));
-            p.name = full;
+        if (prefix) {
+            snprintf(full_name, sizeof full_name, "%s.%s", prefix, field_key(&p));
+            p.name = full_name;
         }
         v[i] = (struct api_value){ 0 };
-        lua_getfield(L, at, key_of(&f->params[i]));
+        lua_getfield(L, at, field_key(&f->params[i]));
         api_check(L, entry, &p, lua_gettop(L), &v[i]);
     }
 }
 
-int api_sorted_names(lua_State *L, const char *entry, const char *what, const char *expected, int at,
-                     const char **names, int most)
+int api_read_sorted_keys(lua_State *L, const char *entry, const char *param_name, const char *expected, int at,
+                         const char **names, int max)
 {
-    bool list = false;
+    bool is_list = false;
     int n = 0;
 
     for (lua_pushnil(L); lua_next(L, at); lua_pop(L, 1)) {
         const char *name = luakeys_text(L, -2);
         vm_charge(L, 1);
-        list |= !name;
-        if (n++ >= most || list)
+        is_list |= !name;
+        if (n++ >= max || is_list)
             continue;
         int i = n - 1;
         for (; i > 0 && strcmp(names[i - 1], name) > 0; i--)
             names[i] = names[i - 1];
         names[i] = name;
     }
-    if (list)
-        api_error(L, entry, "%s: expected %s, got a list", what, expected);
-    if (n > most)
-        api_error(L, entry, "%s: expected at most %d names, got %d", what, most, n);
+    if (is_list)
+        api_error(L, entry, "%s: expected %s, got a list", param_name, expected);
+    if (n > max)
+        api_error(L, entry, "%s: expected at most %d names, got %d", param_name, max, n);
     return n;
 }

@@ -5,7 +5,7 @@
 #include "../../base/trig.h"
 #include "api_parts.h"
 
-static fx extent(lua_State *L, const char *entry, const char *name, int at)
+static fx read_extent(lua_State *L, const char *entry, const char *name, int at)
 {
     struct api_param p = { name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL };
     struct api_value v = { 0 };
@@ -15,49 +15,51 @@ static fx extent(lua_State *L, const char *entry, const char *name, int at)
 }
 
 /* Returns the only key of the table at `at`; raises an error if there are none or several. */
-static const char *hit_key(lua_State *L, const char *entry, int at, enum hit_whose whose)
+static const char *find_hit_key(lua_State *L, const char *entry, int at, enum hit_owner owner)
 {
     static const struct api_param keys[] = {
         { .name = "circle" }, { .name = "sprite" }, { .name = "box" }, { .name = "capsule" }, { .name = "circles" }
     };
-    const struct api_fields known = { keys, whose == HIT_PLAYERS ? 2 : sizeof keys / sizeof *keys, NAME_LISTS };
+    const struct api_fields known = { keys, owner == HIT_PLAYERS ? 2 : sizeof keys / sizeof *keys, NAME_LISTS };
     const char *key = NULL;
 
-    if (luakeys_push_stray(L, at, api_knows_field, &known))
-        api_error(L, entry, "hit: expected %s, got a table with key %s", api_hit_forms[whose], api_push_got(L, -1));
+    if (luakeys_push_unknown(L, at, api_knows_field, &known))
+        api_error(L, entry, "hit: expected %s, got a table with key %s", api_hit_forms[owner],
+                  api_push_description(L, -1));
     for (int k = 0; k < known.n; k++) {
         if (lua_getfield(L, at, keys[k].name) != LUA_TNIL && key)
-            api_error(L, entry, "hit: expected %s, got a table with both \"%s\" and \"%s\"", api_hit_forms[whose], key,
+            api_error(L, entry, "hit: expected %s, got a table with both \"%s\" and \"%s\"", api_hit_forms[owner], key,
                       keys[k].name);
         key = lua_isnil(L, -1) ? key : keys[k].name;
         lua_pop(L, 1);
     }
     if (!key)
-        api_error(L, entry, "hit: expected %s, got an empty table", api_hit_forms[whose]);
+        api_error(L, entry, "hit: expected %s, got an empty table", api_hit_forms[owner]);
     return key;
 }
 
 /* Checks element i of the list on top of the stack against p (px or degrees) and returns it. The list stays on the
  * stack. */
-static struct api_value item(lua_State *L, const char *entry, enum hit_whose whose, int i, const struct api_param *p)
+static struct api_value check_item(lua_State *L, const char *entry, enum hit_owner owner, int i,
+                                   const struct api_param *p)
 {
     struct api_value v = { 0 };
     int list = lua_gettop(L);
 
     if (lua_type(L, list) != LUA_TTABLE)
-        api_error(L, entry, "hit: expected %s", api_hit_forms[whose]);
+        api_error(L, entry, "hit: expected %s", api_hit_forms[owner]);
     lua_rawgeti(L, list, i);
     api_check(L, entry, p, list + 1, &v);
     lua_settop(L, list);
     return v;
 }
 
-#define LENGTH(name)                                                                                                   \
+#define LENGTH_PARAM(name)                                                                                             \
     &(const struct api_param)                                                                                          \
     {                                                                                                                  \
         name, A_FX, REQ, 0, MAX_SPEED, "px", NULL, NULL                                                                \
     }
-#define OFFSET(name)                                                                                                   \
+#define OFFSET_PARAM(name)                                                                                             \
     &(const struct api_param)                                                                                          \
     {                                                                                                                  \
         name, A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px", NULL, NULL                                                       \
@@ -72,15 +74,15 @@ static void check_reach(lua_State *L, const char *entry, int64_t reach)
 }
 
 /* Reads a capsule. A bullet's capsule lies along its dir; an enemy, which has no dir, must give one. */
-static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
+static void read_capsule(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
     const struct api_param dir = { "hit.capsule dir", A_DIR, OPT, 0, 0, NULL, "90", NULL };
-    fx half = item(L, entry, whose, 1, LENGTH("hit.capsule length")).f / 2;
+    fx half = check_item(L, entry, owner, 1, LENGTH_PARAM("hit.capsule length")).f / 2;
 
     s->shape = SHAPE_CAPSULE;
-    s->row[0].a = item(L, entry, whose, 2, LENGTH("hit.capsule radius")).f;
+    s->row[0].a = check_item(L, entry, owner, 2, LENGTH_PARAM("hit.capsule radius")).f;
     check_reach(L, entry, (int64_t)s->row[0].a + half);
-    if (whose == HIT_BULLETS) {
+    if (owner == HIT_BULLETS) {
         if (lua_rawgeti(L, -1, 3) != LUA_TNIL)
             api_error(L, entry,
                       "hit.capsule: expected { length, radius }, got a third value (a bullet's capsule lies along its "
@@ -88,23 +90,23 @@ static void read_capsule(lua_State *L, const char *entry, enum hit_whose whose, 
         s->row[0].b = half;
         return;
     }
-    struct api_value v = item(L, entry, whose, 3, &dir);
+    struct api_value v = check_item(L, entry, owner, 3, &dir);
     trig_polar(half, v.given ? v.a : 0x40000000, &s->row[0].x, &s->row[0].y);
 }
 
-static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
+static void read_circles(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
     uint32_t n = lua_type(L, -1) == LUA_TTABLE ? (uint32_t)lua_rawlen(L, -1) : 0;
 
-    if (n < 1 || n > SHAPE_PARTS)
-        api_error(L, entry, "hit.circles: expected a list of 1 to %d circles { x, y, r }", SHAPE_PARTS);
+    if (n < 1 || n > SHAPE_MAX_CIRCLES)
+        api_error(L, entry, "hit.circles: expected a list of 1 to %d circles { x, y, r }", SHAPE_MAX_CIRCLES);
     s->shape = SHAPE_CIRCLES;
     s->rows = n;
     for (uint32_t i = 0; i < n; i++) {
         lua_rawgeti(L, -1, (int)i + 1);
-        s->row[i].x = item(L, entry, whose, 1, OFFSET("hit.circles x")).f;
-        s->row[i].y = item(L, entry, whose, 2, OFFSET("hit.circles y")).f;
-        s->row[i].a = item(L, entry, whose, 3, LENGTH("hit.circles r")).f;
+        s->row[i].x = check_item(L, entry, owner, 1, OFFSET_PARAM("hit.circles x")).f;
+        s->row[i].y = check_item(L, entry, owner, 2, OFFSET_PARAM("hit.circles y")).f;
+        s->row[i].a = check_item(L, entry, owner, 3, LENGTH_PARAM("hit.circles r")).f;
         s->row[i].b = (fx)(n - 1 - i);
         check_reach(L, entry, (int64_t)fx_abs(s->row[i].x) + fx_abs(s->row[i].y) + s->row[i].a + 2);
         lua_pop(L, 1);
@@ -112,7 +114,7 @@ static void read_circles(lua_State *L, const char *entry, enum hit_whose whose, 
 }
 
 /* Reads the hit shape drawn with the sprite whose name is on top of the stack. */
-static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, struct api_shape *s)
+static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
 {
     const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, NULL };
     const int at = lua_gettop(L);
@@ -124,11 +126,11 @@ static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, st
     if (!cart_find_hit(&vm_board(L)->cart, name, &hit))
         api_error(L, entry, "hit.sprite: sprite \"%s\" has no hit shape (add a slice named \"hit\" to its .ase file)",
                   name);
-    if (whose == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
+    if (owner == HIT_PLAYERS && hit.shape != SHAPE_CIRCLE)
         api_error(L, entry,
                   "hit.sprite: expected one circle at the player's position, got a different hit shape from \"%s\"",
                   name);
-    if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE && hit.row[0].y != 0)
+    if (owner == HIT_BULLETS && hit.shape == SHAPE_CAPSULE && hit.row[0].y != 0)
         api_error(L, entry,
                   "hit.sprite: the capsule of \"%s\" is vertical, but a bullet's capsule lies along its `dir` (draw "
                   "it pointing right)",
@@ -141,44 +143,44 @@ static void read_drawn(lua_State *L, const char *entry, enum hit_whose whose, st
         s->row[i].x = hit.row[i].x;
         s->row[i].y = hit.row[i].y;
     }
-    if (whose == HIT_BULLETS && hit.shape == SHAPE_CAPSULE) {
+    if (owner == HIT_BULLETS && hit.shape == SHAPE_CAPSULE) {
         s->row[0].b = hit.row[0].x;
         s->row[0].x = 0;
     }
 }
 
-struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose)
+struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner)
 {
     struct api_shape s = { .shape = SHAPE_NONE, .rows = 1 };
     int top = lua_gettop(L);
 
     if (lua_type(L, at) == LUA_TSTRING) {
-        if (whose == HIT_PLAYERS || strcmp(lua_tostring(L, at), "none"))
-            api_error(L, entry, "hit: expected %s, got \"%s\"", api_hit_forms[whose], lua_tostring(L, at));
+        if (owner == HIT_PLAYERS || strcmp(lua_tostring(L, at), "none"))
+            api_error(L, entry, "hit: expected %s, got \"%s\"", api_hit_forms[owner], lua_tostring(L, at));
         return s;
     }
-    const char *key = hit_key(L, entry, at, whose);
+    const char *key = find_hit_key(L, entry, at, owner);
     lua_getfield(L, at, key);
     if (!strcmp(key, "circle")) {
         s.shape = SHAPE_CIRCLE;
-        s.row[0].a = extent(L, entry, "hit.circle", lua_gettop(L));
+        s.row[0].a = read_extent(L, entry, "hit.circle", lua_gettop(L));
     } else if (!strcmp(key, "capsule"))
-        read_capsule(L, entry, whose, &s);
+        read_capsule(L, entry, owner, &s);
     else if (!strcmp(key, "sprite"))
-        read_drawn(L, entry, whose, &s);
+        read_sprite_shape(L, entry, owner, &s);
     else if (!strcmp(key, "circles"))
-        read_circles(L, entry, whose, &s);
+        read_circles(L, entry, owner, &s);
     else {
         s.shape = SHAPE_BOX;
-        s.row[0].a = item(L, entry, whose, 1, LENGTH("hit.box width")).f / 2;
-        s.row[0].b = item(L, entry, whose, 2, LENGTH("hit.box height")).f / 2;
+        s.row[0].a = check_item(L, entry, owner, 1, LENGTH_PARAM("hit.box width")).f / 2;
+        s.row[0].b = check_item(L, entry, owner, 2, LENGTH_PARAM("hit.box height")).f / 2;
     }
     lua_settop(L, top);
     return s;
 }
 
-int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
-                 const struct api_shape *s)
+int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
+                         const struct api_shape *s)
 {
     int32_t first = (int32_t)kinds->live;
 

@@ -8,9 +8,9 @@
 
 /* ---- item.def ---- */
 
-enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_TAKE };
+enum { D_NAME, D_SPRITE, D_RADIUS, D_GIVES, D_FULL, D_GRAVITY, D_TOP, D_MAGNET, D_BANK, D_BLEND, D_ON_TAKE };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("radius", A_FX, REQ, 0, MAX_SPEED, "px", NULL,
@@ -31,11 +31,11 @@ static const struct api_param def[] = {
           "on_take(p, item): called after the player has received what the item gives"),
 };
 
-static const char DEF[] = "item.def";
+static const char def_entry[] = "item.def";
 
 /* Returns the number of a register in the list of registers that items give or fill; adds a new register to the
  * list. */
-static int register_number(lua_State *L, const char *name)
+static int intern_register(lua_State *L, const char *name)
 {
     int i = api_names_find(L, N_ITEM_REGISTER, name);
 
@@ -43,44 +43,45 @@ static int register_number(lua_State *L, const char *name)
         return i;
     i = (int)vm_board(L)->names[N_ITEM_REGISTER].n;
     if (i == ITEM_REGISTERS)
-        api_error(L, DEF, "gives: too many registers (items can give at most %d different ones)", ITEM_REGISTERS);
-    api_names_declare(L, N_ITEM_REGISTER, DEF, name, i);
+        api_error(L, def_entry, "gives: too many registers (items can give at most %d different ones)", ITEM_REGISTERS);
+    api_names_declare(L, N_ITEM_REGISTER, def_entry, name, i);
     return i;
 }
 
 /* Reads the argument `score`: n, or { low, high }. */
-static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives)
+static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives_at)
 {
-    static const struct api_param pair = { "gives.score", A_SPAN, REQ, 0, ITEM_MOST, NULL, NULL, NULL };
+    static const struct api_param score_span = { "gives.score", A_SPAN, REQ, 0, ITEM_MAX_POINTS, NULL, NULL, NULL };
     struct api_value v;
 
-    if (lua_getfield(L, gives, "score") == LUA_TTABLE) {
+    if (lua_getfield(L, gives_at, "score") == LUA_TTABLE) {
         int at = lua_gettop(L);
-        api_check(L, DEF, &pair, at, &v);
+        api_check(L, def_entry, &score_span, at, &v);
         lua_rawgeti(L, at, 1);
         lua_rawgeti(L, at, 2);
-        k->low[i] = lua_tointeger(L, -2);
-        k->high[i] = lua_tointeger(L, -1);
+        k->low_points[i] = lua_tointeger(L, -2);
+        k->high_points[i] = lua_tointeger(L, -1);
         lua_settop(L, at - 1);
         return;
     }
     lua_pop(L, 1);
-    k->low[i] = k->high[i] = api_named_number(L, DEF, "gives", gives, "score", 0, ITEM_MOST);
+    k->low_points[i] = k->high_points[i] =
+        api_read_named_number(L, def_entry, "gives", gives_at, "score", 0, ITEM_MAX_POINTS);
 }
 
-static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives)
+static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives_at)
 {
-    const char *names[MOST_ITEM_NAMES];
-    int n = api_sorted_names(L, DEF, "gives", ITEM_NAMES, gives, names, MOST_ITEM_NAMES);
+    const char *names[MAX_ITEM_NAMES];
+    int n = api_read_sorted_keys(L, def_entry, "gives", ITEM_TABLE_FORM, gives_at, names, MAX_ITEM_NAMES);
 
     for (int j = 0; j < n; j++)
         if (!strcmp(names[j], "score"))
-            read_score(L, k, i, gives);
+            read_score(L, k, i, gives_at);
         else if (!strcmp(names[j], "lives"))
-            k->lives[i] = (int32_t)api_named_number(L, DEF, "gives", gives, names[j], 0, MOST_LIVES);
+            k->lives[i] = (int32_t)api_read_named_number(L, def_entry, "gives", gives_at, names[j], 0, MAX_LIVES);
         else
-            k->gives[i * ITEM_REGISTERS + register_number(L, names[j])] =
-                (int32_t)api_named_number(L, DEF, "gives", gives, names[j], -INT32_MAX, INT32_MAX);
+            k->register_amounts[i * ITEM_REGISTERS + intern_register(L, names[j])] =
+                (int32_t)api_read_named_number(L, def_entry, "gives", gives_at, names[j], -INT32_MAX, INT32_MAX);
 }
 
 static int item_def(lua_State *L, struct board *b, struct api_value *v)
@@ -89,58 +90,59 @@ static int item_def(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, DEF, "too many kinds (at most %d)", (int)k->s.cap);
-    api_names_declare(L, N_ITEM, DEF, lua_tostring(L, v[D_NAME].at), i);
+        return api_error(L, def_entry, "too many kinds (at most %d)", (int)k->s.cap);
+    api_names_declare(L, N_ITEM, def_entry, lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->radius[i] = v[D_RADIUS].f;
     k->gravity[i] = v[D_GRAVITY].f;
-    k->top[i] = v[D_TOP].f;
+    k->max_fall_speed[i] = v[D_TOP].f;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->flags[i] = (uint8_t)((v[D_MAGNET].i ? ITEM_MAGNET : 0) | v[D_BLEND].i * ITEM_BLEND_ONE);
     if (v[D_GIVES].given)
         read_gives(L, k, i, v[D_GIVES].at);
     if (v[D_FULL].given)
-        k->full_register[i] = (uint16_t)(register_number(L, lua_tostring(L, v[D_FULL].at)) + 1);
+        k->full_register[i] = (uint16_t)(intern_register(L, lua_tostring(L, v[D_FULL].at)) + 1);
     if (v[D_GIVES].given || v[D_FULL].given)
-        api_note_place(L, DEF, lua_tostring(L, v[D_NAME].at));
-    if (v[D_TAKE].given) {
-        lua_pushvalue(L, v[D_TAKE].at);
-        events_set_function(L, (uint16_t)i, "item's on_take");
+        api_record_location(L, def_entry, lua_tostring(L, v[D_NAME].at));
+    if (v[D_ON_TAKE].given) {
+        lua_pushvalue(L, v[D_ON_TAKE].at);
+        events_set_property(L, (uint16_t)i, "item's on_take");
     }
     return 0;
 }
 
-static bool has_most(const struct board *b, uint32_t row)
+static bool has_max(const struct board *b, uint32_t row)
 {
-    return registers_rule(&b->registers, row).most != REGISTER_MOST;
+    return registers_rule(&b->registers, row).max_value != REGISTER_NO_MAX;
 }
 
 /* Returns whether any ship, or the run, has a register of that name with a max. */
 static bool can_fill(lua_State *L, const struct board *b, const char *name)
 {
-    const int run_register = api_run_register(L, name);
+    const int run_register = api_find_run_register(L, name);
 
     for (uint32_t ship = 0; ship < b->player_kinds.s.live; ship++) {
-        int reg = api_ship_register(L, (int32_t)ship, name);
-        if (reg >= 0 && has_most(b, b->player_kinds.first[ship] + (uint32_t)reg))
+        int reg = api_find_ship_register(L, (int32_t)ship, name);
+        if (reg >= 0 && has_max(b, b->player_kinds.first_register[ship] + (uint32_t)reg))
             return true;
     }
-    return run_register >= 0 && has_most(b, b->registers.first + (uint32_t)run_register);
+    return run_register >= 0 && has_max(b, b->registers.first_run_row + (uint32_t)run_register);
 }
 
 /* Raises the error for the items' register r, which neither a ship nor the run has. */
-static void refuse_register(lua_State *L, const struct board *b, int r)
+static void raise_unknown_register(lua_State *L, const struct board *b, int r)
 {
     const struct item_kinds *k = &b->item_kinds;
-    const char *name = board_name(b, N_ITEM_REGISTER, r), *near = api_register_near(L, name);
+    const char *name = board_name(b, N_ITEM_REGISTER, r), *nearest = api_register_nearest(L, name);
     uint32_t i = 0;
 
-    while (i + 1 < k->s.live && !k->gives[i * ITEM_REGISTERS + (uint32_t)r] && k->full_register[i] != r + 1)
+    while (i + 1 < k->s.live && !k->register_amounts[i * ITEM_REGISTERS + (uint32_t)r] && k->full_register[i] != r + 1)
         i++;
     const char *item = board_name(b, N_ITEM, (int)i);
-    if (near)
-        api_error_at(L, DEF, item, "item \"%s\": unknown register \"%s\" (did you mean \"%s\"?)", item, name, near);
-    api_error_at(L, DEF, item,
+    if (nearest)
+        api_error_at(L, def_entry, item, "item \"%s\": unknown register \"%s\" (did you mean \"%s\"?)", item, name,
+                     nearest);
+    api_error_at(L, def_entry, item,
                  "item \"%s\": unknown register \"%s\" (add registers = { %s = 0 } to player.def or game.def)", item,
                  name, name);
 }
@@ -148,13 +150,13 @@ static void refuse_register(lua_State *L, const struct board *b, int r)
 void api_items_check(lua_State *L, struct board *b)
 {
     for (int r = 0; r < (int)b->names[N_ITEM_REGISTER].n; r++)
-        if (!api_register_declared(L, board_name(b, N_ITEM_REGISTER, r)))
-            refuse_register(L, b, r);
+        if (!api_register_is_declared(L, board_name(b, N_ITEM_REGISTER, r)))
+            raise_unknown_register(L, b, r);
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
         const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full_register[i] - 1);
         if (name && !can_fill(L, b, name))
             api_error_at(
-                L, DEF, board_name(b, N_ITEM, (int)i),
+                L, def_entry, board_name(b, N_ITEM, (int)i),
                 "full: register \"%s\" has no max (write registers = { %s = { max = n } } in player.def or game.def)",
                 name, name);
     }
@@ -164,7 +166,7 @@ void api_items_check(lua_State *L, struct board *b)
 
 enum { P_KIND, P_PLACE, P_N = P_PLACE + PLACE_PARAMS, P_DIR, P_SPREAD, P_SPEED, P_TAG };
 
-static const struct api_param drop[] = {
+static const struct api_param drop_params[] = {
     PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "declared kind to drop"),
     PLACE,
     PARAM("n", A_INT, OPT, 0, UINT16_MAX, "items", "1", "number of items"),
@@ -175,7 +177,7 @@ static const struct api_param drop[] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the items in"),
 };
 
-static uint64_t spread_of(double degrees)
+static uint64_t spread_from_degrees(double degrees)
 {
     ang a;
 
@@ -188,25 +190,25 @@ static uint64_t spread_of(double degrees)
 static int item_drop_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint16_t kind = (uint16_t)v[P_KIND].i, n = (uint16_t)v[P_N].i;
-    struct item_drop d = { .dir = v[P_DIR].a, .spread = spread_of(v[P_SPREAD].n), .speed = v[P_SPEED].f };
+    struct item_drop d = { .dir = v[P_DIR].a, .spread = spread_from_degrees(v[P_SPREAD].n), .speed = v[P_SPEED].f };
 
     if (v[P_TAG].given)
-        d.tag = api_tag(L, "item.drop", v[P_TAG].at);
-    vm_charge(L, AN_ITEM * (uint64_t)n);
-    if (api_place(L, b, "item.drop", v + P_PLACE, &d.x, &d.y))
-        board_drop(b, &d, &kind, &n, 1);
+        d.tag = api_intern_tag(L, "item.drop", v[P_TAG].at);
+    vm_charge(L, DROP_WORK * (uint64_t)n);
+    if (api_read_place(L, b, "item.drop", v + P_PLACE, &d.x, &d.y))
+        board_drop_items(b, &d, &kind, &n, 1);
     return 0;
 }
 
 static int item_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_each(L, b, H_ITEM, "item.each", &b->items.s, b->items.tag, v);
+    return api_call_each(L, b, H_ITEM, "item.each", &b->items.s, b->items.tag, v);
 }
 
 static int item_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_ITEMS, "item.group", &v[EACH_TAG]);
+    return api_push_group(L, H_ITEMS, "item.group", &v[EACH_TAG]);
 }
 
 /* ---- properties ---- */
@@ -215,8 +217,8 @@ enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
 
 /* The last property exists only for groups. */
 static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position in the field"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position in the field"), PROP_WRITE },
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position in the field"), PROP_WRITE },
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"), PROP_WRITE },
     { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE },
     { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive is downwards"),
       PROP_WRITE },
@@ -231,7 +233,7 @@ static const struct api_prop props[PROPS + 1] = {
       PROP_READ },
 };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_item(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct items *s = &b->items;
     const fx *const column[] = { s->x, s->y, s->vx, s->vy };
@@ -241,7 +243,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         api_push_tag(L, s->tag[i]);
         break;
     case I_FROZEN:
-        lua_pushinteger(L, s->frozen[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen[i]);
+        lua_pushinteger(L, s->frozen_left[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen_left[i]);
         break;
     case I_KIND:
         api_names_push(L, N_ITEM, s->kind[i]);
@@ -254,15 +256,15 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_item(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct items *s = &b->items;
     fx *const column[] = { s->x, s->y, s->vx, s->vy };
 
     if (p == I_TAG)
-        s->tag[i] = v->given ? api_tag(L, "tag", v->at) : 0;
+        s->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
     else if (p == I_FROZEN)
-        s->frozen[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
+        s->frozen_left[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
     else
         column[p][i] = v->f;
 }
@@ -272,7 +274,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
     lua_Integer n = 0;
 
     if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only `count` can)", props[p].value.name);
+        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only `count` can)", props[p].param.name);
     vm_charge(L, b->items.s.live);
     EACH_LIVE (i, &b->items.s)
         n += api_has_tag(b->items.tag, i, tag);
@@ -284,20 +286,20 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
     vm_charge(L, b->items.s.live);
     EACH_LIVE (i, &b->items.s)
         if (api_has_tag(b->items.tag, i, tag))
-            set(L, b, i, p, v);
+            set_item(L, b, i, p, v);
 }
 
-const struct api_thing api_item_thing = { "item", props, PROPS, get, set };
+const struct api_thing api_item_thing = { "item", props, PROPS, get_item, set_item };
 const struct api_thing api_items_thing = { "items", props, PROPS + 1, get_group, set_group };
 
 /* ---- verbs ---- */
 
 enum { ARG_SELF, PULL_PLAYER };
 
-#define SELF PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
-static const struct api_param pull[] = { SELF, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
-                                                     "player to fly to; defaults to the nearest one") };
-static const struct api_param self[] = { SELF };
+#define SELF_PARAM PARAM("self", A_THING, REQ, 1 << H_ITEM | 1 << H_ITEMS, 0, NULL, NULL, "the thing itself")
+static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PAD, OPT, 0, 0, NULL, NULL,
+                                                                  "player to fly to; defaults to the nearest one") };
+static const struct api_param self_params[] = { SELF_PARAM };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
 
@@ -305,11 +307,11 @@ typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
  * attracts nothing. */
 static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    const struct targets t = board_players(b);
+    const struct targets t = board_player_targets(b);
     int32_t p =
         v[PULL_PLAYER].given ? (int32_t)v[PULL_PLAYER].i - 1 : targets_nearest(&t, b->items.x[i], b->items.y[i]);
 
-    if (p >= 0 && b->player.in[p])
+    if (p >= 0 && b->player.in_game[p])
         items_pull(&b->items, i, (uint32_t)p);
 }
 
@@ -320,7 +322,7 @@ static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
 }
 
 /* Applies the verb to the item before the colon, or to each item of the group before the colon. */
-static void each_of(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
+static void apply_verb(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;
 
@@ -337,40 +339,40 @@ static void each_of(lua_State *L, struct board *b, item_verb *verb, const struct
 
 static int item_pull_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    each_of(L, b, pull_one, v);
+    apply_verb(L, b, pull_one, v);
     return 0;
 }
 
 static int item_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    each_of(L, b, remove_one, v);
+    apply_verb(L, b, remove_one, v);
     return 0;
 }
 
 #ifndef WITHOUT_HELP
-static const struct api_param gives[] = {
+static const struct api_param gives_params[] = {
     PARAM("score", A_ANY, OPT, 0, 0, "number or { low, high }", "0",
           "points; { low, high } gives `low` at the bottom of the field and `high` at or above the collect line"),
-    PARAM("lives", A_INT, OPT, 0, MOST_LIVES, NULL, "0", "extra lives"),
+    PARAM("lives", A_INT, OPT, 0, MAX_LIVES, NULL, "0", "extra lives"),
 };
 #endif
 
 static const struct api_entry entries[] = {
-    { "item.def", item_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "item.def", item_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of item: its sprite, how it falls and what it gives; needs `board = { items = n }`") },
-    { "item.drop", item_drop_run, PARAMS(drop), 0, API_CHANGES, NULL,
+    { "item.drop", item_drop_run, PARAMS(drop_params), 0, API_CHANGES, NULL,
       HELP("drops items from a position or a thing, in evenly spread directions") },
     API_GROUPS("item", item_group, item_each),
-    { "item:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
+    { "item:pull", item_pull_run, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("makes it fly to a player until it is taken; it falls again if that player dies") },
-    { "item:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+    { "item:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it; no player gets anything") },
-    { "items:pull", item_pull_run, PARAMS(pull), 2, API_CHANGES | API_METHOD, NULL,
+    { "items:pull", item_pull_run, PARAMS(pull_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("makes each item fly to a player until it is taken; it falls again if that player dies") },
-    { "items:remove", item_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL,
+    { "items:remove", item_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each item; no player gets anything") },
 #ifndef WITHOUT_HELP
-    { "item.def gives", NULL, PARAMS(gives), 0, API_LUA | API_SYS, NULL,
+    { "item.def gives", NULL, PARAMS(gives_params), 0, API_LUA | API_SYS, NULL,
       HELP("amounts that the player gets; any other key names a register of the ship or the run, to which the amount "
            "is added") },
 #endif

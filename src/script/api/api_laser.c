@@ -7,7 +7,7 @@
 #include "../../machine/lasers_run.h"
 #include "api_parts.h"
 
-enum { FRAMES = 1000000 /* longest warning, growth or fade */ };
+enum { MAX_FRAMES = 1000000 /* longest warning, growth or fade */ };
 
 /* ---- kinds ---- */
 
@@ -27,11 +27,11 @@ enum {
     D_EVERY
 };
 
-static const struct api_param laser_def[] = {
+static const struct api_param laser_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`; must be new"),
     PARAM("strip", A_SPRITE, REQ, 0, 0, NULL, NULL,
           "sprite, drawn pointing right; repeated along the laser and stretched to its width"),
-    PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"),
+    PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"),
     PARAM("hit", A_HIT, REQ, HIT_LASERS, 0, NULL, NULL, "fraction of the width that hits; \"none\" never hits"),
     PARAM("head", A_SPRITE, OPT, 0, 0, NULL, NULL,
           "sprite drawn where a beam starts or at the front of a bolt or curve; nil draws none"),
@@ -62,9 +62,9 @@ static fx read_hit(lua_State *L, int at)
             api_error(L, "laser.def", "hit: expected %s, got \"%s\"", api_hit_forms[HIT_LASERS], lua_tostring(L, at));
         return -1;
     }
-    if (luakeys_push_stray(L, at, api_knows_field, &fields))
+    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
         api_error(L, "laser.def", "hit: expected %s, got a table with key %s", api_hit_forms[HIT_LASERS],
-                  api_push_got(L, -1));
+                  api_push_description(L, -1));
     if (lua_getfield(L, at, "share") == LUA_TNIL)
         api_error(L, "laser.def", "hit: expected %s, got an empty table", api_hit_forms[HIT_LASERS]);
     api_check(L, "laser.def", &share, lua_gettop(L), &v);
@@ -72,12 +72,12 @@ static fx read_hit(lua_State *L, int at)
     return v.f;
 }
 
-static uint16_t or_none(const struct api_value *v)
+static uint16_t encode_optional(const struct api_value *v)
 {
     return v->given ? (uint16_t)(v->i + 1) : 0;
 }
 
-static int define(lua_State *L, struct board *b, struct api_value *v)
+static int define_kind(lua_State *L, struct board *b, struct api_value *v)
 {
     struct laser_kinds *k = &b->laser_kinds;
     const fx share = read_hit(L, v[D_HIT].at);
@@ -89,17 +89,17 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
         api_error(L, "laser.def", "too many kinds (at most %d)", MAX_LASER_KINDS);
     api_names_declare(L, N_LASER, "laser.def", lua_tostring(L, v[D_NAME].at), i);
     k->strip[i] = (uint16_t)v[D_STRIP].i;
-    k->head[i] = or_none(&v[D_HEAD]);
-    k->tail[i] = or_none(&v[D_TAIL]);
+    k->head[i] = encode_optional(&v[D_HEAD]);
+    k->tail[i] = encode_optional(&v[D_TAIL]);
     k->width[i] = v[D_WIDTH].f;
-    k->share[i] = share;
+    k->hit_share[i] = share;
     k->bank[i] = (uint8_t)v[D_BANK].i;
     k->flags[i] = (uint8_t)((v[D_CLEARABLE].i ? 0 : LASER_FIXED) | (v[D_DAMAGE].given ? LASER_SHOOTS : 0) |
                             v[D_BLEND].i * LASER_BLEND_ONE);
-    k->graze[i] = (uint16_t)v[D_GRAZE].i;
-    k->every[i] = (uint16_t)v[D_EVERY].i;
+    k->graze_interval[i] = (uint16_t)v[D_GRAZE].i;
+    k->hit_interval[i] = (uint16_t)v[D_EVERY].i;
     k->damage[i] = (int32_t)v[D_DAMAGE].i;
-    k->vanish[i] = or_none(&v[D_VANISH]);
+    k->vanish_spark[i] = encode_optional(&v[D_VANISH]);
     return 0;
 }
 
@@ -117,7 +117,7 @@ static int define(lua_State *L, struct board *b, struct api_value *v)
         PARAM("bank", A_INT, OPT, 0, 15, NULL, NULL,                                                                   \
               "number added to the palette banks of its sprites; overrides its kind's"),                               \
         PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put it in"),                                   \
-        PARAM("width", A_FX, OPT, 0, LASER_LONGEST, "px", NULL,                                                        \
+        PARAM("width", A_FX, OPT, 0, LASER_MAX_SIZE, "px", NULL,                                                       \
               "full width, once it has grown; overrides its kind's"),                                                  \
         PARAM("by", A_THING, OPT, 1 << H_PLAYER, 0, NULL, NULL,                                                        \
               "player who owns it and gets its score; defaults to the owner of " owners)
@@ -130,14 +130,14 @@ enum {
     F_TAG,
     F_WIDTH,
     F_BY,
-    F_OWN, /* the following parameters differ between beams, bolts and curves */
-    F_SPEED = F_OWN,
+    F_SHARED, /* the following parameters differ between beams, bolts and curves */
+    F_SPEED = F_SHARED,
     F_MOTION,
     F_DELAY,
     F_AROUND,
     F_LENGTH,
     F_POINTS = F_LENGTH,
-    F_FOLLOW = F_OWN,
+    F_FOLLOW = F_SHARED,
     F_TURNS,
     F_BEAM_LENGTH,
     F_HOLD,
@@ -152,28 +152,28 @@ enum {
           "speed of flight; if negative, it flies backwards"),                                                         \
         PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers its head"),                       \
         PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the laser waits in place before it flies"),          \
-        PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,                                                           \
+        PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                      \
               "thing that it circles in the `orbit` steps of its motion; needs `board = { around = true }`")
 
 static const struct api_param bolt_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
-                                                PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL,
+                                                PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL,
                                                       "full length, once it has emerged") };
 static const struct api_param curve_params[] = { LASER_PARAMS("`from`"), FLIGHT_PARAMS,
-                                                 PARAM("points", A_INT, OPT, 2, LASER_POINTS, "frames", "32",
+                                                 PARAM("points", A_INT, OPT, 2, LASER_MAX_POINTS, "frames", "32",
                                                        "length of its body, in frames of flight") };
 static const struct api_param beam_params[] = {
     LASER_PARAMS("`from` or `follow`"),
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing to start from, at a distance of `dx` and `dy`; the beam ends with the thing; use it instead of `x` "
           "and `y`, or `from`"),
     PARAM("turns", A_BOOL, OPT, 0, 0, NULL, "false", "turn with the followed bullet, shot or laser; needs `follow`"),
-    PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "distance from the start of the beam to its end"),
+    PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "distance from the start of the beam to its end"),
     PARAM("hold", A_COUNT, REQ, 0, 1e9, "frames", NULL, "frames the beam stays at its full width"),
-    PARAM("warn", A_INT, OPT, 0, FRAMES, "frames", "40",
+    PARAM("warn", A_INT, OPT, 0, MAX_FRAMES, "frames", "40",
           "frames at the start during which the beam is a dotted line that never hits"),
-    PARAM("grow", A_INT, OPT, 0, FRAMES, "frames", "8",
+    PARAM("grow", A_INT, OPT, 0, MAX_FRAMES, "frames", "8",
           "frames the beam takes to reach its full width; it hits during these frames, too"),
-    PARAM("fade", A_INT, OPT, 0, FRAMES, "frames", "12",
+    PARAM("fade", A_INT, OPT, 0, MAX_FRAMES, "frames", "12",
           "frames the beam takes to fade out; it doesn't hit during these frames"),
     PARAM("spin", A_DIR, OPT, 0, 0, NULL, "0", "degrees the beam turns per frame once `warn` is over, clockwise"),
 };
@@ -184,34 +184,34 @@ static uint8_t player_of(const struct board *b, const struct api_value *v)
 }
 
 /* Builds the head of a laser at (x, y) from the shared arguments. */
-static struct bullet_shape head_of(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
-                                   fx y)
+static struct bullet_spec make_head(lua_State *L, struct board *b, const char *entry, const struct api_value *v, fx x,
+                                    fx y)
 {
     const struct laser_kinds *k = &b->laser_kinds;
     const uint16_t kind = (uint16_t)v[F_KIND].i;
-    const uint8_t from = player_of(b, &v[F_PLACE + PLACE_FROM]);
-    struct bullet_shape s = { .x = x,
-                              .y = y,
-                              .dir = v[F_DIR].a,
-                              .kind = kind,
-                              .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
-                              .player = v[F_BY].given ? player_of(b, &v[F_BY]) : from,
-                              .by = tasks_serial(b) };
+    const uint8_t from_player = player_of(b, &v[F_PLACE + PLACE_FROM]);
+    struct bullet_spec s = { .x = x,
+                             .y = y,
+                             .dir = v[F_DIR].a,
+                             .kind = kind,
+                             .bank = v[F_BANK].given ? (uint8_t)v[F_BANK].i : k->bank[kind],
+                             .player = v[F_BY].given ? player_of(b, &v[F_BY]) : from_player,
+                             .owner_task = tasks_current_serial(b) };
 
     if (v[F_AIM].i)
-        s.dir = api_aim(b, k->flags[kind] & LASER_SHOOTS, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
+        s.dir = api_aim_direction(b, k->flags[kind] & LASER_SHOOTS, x, y) + (v[F_DIR].given ? v[F_DIR].a : 0);
     if (v[F_TAG].given)
-        s.tag = api_tag(L, entry, v[F_TAG].at);
+        s.tag = api_intern_tag(L, entry, v[F_TAG].at);
     return s;
 }
 
 /* Returns whether the laser must not be fired: it is a ship's laser (LASER_SHOOTS), and the ship was hit. */
-static bool is_silent(const struct board *b, const struct bullet_shape *s)
+static bool is_fire_blocked(const struct board *b, const struct bullet_spec *s)
 {
     return s->player && b->player.deathbomb_left[s->player - 1] && b->laser_kinds.flags[s->kind] & LASER_SHOOTS;
 }
 
-static fx width_of(const struct board *b, const struct api_value *v)
+static fx get_width(const struct board *b, const struct api_value *v)
 {
     return v[F_WIDTH].given ? v[F_WIDTH].f : b->laser_kinds.width[v[F_KIND].i];
 }
@@ -222,43 +222,44 @@ static int push_laser(lua_State *L, const struct board *b, int32_t i)
     return 1;
 }
 
-enum { FADE = 12 /* frames, for bolts and curves */ };
+enum { FADE_FRAMES = 12 /* frames, for bolts and curves */ };
 
 /* Fires a bolt or a curve. */
-static int fly(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_shape *shape)
+static int fire_flying(lua_State *L, struct board *b, const char *entry, struct api_value *v, struct laser_spec *shape)
 {
     fx x, y;
 
-    if (!api_place(L, b, entry, v + F_PLACE, &x, &y))
+    if (!api_read_place(L, b, entry, v + F_PLACE, &x, &y))
         return push_laser(L, b, NO_SLOT);
-    struct bullet_shape s = head_of(L, b, entry, v, x, y);
+    struct bullet_spec s = make_head(L, b, entry, v, x, y);
     s.speed = v[F_SPEED].f;
     s.motion = v[F_MOTION].given ? (uint16_t)v[F_MOTION].i : 0;
-    s.fine = api_motion_fine(b, s.motion);
+    s.fine = api_motion_is_fine(b, s.motion);
     s.delay = (uint32_t)v[F_DELAY].i;
     api_check_around(L, &b->laser_heads, entry, &v[F_AROUND]);
-    s.around = v[F_AROUND].given ? v[F_AROUND].i : 0;
-    shape->width = width_of(b, v);
+    s.orbit_target = v[F_AROUND].given ? v[F_AROUND].i : 0;
+    shape->width = get_width(b, v);
     shape->hold = LASER_FOREVER;
-    shape->fade = FADE;
-    int32_t i = is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
+    shape->fade = FADE_FRAMES;
+    int32_t i = is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, shape);
     if (i != NO_SLOT && s.fine)
-        bullets_set_speed(&b->laser_heads, (uint32_t)i, api_units(true, &v[F_SPEED]));
+        bullets_set_speed(&b->laser_heads, (uint32_t)i, api_value_to_q32(true, &v[F_SPEED]));
     return push_laser(L, b, i);
 }
 
-static int bolt(lua_State *L, struct board *b, struct api_value *v)
+static int fire_bolt(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fly(L, b, "laser.bolt", v, &(struct laser_shape){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
+    return fire_flying(L, b, "laser.bolt", v, &(struct laser_spec){ .form = LASER_BOLT, .length = v[F_LENGTH].f });
 }
 
-static int curve(lua_State *L, struct board *b, struct api_value *v)
+static int fire_curve(lua_State *L, struct board *b, struct api_value *v)
 {
-    return fly(L, b, "laser.curve", v, &(struct laser_shape){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
+    return fire_flying(L, b, "laser.curve", v,
+                       &(struct laser_spec){ .form = LASER_CURVE, .points = (uint16_t)v[F_POINTS].i });
 }
 
 /* Reads the start of a beam. Returns false if the thing `from` or `follow` is dead. */
-static bool beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
+static bool read_beam_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     struct api_value place[PLACE_PARAMS];
 
@@ -268,34 +269,34 @@ static bool beam_place(lua_State *L, struct board *b, const struct api_value *v,
             api_error(L, "laser.beam", "`follow` cannot be combined with `x`, `y` or `from`");
         place[PLACE_FROM] = v[F_FOLLOW];
     }
-    return api_place(L, b, "laser.beam", place, x, y);
+    return api_read_place(L, b, "laser.beam", place, x, y);
 }
 
-static int beam(lua_State *L, struct board *b, struct api_value *v)
+static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
 {
     const bool follows = v[F_FOLLOW].given;
     fx x, y;
 
     if (v[F_TURNS].i && !follows)
         api_error(L, "laser.beam", "turns: requires `follow`");
-    if (!beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
+    if (!read_beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
         return push_laser(L, b, NO_SLOT);
-    struct bullet_shape s = head_of(L, b, "laser.beam", v, x, y);
-    struct laser_shape shape = { .form = LASER_BEAM,
-                                 .flags = v[F_TURNS].i ? LASER_TURNS : 0,
-                                 .length = v[F_BEAM_LENGTH].f,
-                                 .width = width_of(b, v),
-                                 .dx = follows ? v[F_PLACE + PLACE_DX].f : 0,
-                                 .dy = follows ? v[F_PLACE + PLACE_DY].f : 0,
-                                 .spin = v[F_SPIN].a,
-                                 .warn = (int32_t)v[F_WARN].i,
-                                 .grow = (int32_t)v[F_GROW].i,
-                                 .hold = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
-                                 .fade = (int32_t)v[F_FADE].i,
-                                 .follow = follows ? v[F_FOLLOW].i : 0 };
+    struct bullet_spec s = make_head(L, b, "laser.beam", v, x, y);
+    struct laser_spec shape = { .form = LASER_BEAM,
+                                .flags = v[F_TURNS].i ? LASER_TURNS : 0,
+                                .length = v[F_BEAM_LENGTH].f,
+                                .width = get_width(b, v),
+                                .dx = follows ? v[F_PLACE + PLACE_DX].f : 0,
+                                .dy = follows ? v[F_PLACE + PLACE_DY].f : 0,
+                                .spin = v[F_SPIN].a,
+                                .warn = (int32_t)v[F_WARN].i,
+                                .grow = (int32_t)v[F_GROW].i,
+                                .hold = v[F_HOLD].i == LUA_MAXINTEGER ? LASER_FOREVER : (int32_t)v[F_HOLD].i,
+                                .fade = (int32_t)v[F_FADE].i,
+                                .follow_target = follows ? v[F_FOLLOW].i : 0 };
     if (follows && !v[F_BY].given)
         s.player = player_of(b, &v[F_FOLLOW]);
-    return push_laser(L, b, is_silent(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
+    return push_laser(L, b, is_fire_blocked(b, &s) ? NO_SLOT : lasers_fire(b, &s, &shape));
 }
 
 /* ---- properties ---- */
@@ -323,17 +324,17 @@ enum {
     L_FORM,
     L_FOLLOW,
     L_BY,
-    L_LAST
+    L_PROPS
 };
-_Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
+_Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
                "the first properties are those of all flying things");
 
 #define LASER_PROPS                                                                                                    \
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                                 \
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
             "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "    \
             "the entire laser"),                                                                                       \
       PROP_WRITE },                                                                                                    \
-        { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                             \
+        { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "vertical position of its head; a write moves the entire laser"),                                      \
           PROP_WRITE },                                                                                                \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
@@ -354,23 +355,24 @@ _Static_assert(L_FROZEN == (int)FLIES_FROZEN && L_X == (int)FLIES_X,
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
           PROP_WRITE },                                                                                                \
-        { PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"),      \
+        { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
           PROP_WRITE },                                                                                                \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
           PROP_READ },                                                                                                 \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
                 "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
           PROP_WRITE },                                                                                                \
-        { PARAM("length", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "length; read-only for a curve"), PROP_WRITE },     \
-        { PARAM("width", A_FX, REQ, 0, LASER_LONGEST, "px", NULL, "full width, once it has grown"), PROP_WRITE },      \
+        { PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve"), PROP_WRITE },    \
+        { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE },     \
         { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
                 "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
           PROP_WRITE },                                                                                                \
-        { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,                                                            \
+        { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                  \
                 "for a beam, distance to the right of the followed thing"),                                            \
           PROP_WRITE },                                                                                                \
     {                                                                                                                  \
-        PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "for a beam, distance below the followed thing"), PROP_WRITE \
+        PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "for a beam, distance below the followed thing"),  \
+            PROP_WRITE                                                                                                 \
     }
 
 static const struct api_prop laser_props[] = {
@@ -379,7 +381,7 @@ static const struct api_prop laser_props[] = {
             "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
       PROP_READ },
     { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ },
-    { PARAM("follow", A_THING, REQ, PLACES, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ },
+    { PARAM("follow", A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ },
     { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ },
 };
 
@@ -398,22 +400,22 @@ static void push_thing(lua_State *L, int64_t h)
         lua_pushnil(L);
 }
 
-static fx length_of(const struct board *b, uint32_t i)
+static fx measure_length(const struct board *b, uint32_t i)
 {
     int64_t sum = 0;
     fx x, y, to_x, to_y;
 
     if (b->lasers.form[i] != LASER_CURVE)
         return b->lasers.length[i];
-    lasers_corner(b, i, 0, &x, &y);
-    for (uint32_t k = 1; k < lasers_corners(b, i); k++, x = to_x, y = to_y) {
-        lasers_corner(b, i, k, &to_x, &to_y);
+    lasers_get_corner(b, i, 0, &x, &y);
+    for (uint32_t k = 1; k < lasers_corner_count(b, i); k++, x = to_x, y = to_y) {
+        lasers_get_corner(b, i, k, &to_x, &to_y);
         sum += fx_hypot(fx_sub(to_x, x), fx_sub(to_y, y));
     }
     return fx_sat(sum);
 }
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
 {
     static const char *const states[LASER_STATES] = { "warn", "grow", "on", "fade" }, *const forms[] = { "beam", "bolt",
                                                                                                          "curve" };
@@ -425,8 +427,8 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         api_names_push(L, N_LASER, b->laser_heads.kind[i]);
         break;
     case L_LENGTH:
-        vm_charge(L, lasers_corners(b, i));
-        lua_pushnumber(L, fx_to_double(length_of(b, i)));
+        vm_charge(L, lasers_corner_count(b, i));
+        lua_pushnumber(L, fx_to_double(measure_length(b, i)));
         break;
     case L_WIDTH:
         lua_pushnumber(L, fx_to_double(l->width[i]));
@@ -445,7 +447,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushstring(L, forms[l->form[i]]);
         break;
     case L_FOLLOW:
-        push_thing(L, l->follow[i]);
+        push_thing(L, l->follow_target[i]);
         break;
     case L_BY:
         push_thing(L, player ? board_handle(b, H_PLAYER, player - 1) : 0);
@@ -462,21 +464,21 @@ static void set_length(lua_State *L, struct board *b, uint32_t i, fx length)
     if (l->form[i] == LASER_CURVE)
         vm_fault(L, FAULT_SCRIPT, "laser: length: cannot be set on a curve (`points` sets its length)");
     l->length[i] = length;
-    l->grown[i] = fx_min(l->grown[i], length);
+    l->grown_length[i] = fx_min(l->grown_length[i], length);
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct lasers *l = &b->lasers;
     struct bullets *h = &b->laser_heads;
 
     switch (p) {
     case L_X:
-        lasers_place(b, i, v->f, h->y[i]);
+        lasers_move_to(b, i, v->f, h->y[i]);
         api_set_flight(L, b, h, NULL, i, p, v); /* also sets the fraction bits that an fx lacks */
         return;
     case L_Y:
-        lasers_place(b, i, h->x[i], v->f);
+        lasers_move_to(b, i, h->x[i], v->f);
         api_set_flight(L, b, h, NULL, i, p, v);
         return;
     case L_SPEED:
@@ -504,7 +506,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     default:
         api_set_flight(L, b, h, NULL, i, p, v);
     }
-    lasers_settle(b, i);
+    lasers_update_tail(b, i);
 }
 
 static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
@@ -513,7 +515,7 @@ static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
 
     if (p != L_STATE)
         vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only `count` can)",
-                 lasers_props[p].value.name);
+                 lasers_props[p].param.name);
     EACH_LIVE (i, &b->lasers.s)
         n += api_has_tag(b->laser_heads.tag, i, tag);
     vm_charge(L, b->lasers.s.live);
@@ -525,10 +527,10 @@ static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const 
     vm_charge(L, b->lasers.s.live);
     EACH_LIVE (i, &b->lasers.s)
         if (api_has_tag(b->laser_heads.tag, i, tag))
-            set(L, b, i, p, v);
+            set_laser(L, b, i, p, v);
 }
 
-const struct api_thing api_laser_thing = { "laser", laser_props, L_LAST, get, set };
+const struct api_thing api_laser_thing = { "laser", laser_props, L_PROPS, get_laser, set_laser };
 const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1, get_group, set_group };
 
 /* ---- verbs ---- */
@@ -538,22 +540,23 @@ enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
 
 static fx shifted(fx at, fx by)
 {
-    return fx_clamp(fx_add(at, by), -WORLD * 65536, WORLD * 65536);
+    return fx_clamp(fx_add(at, by), -WORLD_EDGE * 65536, WORLD_EDGE * 65536);
 }
 
-static void act(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
+static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
 {
     struct bullets *h = &b->laser_heads;
 
     switch (verb) {
     case V_AIM:
-        h->dir[i] = api_aim(b, b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS, h->x[i], h->y[i]) + v[ARG_BY].a;
+        h->dir[i] =
+            api_aim_direction(b, b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS, h->x[i], h->y[i]) + v[ARG_BY].a;
         break;
     case V_TURN:
         h->dir[i] += v[ARG_BY].a;
         break;
     case V_SHIFT:
-        lasers_place(b, i, shifted(h->x[i], v[ARG_DX].f), shifted(h->y[i], v[ARG_DY].f));
+        lasers_move_to(b, i, shifted(h->x[i], v[ARG_DX].f), shifted(h->y[i], v[ARG_DY].f));
         return;
     case V_FADE:
         lasers_fade(&b->lasers, i, lasers_age(b, i));
@@ -563,55 +566,55 @@ static void act(struct board *b, uint32_t i, enum verb verb, const struct api_va
         return;
     }
     api_override(h, i, OVERRIDE_DIR);
-    bullets_steer(h, i);
-    lasers_settle(b, i);
+    bullets_update_velocity(h, i);
+    lasers_update_tail(b, i);
 }
 
-static int verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
+static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb apply_verb)
 {
     int64_t h = v[ARG_SELF].i;
 
-    if (!handle_kind_group(handle_kind(h))) {
+    if (!handle_kind_is_group(handle_kind(h))) {
         if (board_alive(b, h))
-            act(b, handle_slot(h), verb, v);
+            act_on_one(b, handle_slot(h), apply_verb, v);
         return 0;
     }
     vm_charge(L, b->lasers.s.live);
     EACH_LIVE (i, &b->lasers.s)
         if (api_has_tag(b->laser_heads.tag, i, handle_slot(h)))
-            act(b, i, verb, v);
+            act_on_one(b, i, apply_verb, v);
     return 0;
 }
 
 static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_AIM);
+    return apply_verb(L, b, v, V_AIM);
 }
 
 static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_TURN);
+    return apply_verb(L, b, v, V_TURN);
 }
 
 static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_SHIFT);
+    return apply_verb(L, b, v, V_SHIFT);
 }
 
 static int verb_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_FADE);
+    return apply_verb(L, b, v, V_FADE);
 }
 
 static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    return verb(L, b, v, V_REMOVE);
+    return apply_verb(L, b, v, V_REMOVE);
 }
 
 /* Signals all lasers that wait for the group's tag, whether or not they have the tag themselves. */
 static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct motion_world w = board_world(b, false);
+    const struct motion_world w = board_motion_world(b, false);
 
     vm_charge(L, b->lasers.s.live);
     EACH_LIVE (i, &b->lasers.s)
@@ -619,80 +622,80 @@ static int verb_signal(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-enum { EITHER = 1 << H_LASER | 1 << H_LASERS };
-static const struct api_param self_add[] = { SELF_OF(EITHER), AIM_ADD };
-static const struct api_param self_by[] = { SELF_OF(EITHER), TURN_BY };
-static const struct api_param self_shift[] = { SELF_OF(EITHER), SHIFT_DX, SHIFT_DY };
-static const struct api_param self_only[] = { SELF_OF(EITHER) };
-static const struct api_param self_group[] = { SELF_OF(1 << H_LASERS) };
+enum { LASER_HANDLE_KINDS = 1 << H_LASER | 1 << H_LASERS };
+static const struct api_param aim_params[] = { SELF_PARAM_OF(LASER_HANDLE_KINDS), AIM_ADD_PARAM };
+static const struct api_param turn_params[] = { SELF_PARAM_OF(LASER_HANDLE_KINDS), TURN_BY_PARAM };
+static const struct api_param shift_params[] = { SELF_PARAM_OF(LASER_HANDLE_KINDS), SHIFT_DX_PARAM, SHIFT_DY_PARAM };
+static const struct api_param self_params[] = { SELF_PARAM_OF(LASER_HANDLE_KINDS) };
+static const struct api_param signal_params[] = { SELF_PARAM_OF(1 << H_LASERS) };
 
-static int group(lua_State *L, struct board *b, struct api_value *v)
+static int laser_group(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    return api_group(L, H_LASERS, "laser.group", &v[EACH_TAG]);
+    return api_push_group(L, H_LASERS, "laser.group", &v[EACH_TAG]);
 }
 
-static int each(lua_State *L, struct board *b, struct api_value *v)
+static int laser_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    return api_each(L, b, H_LASER, "laser.each", &b->lasers.s, b->laser_heads.tag, v);
+    return api_call_each(L, b, H_LASER, "laser.each", &b->lasers.s, b->laser_heads.tag, v);
 }
 
 /* ---- entries ---- */
 
 #define BEAM                                                                                                           \
     {                                                                                                                  \
-        "laser.beam", beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                              \
+        "laser.beam", fire_beam, PARAMS(beam_params), 0, API_CHANGES, "laser",                                         \
             HELP("fires a straight laser from a position or a thing; it warns, grows, holds and fades")                \
     }
 #define BOLT                                                                                                           \
     {                                                                                                                  \
-        "laser.bolt", bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                              \
+        "laser.bolt", fire_bolt, PARAMS(bolt_params), 0, API_CHANGES, "laser",                                         \
             HELP("fires a straight laser of a fixed length that flies like a bullet")                                  \
     }
 #define CURVE                                                                                                          \
     {                                                                                                                  \
-        "laser.curve", curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                           \
+        "laser.curve", fire_curve, PARAMS(curve_params), 0, API_CHANGES, "laser",                                      \
             HELP("fires a laser whose head flies like a bullet and whose body follows its path")                       \
     }
-const struct api_entry api_fire_beam = BEAM, api_fire_bolt = BOLT, api_fire_curve = CURVE;
+const struct api_entry api_beam_entry = BEAM, api_bolt_entry = BOLT, api_curve_entry = CURVE;
 
 static const struct api_entry entries[] = {
-    { "laser.def", define, PARAMS(laser_def), 1, API_CHANGES | API_LOAD, NULL,
+    { "laser.def", define_kind, PARAMS(laser_def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of laser: its sprites, its width and its rules; needs `board = { lasers = n }`") },
     BEAM,
     BOLT,
     CURVE,
-    API_GROUPS("laser", group, each),
+    API_GROUPS("laser", laser_group, laser_each),
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
       HELP(
           "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
-    { "laser:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+    { "laser:aim", verb_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("points it at the nearest player or, if it is a player laser, at the nearest enemy") },
-    { "laser:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
-    { "laser:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+    { "laser:turn", verb_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
+    { "laser:shift", verb_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
       HELP("teleports the entire laser by a distance, without collisions on the way") },
-    { "laser:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+    { "laser:fade", verb_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades it out; it stops hitting immediately") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
       API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
-    { "laser:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+    { "laser:remove", verb_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it and leaves nothing") },
-    { "lasers:aim", verb_aim, PARAMS(self_add), 2, API_CHANGES | API_METHOD, NULL,
+    { "lasers:aim", verb_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("points each laser at the nearest player and each player laser at the nearest enemy") },
-    { "lasers:turn", verb_turn, PARAMS(self_by), 2, API_CHANGES | API_METHOD, NULL,
+    { "lasers:turn", verb_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("turns each laser by an angle") },
-    { "lasers:shift", verb_shift, PARAMS(self_shift), 3, API_CHANGES | API_METHOD, NULL,
+    { "lasers:shift", verb_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
       HELP("teleports each laser by a distance, without collisions on the way") },
-    { "lasers:fade", verb_fade, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+    { "lasers:fade", verb_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades each laser out; it stops hitting immediately") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
       HELP("removes all lasers of the group, or only those that touch a circle, a box or a line; returns the number "
            "removed") },
-    API_VERB("lasers:signal", verb_signal, self_group, 1, NULL,
+    API_VERB("lasers:signal", verb_signal, signal_params, 1, NULL,
              "resumes every laser whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
-    { "lasers:remove", verb_remove, PARAMS(self_only), 1, API_CHANGES | API_METHOD, NULL,
+    { "lasers:remove", verb_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each laser and leaves nothing") },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

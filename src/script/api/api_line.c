@@ -21,14 +21,14 @@ enum {
     L_STAY
 };
 
-static const struct api_param line_put[] = {
+static const struct api_param line_params[] = {
     PLACE,
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL,
           "string or number to write, up to 240 characters; \\n starts a new row"),
-    PARAM("follow", A_THING, OPT, PLACES, 0, NULL, NULL,
+    PARAM("follow", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing to follow, at a distance of `dx` and `dy`; the line is removed when the thing is; not with `x`, `y` "
           "or `from`"),
-    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
+    PARAM("font", A_FONT, OPT, 0, 0, NULL, NULL, "font from rom.lua; defaults to the font of the cells"),
     PARAM("width", A_INT, OPT, 8, 1024, "px", NULL, "width at which rows wrap; if omitted, only \\n ends a row"),
     PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of each row at `x`"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
@@ -42,7 +42,7 @@ static const struct api_param line_put[] = {
 };
 
 /* Returns the text at `at`, a string or a number; raises an error if the text is invalid or too long. */
-static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
+static const char *check_text(lua_State *L, const char *entry, int at, size_t *n)
 {
     if (lua_type(L, at) != LUA_TSTRING && lua_type(L, at) != LUA_TNUMBER)
         api_error(L, entry, "text: expected a string or a number, got a %s", luaL_typename(L, at));
@@ -51,16 +51,16 @@ static const char *text_at(lua_State *L, const char *entry, int at, size_t *n)
     const char *s = lualib_tolstring(L, at, n);
     size_t count = utf8_count(s, *n, MAX_TEXT, NULL);
 
-    if (count > LINE_TEXT)
-        api_error(L, entry, "text: expected at most %d characters, got %d", LINE_TEXT, (int)count);
-    vm_charge(L, LINE_TEXT / 8);
+    if (count > LINE_MAX_TEXT)
+        api_error(L, entry, "text: expected at most %d characters, got %d", LINE_MAX_TEXT, (int)count);
+    vm_charge(L, LINE_MAX_TEXT / 8);
     return s;
 }
 
 _Static_assert((int)ALIGN_CENTER == LINE_CENTER && (int)ALIGN_RIGHT == LINE_RIGHT,
                "the words of `align` have the values of LINE_CENTER and LINE_RIGHT");
 
-static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, fx y)
+static void fill_line(struct lines *l, uint32_t i, const struct api_value *v, fx x, fx y)
 {
     const bool follows = v[L_FOLLOW].given;
 
@@ -68,22 +68,22 @@ static void fill(struct lines *l, uint32_t i, const struct api_value *v, fx x, f
     l->y[i] = follows ? 0 : y;
     l->dx[i] = follows ? v[L_PLACE + 3].f : 0;
     l->dy[i] = follows ? v[L_PLACE + 4].f : 0;
-    l->follow[i] = follows ? v[L_FOLLOW].i : 0;
+    l->follow_target[i] = follows ? v[L_FOLLOW].i : 0;
     l->font[i] = (uint8_t)v[L_FONT].i;
     l->width[i] = (uint16_t)(v[L_WIDTH].given ? v[L_WIDTH].i : 0);
     l->align[i] = (uint8_t)v[L_ALIGN].i;
     l->bank[i] = (uint8_t)v[L_BANK].i;
-    l->letter[i] = (uint16_t)v[L_LETTER].i;
+    l->letter_frames[i] = (uint16_t)v[L_LETTER].i;
     l->flags[i] =
         (uint8_t)((v[L_SCREEN].i ? LINE_SCREEN : 0) | (v[L_HIDDEN].i ? LINE_HIDDEN : 0) | (v[L_BOX].i ? LINE_BOX : 0));
 }
 
 /* Reads the position of a line. Returns false if the thing `from` or `follow` is dead. */
-static bool place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
+static bool read_place(lua_State *L, struct board *b, struct api_value *v, fx *x, fx *y)
 {
     *x = *y = 0;
     if (!v[L_FOLLOW].given)
-        return api_place(L, b, "text.line", v + L_PLACE, x, y);
+        return api_read_place(L, b, "text.line", v + L_PLACE, x, y);
     if (v[L_PLACE].given || v[L_PLACE + 1].given || v[L_PLACE + 2].given)
         api_error(L, "text.line", "`follow` cannot be combined with `x`, `y` or `from`");
     if (v[L_SCREEN].i)
@@ -95,18 +95,18 @@ static int text_line(lua_State *L, struct board *b, struct api_value *v)
 {
     struct lines *l = &b->lines;
     size_t n;
-    const char *s = text_at(L, "text.line", v[L_TEXT].at, &n);
+    const char *s = check_text(L, "text.line", v[L_TEXT].at, &n);
     int64_t owner;
     fx x, y;
-    bool comes = place(L, b, v, &x, &y) && tasks_owner_of_new(b, v[L_STAY].i, &owner);
-    int32_t i = comes ? slots_take(&l->s) : NO_SLOT;
+    bool can_create = read_place(L, b, v, &x, &y) && tasks_get_owner_of_new(b, v[L_STAY].i, &owner);
+    int32_t i = can_create ? slots_take(&l->s) : NO_SLOT;
 
-    if (i == NO_SLOT && comes)
-        board_full(b, &l->s);
+    if (i == NO_SLOT && can_create)
+        board_report_full(b, &l->s);
     else if (i != NO_SLOT) {
-        fill(l, (uint32_t)i, v, x, y);
+        fill_line(l, (uint32_t)i, v, x, y);
         l->owner[i] = owner;
-        lines_say(l, (uint32_t)i, s, n, b->core.clock);
+        lines_set_text(l, (uint32_t)i, s, n, b->core.clock);
     }
     lua_pushinteger(L, board_handle(b, H_LINE, i));
     return 1;
@@ -116,15 +116,16 @@ enum { P_X, P_Y, P_DX, P_DY, P_TEXT, P_BANK, P_HIDDEN, P_DONE, PROPS };
 
 static const struct api_prop props[PROPS] = {
     { PARAM(
-          "x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+          "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
       PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right of `x` at which it is drawn"),
+    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right of `x` at which it is drawn"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance below `y` at which it is drawn"), PROP_WRITE },
+    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance below `y` at which it is drawn"),
+      PROP_WRITE },
     { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
             "text of the line; after a write, the letters appear one by one again"),
       PROP_WRITE },
@@ -135,21 +136,21 @@ static const struct api_prop props[PROPS] = {
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)
 {
-    char text[LINE_TEXT * UTF8_BYTES];
+    char text[LINE_MAX_TEXT * UTF8_MAX_BYTES];
     size_t n = 0;
 
     for (uint32_t k = 0; k < l->length[i]; k++)
-        n += utf8_put(text + n, l->code[(size_t)i * LINE_TEXT + k]);
+        n += utf8_put(text + n, l->code[(size_t)i * LINE_MAX_TEXT + k]);
     lua_pushlstring(L, text, n);
 }
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_line(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct lines *l = &b->lines;
     fx x = l->x[i], y = l->y[i];
 
-    if (p <= P_Y && l->follow[i])
-        board_where(b, l->follow[i], &x, &y);
+    if (p <= P_Y && l->follow_target[i])
+        board_get_position(b, l->follow_target[i], &x, &y);
     switch (p) {
     case P_X:
         lua_pushnumber(L, fx_to_double(x));
@@ -173,21 +174,21 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushboolean(L, l->flags[i] & LINE_HIDDEN);
         break;
     default:
-        lua_pushboolean(L, lines_seen(l, i, b->core.clock) == l->length[i]);
+        lua_pushboolean(L, lines_visible_letters(l, i, b->core.clock) == l->length[i]);
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_line(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct lines *l = &b->lines;
     size_t n;
 
     switch (p) {
     case P_X:
-        l->x[i] = l->follow[i] ? l->x[i] : v->f;
+        l->x[i] = l->follow_target[i] ? l->x[i] : v->f;
         break;
     case P_Y:
-        l->y[i] = l->follow[i] ? l->y[i] : v->f;
+        l->y[i] = l->follow_target[i] ? l->y[i] : v->f;
         break;
     case P_DX:
         l->dx[i] = v->f;
@@ -196,8 +197,8 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         l->dy[i] = v->f;
         break;
     case P_TEXT: {
-        const char *s = text_at(L, "line.text", v->at, &n);
-        lines_say(l, i, s, n, b->core.clock);
+        const char *s = check_text(L, "line.text", v->at, &n);
+        lines_set_text(l, i, s, n, b->core.clock);
         break;
     }
     case P_BANK:
@@ -208,11 +209,11 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing api_line_thing = { "line", props, PROPS, get, set };
+const struct api_thing api_line_thing = { "line", props, PROPS, get_line, set_line };
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL, "") };
+static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_LINE, 0, NULL, NULL, "") };
 
 static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -225,9 +226,9 @@ static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "text.line", text_line, PARAMS(line_put), 0, API_CHANGES, "line",
+    { "text.line", text_line, PARAMS(line_params), 0, API_CHANGES, "line",
       HELP("writes a line of text at any pixel in the field or on the screen, or attached to a thing; needs `board = { "
            "lines = n }`") },
-    { "line:remove", line_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
+    { "line:remove", line_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the line") },
 };
 const struct api_module api_line = { entries, sizeof entries / sizeof *entries };

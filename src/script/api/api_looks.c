@@ -11,7 +11,8 @@
 
 static const char names_key[NAME_LISTS] = { 0 }; /* registry: kind -> { name -> number, number -> name } */
 
-static void add(lua_State *L, const char *entry, struct api_pictures *p, const char *name, int at, uint16_t own)
+static void add_picture(lua_State *L, const char *entry, struct api_pictures *p, const char *name, int at,
+                        uint16_t default_sprite)
 {
     char argument[64];
     struct api_value v = { .given = false };
@@ -20,46 +21,46 @@ static void add(lua_State *L, const char *entry, struct api_pictures *p, const c
     const struct api_param sprite = { argument, A_SPRITE, OPT, 0, 0, NULL, NULL, NULL };
     api_check(L, entry, &sprite, at, &v);
     p->name[p->n] = name;
-    p->sprite[p->n++] = v.given ? (uint16_t)v.i : own;
+    p->sprite[p->n++] = v.given ? (uint16_t)v.i : default_sprite;
 }
 
-static bool is_first(const struct api_pictures *p, int first, const char *name)
+static bool is_fixed_name(const struct api_pictures *p, int n_fixed, const char *name)
 {
-    for (int i = 0; i < first; i++)
+    for (int i = 0; i < n_fixed; i++)
         if (!strcmp(p->name[i], name))
             return true;
     return false;
 }
 
-void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t own,
-                       const char *const *first, int most, struct api_pictures *p)
+void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t default_sprite,
+                       const char *const *first_names, int max, struct api_pictures *p)
 {
-    const char *names[MOST_PICTURES];
-    int fixed = 0;
+    const char *names[MAX_PICTURES];
+    int n_fixed = 0;
 
     p->n = 0;
     if (!table->given)
         return;
-    for (; first[fixed]; fixed++) {
-        lua_getfield(L, table->at, first[fixed]);
-        add(L, entry, p, first[fixed], lua_gettop(L), own);
+    for (; first_names[n_fixed]; n_fixed++) {
+        lua_getfield(L, table->at, first_names[n_fixed]);
+        add_picture(L, entry, p, first_names[n_fixed], lua_gettop(L), default_sprite);
         lua_pop(L, 1);
     }
-    const int n = api_sorted_names(L, entry, "pictures", "{ NAME = sprite }, such as { hurt = \"moth_hurt\" }",
-                                   table->at, names, most);
+    const int n = api_read_sorted_keys(L, entry, "pictures", "{ NAME = sprite }, such as { hurt = \"moth_hurt\" }",
+                                       table->at, names, max);
     for (int i = 0; i < n; i++) {
-        if (is_first(p, fixed, names[i]))
+        if (is_fixed_name(p, n_fixed, names[i]))
             continue;
-        if (p->n == most)
-            api_error(L, entry, "pictures: too many (at most %d)", most);
+        if (p->n == max)
+            api_error(L, entry, "pictures: too many (at most %d)", max);
         lua_getfield(L, table->at, names[i]);
-        add(L, entry, p, names[i], lua_gettop(L), own); /* the table keeps the string alive */
+        add_picture(L, entry, p, names[i], lua_gettop(L), default_sprite); /* the table keeps the string alive */
         lua_pop(L, 1);
     }
 }
 
-void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
-                       const struct api_pictures *p)
+void api_pictures_append_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
+                              const struct api_pictures *p)
 {
     for (int n = p->n; n > 0; n--) {
         int32_t row = slots_append(kinds);
@@ -69,15 +70,15 @@ void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uin
     }
 }
 
-void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const struct api_pictures *p)
+void api_pictures_store_names(lua_State *L, enum name_kind names, int32_t kind, const struct api_pictures *p)
 {
     if (!p->n)
         return;
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[of]) != LUA_TTABLE) {
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[names]) != LUA_TTABLE) {
         lua_pop(L, 1);
         lua_newtable(L);
         lua_pushvalue(L, -1);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[of]);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[names]);
     }
     lua_newtable(L);
     for (int n = 1; n <= p->n; n++) {
@@ -92,12 +93,12 @@ void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const stru
 }
 
 /* Pushes the table of a kind's picture names; returns false if the kind has none. */
-static bool push_names(lua_State *L, enum name_kind of, int32_t kind)
+static bool push_names(lua_State *L, enum name_kind names, int32_t kind)
 {
-    return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[of]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;
+    return lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[names]) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TTABLE;
 }
 
-static int unknown(lua_State *L, const char *thing, const char *name)
+static int raise_unknown_picture(lua_State *L, const char *thing, const char *name)
 {
     const char *found = NULL;
     int best = EDIT_FAR, list = lua_gettop(L);
@@ -109,32 +110,32 @@ static int unknown(lua_State *L, const char *thing, const char *name)
     return api_error(L, thing, "its kind has no picture \"%s\"", name);
 }
 
-unsigned api_picture_named(lua_State *L, enum name_kind of, int32_t kind, const char *thing,
-                           const struct api_value *name)
+unsigned api_picture_find(lua_State *L, enum name_kind names, int32_t kind, const char *thing,
+                          const struct api_value *name)
 {
     int top = lua_gettop(L);
     unsigned n = 0;
 
     if (!name->given)
         return 0;
-    if (!push_names(L, of, kind))
+    if (!push_names(L, names, kind))
         api_error(L, thing, "its kind has no pictures (add `pictures` to its %s.def)", thing);
     lua_getfield(L, -1, lua_tostring(L, name->at));
     if (lua_isinteger(L, -1))
         n = (unsigned)lua_tointeger(L, -1);
     else {
         lua_pop(L, 1);
-        unknown(L, thing, lua_tostring(L, name->at));
+        raise_unknown_picture(L, thing, lua_tostring(L, name->at));
     }
     lua_settop(L, top);
     return n;
 }
 
-void api_picture_push(lua_State *L, enum name_kind of, int32_t kind, unsigned n)
+void api_picture_push(lua_State *L, enum name_kind names, int32_t kind, unsigned n)
 {
     int top = lua_gettop(L);
 
-    if (n && push_names(L, of, kind))
+    if (n && push_names(L, names, kind))
         lua_rawgeti(L, -1, n);
     else
         lua_pushnil(L);

@@ -31,17 +31,18 @@ static void check_meet(lua_State *L, const struct bullets *s, const struct api_v
     for (int p = ARG_SPARK; p <= ARG_ALL; p++)
         if (v[p].given && !v[ARG_CLEAR].i)
             api_error(L, entry, "%s: requires `clear`", api_meet_params[p].name);
-    if (s->meets == MAX_MEETS)
+    if (s->n_meets == MAX_MEETS)
         api_error(L, entry, "too many pairs of tags (at most %d)", MAX_MEETS);
 }
 
 int api_meet(lua_State *L, struct board *b, struct api_value *v)
 {
     struct bullets *s = &b->bullets;
-    uint32_t n = s->meets;
+    uint32_t n = s->n_meets;
 
     check_meet(L, s, v);
-    uint16_t first = api_tag(L, "bullet.meet", v[ARG_FIRST].at), second = api_tag(L, "bullet.meet", v[ARG_SECOND].at);
+    uint16_t first = api_intern_tag(L, "bullet.meet", v[ARG_FIRST].at),
+             second = api_intern_tag(L, "bullet.meet", v[ARG_SECOND].at);
     for (uint32_t i = 0; i < n; i++)
         if (s->meet_first[i] == first && s->meet_second[i] == second)
             api_error(L, "bullet.meet", "tags \"%s\" and \"%s\" are already declared as a pair",
@@ -50,10 +51,10 @@ int api_meet(lua_State *L, struct board *b, struct api_value *v)
     s->meet_second[n] = second;
     s->meet_spark[n] = v[ARG_SPARK].given ? (uint16_t)(v[ARG_SPARK].i + 1) : 0;
     s->meet_flags[n] = (uint8_t)(v[ARG_CLEAR].i | (v[ARG_ALL].i ? MEET_ALL : 0));
-    s->meets = n + 1;
+    s->n_meets = n + 1;
     if (v[ARG_ON_MEET].given) {
         lua_pushvalue(L, v[ARG_ON_MEET].at);
-        events_set_function(L, (uint16_t)n, "on_meet");
+        events_set_property(L, (uint16_t)n, "on_meet");
     }
     return 0;
 }

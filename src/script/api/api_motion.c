@@ -84,47 +84,48 @@ static const struct api_param step_keys[M_KEYS] = {
 enum { MAX_STEPS = 1024, MAX_ROUNDS = 4096 };
 
 /* A program being read. */
-struct reader {
+struct program_reader {
     struct motion_step steps[MAX_STEPS];
     uint32_t n;
-    int bounces; /* number of bounces still open */
+    int open_bounces; /* number of bounces still open */
     bool fine;
-    uint32_t brief; /* number of rows up to the last step that takes time, but may end at once */
-    const char
-        *brief_is; /* that step and the condition: "`orbit` takes no time once its thing has despawned"; NULL: none */
+    uint32_t instant_rows;      /* number of rows up to the last step that takes time, but may end at once */
+    const char *instant_reason; /* that step and the condition: "`orbit` takes no time once its thing has despawned";
+                                 * NULL: none */
 };
 
-static const char DEF[] = "motion.def";
+static const char def_entry[] = "motion.def";
 
-static struct motion_step *add_step(lua_State *L, struct reader *r)
+static struct motion_step *add_step(lua_State *L, struct program_reader *r)
 {
     if (r->n == MAX_STEPS)
-        api_error(L, DEF, "too many steps (at most %d)", MAX_STEPS);
+        api_error(L, def_entry, "too many steps (at most %d)", MAX_STEPS);
     r->steps[r->n] = (struct motion_step){ 0 };
     return &r->steps[r->n++];
 }
 
 static void step_error(lua_State *L, int step, const char *message)
 {
-    api_error(L, DEF, "step %d: %s", step, message);
+    api_error(L, def_entry, "step %d: %s", step, message);
 }
 
 static const struct api_fields step_fields = { step_keys, M_KEYS, NAME_LISTS };
 
-static bool knows_step_key(lua_State *L, const char *key, const void *of)
+static bool knows_step_key(lua_State *L, const char *key, const void *context)
 {
     vm_charge(L, 1);
-    return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, of);
+    return lua_type(L, -1) == LUA_TNUMBER || api_knows_field(L, key, context);
 }
 
 /* Raises the error for the unknown key of a step on top of the stack. */
-static void unknown_key(lua_State *L, int step, const char *where)
+static void raise_unknown_key(lua_State *L, int step, const char *entry)
 {
     const char *name = luakeys_text(L, -1);
 
     if (name && (!strcmp(name, "fine") || !strcmp(name, "name")))
-        api_error(L, DEF, "step %d: %s is not part of a step; write { %s = ..., { ... }, { ... } }", step, name, name);
-    api_refuse_key(L, where, &step_fields);
+        api_error(L, def_entry, "step %d: %s is not part of a step; write { %s = ..., { ... }, { ... } }", step, name,
+                  name);
+    api_raise_unknown_key(L, entry, &step_fields);
 }
 
 /* Returns which number of a step key k sets, if the name of a declared value may replace the number; otherwise
@@ -134,7 +135,7 @@ static enum step_number step_number(int k)
     switch (k) {
     case M_WAIT:
     case M_OVER:
-        return NUMBER_OVER;
+        return NUMBER_DURATION;
     case M_BANK:
         return NUMBER_BANK;
     case M_DIR:
@@ -169,18 +170,19 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
 {
     const struct board *b = vm_board(L);
     const char *name = lua_tostring(L, at), *found = NULL;
-    int bullet = api_names_find(L, N_BULLET_VALUE, name), shot = api_names_find(L, N_SHOT_VALUE, name);
+    int bullet_value = api_names_find(L, N_BULLET_VALUE, name), shot_value = api_names_find(L, N_SHOT_VALUE, name);
     int best = EDIT_FAR;
 
-    if (bullet != NO_SLOT || shot != NO_SLOT)
-        return (uint64_t)(bullet + 1) + (uint64_t)(shot + 1) * NAMED_SHOTS;
-    for (int k = 0; k < api_values(b, N_BULLET_VALUE); k++)
+    if (bullet_value != NO_SLOT || shot_value != NO_SLOT)
+        return (uint64_t)(bullet_value + 1) + (uint64_t)(shot_value + 1) * NAMED_SHOT_STRIDE;
+    for (int k = 0; k < api_value_count(b, N_BULLET_VALUE); k++)
         api_suggest_nearer(name, board_name(b, N_BULLET_VALUE, k), &best, &found);
-    for (int k = 0; k < api_values(b, N_SHOT_VALUE); k++)
+    for (int k = 0; k < api_value_count(b, N_SHOT_VALUE); k++)
         api_suggest_nearer(name, board_name(b, N_SHOT_VALUE, k), &best, &found);
     if (found)
-        api_error(L, DEF, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
-    api_error(L, DEF, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key, name);
+        api_error(L, def_entry, "step %d: %s: unknown value \"%s\" (did you mean \"%s\"?)", step, key, name, found);
+    api_error(L, def_entry, "step %d: %s: expected a number or the name of a value (value.def), got \"%s\"", step, key,
+              name);
     return 0;
 }
 
@@ -188,38 +190,38 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at)
  * declared values used in place of numbers. */
 static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_KEYS])
 {
-    uint64_t named = 0;
-    char where[40];
+    uint64_t named_bits = 0;
+    char entry[40];
 
     luaL_checkstack(L, M_KEYS + 8, NULL);
-    snprintf(where, sizeof where, "%s: step %d", DEF, step);
-    if (luakeys_push_stray(L, at, knows_step_key, &step_fields))
-        unknown_key(L, step, where);
+    snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
+    if (luakeys_push_unknown(L, at, knows_step_key, &step_fields))
+        raise_unknown_key(L, step, entry);
     for (int k = 0; k < M_KEYS; k++) {
         enum step_number number = step_number(k);
         v[k] = (struct api_value){ 0 };
         if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
-            named |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
-            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_OVER || number == NUMBER_COUNT };
+            named_bits |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;
+            v[k] = (struct api_value){ .given = true, .i = number == NUMBER_DURATION || number == NUMBER_COUNT };
         } else
-            api_check(L, where, &step_keys[k], lua_gettop(L), &v[k]);
+            api_check(L, entry, &step_keys[k], lua_gettop(L), &v[k]);
     }
-    return named;
+    return named_bits;
 }
 
 /* The settings that each leading step may have and must have, in addition to kind and bank. */
 static const struct {
     int key;
-    uint32_t may, must;
-} leads[] = {
+    uint32_t allowed, required;
+} lead_rules[] = {
     { M_GO_TO, 1u << M_OVER | 1u << M_SPEED | 1u << M_EASE, 0 },
     { M_POLAR, 1u << M_OVER | 1u << M_SPIN | 1u << M_AT, 1u << M_OVER },
     { M_WAVE, 1u << M_OVER | 1u << M_EVERY | 1u << M_PHASE, 1u << M_OVER | 1u << M_EVERY },
     { M_ORBIT, 1u << M_OVER | 1u << M_SPIN | 1u << M_RADIUS_TO | 1u << M_AT, 1u << M_OVER },
 };
-enum { LEADS = sizeof leads / sizeof *leads };
+enum { LEAD_RULES = sizeof lead_rules / sizeof *lead_rules };
 
-static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step)
+static void check_go_to(lua_State *L, const struct api_value v[M_KEYS], int step)
 {
     if (v[M_OVER].given == v[M_SPEED].given)
         step_error(L, step, "`go_to` requires either `over` (frames) or `speed`");
@@ -232,38 +234,40 @@ static void go_to_alone(lua_State *L, const struct api_value v[M_KEYS], int step
 }
 
 /* Raises an error if a leading key is combined with anything but its settings, or a setting lacks its leading key. */
-static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
+static void check_lead(lua_State *L, const struct api_value v[M_KEYS], int step, bool fine)
 {
     int found = -1;
 
-    for (int i = 0; i < LEADS; i++)
-        if (v[leads[i].key].given) {
+    for (int i = 0; i < LEAD_RULES; i++)
+        if (v[lead_rules[i].key].given) {
             if (found >= 0)
-                api_error(L, DEF, "step %d: `%s` and `%s` cannot be combined", step, step_keys[leads[found].key].name,
-                          step_keys[leads[i].key].name);
+                api_error(L, def_entry, "step %d: `%s` and `%s` cannot be combined", step,
+                          step_keys[lead_rules[found].key].name, step_keys[lead_rules[i].key].name);
             found = i;
         }
-    const uint32_t own = 1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
+    const uint32_t lead_settings =
+        1u << M_EASE | 1u << M_SPIN | 1u << M_AT | 1u << M_EVERY | 1u << M_PHASE | 1u << M_RADIUS_TO;
     if (v[M_WALLS].given)
         step_error(L, step, "`walls` requires `bounce`");
     if (v[M_MIRROR].given)
         step_error(L, step, "`mirror` requires `path`");
     for (int k = 0; k < M_KEYS; k++) {
-        if (found < 0 && v[k].given && own >> k & 1)
-            api_error(L, DEF, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step, step_keys[k].name);
-        if (found < 0 || k == leads[found].key)
+        if (found < 0 && v[k].given && lead_settings >> k & 1)
+            api_error(L, def_entry, "step %d: `%s` requires `go_to`, `polar`, `wave` or `orbit`", step,
+                      step_keys[k].name);
+        if (found < 0 || k == lead_rules[found].key)
             continue;
-        const char *word = step_keys[leads[found].key].name;
-        if (v[k].given && k != M_KIND && k != M_BANK && !(leads[found].may >> k & 1))
-            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name, word);
-        if (!v[k].given && leads[found].must >> k & 1)
-            api_error(L, DEF, "step %d: `%s` requires `%s`", step, word, step_keys[k].name);
+        const char *lead_name = step_keys[lead_rules[found].key].name;
+        if (v[k].given && k != M_KIND && k != M_BANK && !(lead_rules[found].allowed >> k & 1))
+            api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name, lead_name);
+        if (!v[k].given && lead_rules[found].required >> k & 1)
+            api_error(L, def_entry, "step %d: `%s` requires `%s`", step, lead_name, step_keys[k].name);
     }
     if (found >= 0 && fine)
-        api_error(L, DEF, "step %d: `%s` cannot be used in a fine motion (this step is always exact)", step,
-                  step_keys[leads[found].key].name);
+        api_error(L, def_entry, "step %d: `%s` cannot be used in a fine motion (this step is always exact)", step,
+                  step_keys[lead_rules[found].key].name);
     if (v[M_GO_TO].given)
-        go_to_alone(L, v, step);
+        check_go_to(L, v, step);
     if (v[M_RADIUS_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
         step_error(L, step, "`radius_to` with `over = forever` never arrives");
     if (v[M_ORBIT].given && !v[M_AT].given && !vm_board(L)->bullets.orbit_target && !vm_board(L)->shots.orbit_target)
@@ -272,37 +276,37 @@ static void lead_alone(lua_State *L, const struct api_value v[M_KEYS], int step,
 }
 
 /* Reads a coordinate: stores a number in *out, or returns the NAMED_BITS of a declared value. */
-static uint64_t read_part(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
+static uint64_t read_coordinate(lua_State *L, int step, const char *key, int at, enum step_number number, fx *out)
 {
-    struct api_param p = { key, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
+    struct api_param p = { key, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
     struct api_value v = { 0 };
-    char where[40];
+    char entry[40];
 
     if (lua_type(L, at) == LUA_TSTRING)
         return api_find_step_value(L, step, key, at) << number * NAMED_BITS;
-    snprintf(where, sizeof where, "%s: step %d", DEF, step);
-    api_check(L, where, &p, at, &v);
+    snprintf(entry, sizeof entry, "%s: step %d", def_entry, step);
+    api_check(L, entry, &p, at, &v);
     *out = v.f;
     return 0;
 }
 
 /* Reads the { x, y } of `go_to` or `at`; returns the NAMED_BITS of the declared values used. */
-static uint64_t read_place(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
+static uint64_t read_point(lua_State *L, int step, const struct api_value *v, const char *key, struct motion_step *s)
 {
-    int keys = 0, top = lua_gettop(L);
+    int n_keys = 0, top = lua_gettop(L);
 
     if (!v->given)
         return 0;
     for (lua_pushnil(L); lua_next(L, v->at); lua_pop(L, 1))
-        keys++;
-    if (keys != 2 || lua_rawlen(L, v->at) != 2)
-        api_error(L, DEF, "step %d: %s: expected { x, y }", step, key);
+        n_keys++;
+    if (n_keys != 2 || lua_rawlen(L, v->at) != 2)
+        api_error(L, def_entry, "step %d: %s: expected { x, y }", step, key);
     lua_rawgeti(L, v->at, 1);
     lua_rawgeti(L, v->at, 2);
-    uint64_t named = read_part(L, step, key, top + 1, NUMBER_X, &s->x);
-    named |= read_part(L, step, key, top + 2, NUMBER_Y, &s->y);
+    uint64_t named_bits = read_coordinate(L, step, key, top + 1, NUMBER_X, &s->x);
+    named_bits |= read_coordinate(L, step, key, top + 2, NUMBER_Y, &s->y);
     lua_settop(L, top);
-    return named;
+    return named_bits;
 }
 
 /* Sets the fields of a leading step; returns the NAMED_BITS of the declared values used. */
@@ -311,137 +315,141 @@ static uint64_t fill_lead(lua_State *L, struct motion_step *s, const struct api_
     s->size = v[M_WAVE].given ? v[M_WAVE].f : v[M_ORBIT].f;
     s->size_to = v[M_RADIUS_TO].f;
     s->count = (uint16_t)v[M_EVERY].i;
-    s->how = (uint8_t)(v[M_EASE].i | (v[M_AT].given ? HOW_AT : 0) | (v[M_RADIUS_TO].given ? HOW_TO : 0) |
-                       (v[M_GO_TO].given && v[M_SPEED].given ? HOW_SPEED : 0));
+    s->mode = (uint8_t)(v[M_EASE].i | (v[M_AT].given ? MODE_AT : 0) | (v[M_RADIUS_TO].given ? MODE_TO : 0) |
+                        (v[M_GO_TO].given && v[M_SPEED].given ? MODE_SPEED : 0));
     if (v[M_SPIN].given)
         s->turn = (int32_t)v[M_SPIN].a;
     if (v[M_PHASE].given)
         s->dir = v[M_PHASE].a;
     if (v[M_POLAR].given)
-        s->speed = api_units(fine, &v[M_POLAR]);
-    if (s->does & DOES_GO_TO) /* a go_to has its own speed; the bullet's is not set */
-        s->does &= ~(uint32_t)DOES_SPEED;
-    return read_place(L, step, &v[M_GO_TO], "go_to", s) | read_place(L, step, &v[M_AT], "at", s);
+        s->speed = api_value_to_q32(fine, &v[M_POLAR]);
+    if (s->actions & DOES_GO_TO) /* a go_to has its own speed; the bullet's is not set */
+        s->actions &= ~(uint32_t)DOES_SPEED;
+    return read_point(L, step, &v[M_GO_TO], "go_to", s) | read_point(L, step, &v[M_AT], "at", s);
 }
 
 /* Returns the frames in v; forever is UINT32_MAX. */
-static uint32_t frames(const struct api_value *v)
+static uint32_t get_frames(const struct api_value *v)
 {
     return v->i > 1000000000 ? UINT32_MAX : (uint32_t)v->i;
 }
 
-static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], uint64_t named, int step,
-                      bool fine)
+static void fill_step(lua_State *L, struct motion_step *s, const struct api_value v[M_KEYS], uint64_t named_bits,
+                      int step, bool fine)
 {
-    static const uint32_t does[M_KEYS] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
-                                           DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
-                                           DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
+    static const uint32_t key_flags[M_KEYS] = { DOES_WAIT,  DOES_KIND,  DOES_BANK,  DOES_DIR,  DOES_AIM, DOES_TURN,
+                                                DOES_HOME,  DOES_SPEED, DOES_ACCEL, DOES_DIE,  0,        0,
+                                                DOES_GO_TO, DOES_POLAR, DOES_WAVE,  DOES_ORBIT };
 
     for (int k = 0; k < M_KEYS; k++)
         if (v[k].given && !(step_keys[k].type == A_BOOL && !v[k].i))
-            s->does |= does[k];
-    lead_alone(L, v, step, fine);
-    if (!s->does)
+            s->actions |= key_flags[k];
+    check_lead(L, v, step, fine);
+    if (!s->actions)
         step_error(L, step, "does nothing");
-    if (s->does & DOES_WAIT && (s->does != DOES_WAIT || v[M_OVER].given))
+    if (s->actions & DOES_WAIT && (s->actions != DOES_WAIT || v[M_OVER].given))
         step_error(L, step, "`wait` cannot be combined with anything else");
-    if (s->does & DOES_DIR && v[M_OVER].given)
+    if (s->actions & DOES_DIR && v[M_OVER].given)
         step_error(L, step, "`dir` takes effect immediately; with `over`, use `turn`, `aim` or `home`");
-    if (s->does & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
+    if (s->actions & DOES_SPEED && !v[M_GO_TO].given && v[M_OVER].i == LUA_MAXINTEGER)
         step_error(L, step, "`speed` with `over = forever` never arrives");
-    if (s->does & DOES_DIE && v[M_OVER].given)
+    if (s->actions & DOES_DIE && v[M_OVER].given)
         step_error(L, step, "`die` takes effect immediately; put a `wait` before it");
-    if (s->does & DOES_HOME && !v[M_OVER].given)
+    if (s->actions & DOES_HOME && !v[M_OVER].given)
         step_error(L, step, "`home` requires `over` (frames)");
-    s->over = frames(&v[s->does & DOES_WAIT ? M_WAIT : M_OVER]);
+    s->duration = get_frames(&v[s->actions & DOES_WAIT ? M_WAIT : M_OVER]);
     s->kind = (uint16_t)v[M_KIND].i;
     s->bank = (uint8_t)v[M_BANK].i;
     s->dir = v[M_DIR].a;
     s->turn = (int32_t)v[M_TURN].a;
     trig_from_degrees(v[M_HOME].n, &s->home);
-    s->speed = api_units(fine, &v[M_SPEED]);
-    s->accel = api_units(fine, &v[M_ACCEL]);
-    named |= fill_lead(L, s, v, step, fine);
-    s->named = named;
-    s->does |= named ? DOES_NAMED : 0;
+    s->speed = api_value_to_q32(fine, &v[M_SPEED]);
+    s->accel = api_value_to_q32(fine, &v[M_ACCEL]);
+    named_bits |= fill_lead(L, s, v, step, fine);
+    s->named = named_bits;
+    s->actions |= named_bits ? DOES_NAMED : 0;
 }
 
-/* Raises the error for a loop, with first row `open`, that could run without taking a frame. */
-static void untimed(lua_State *L, const struct reader *r, uint32_t open, const char *what, int step)
+/* Raises the error for a loop, with first row `loop_row`, that could run without taking a frame. */
+static void raise_untimed_loop(lua_State *L, const struct program_reader *r, uint32_t loop_row, const char *message,
+                               int step)
 {
-    if (r->brief_is && r->brief > open)
-        api_error(L, DEF, "step %d: %s (%s: add { wait = 1 })", step, what, r->brief_is);
-    step_error(L, step, what);
+    if (r->instant_reason && r->instant_rows > loop_row)
+        api_error(L, def_entry, "step %d: %s (%s: add { wait = 1 })", step, message, r->instant_reason);
+    step_error(L, step, message);
 }
 
 /* Raises an error if a loop that takes no time does not end, or runs too many steps. Returns how many steps the loop
  * runs in one frame. */
-static uint64_t loop_work(lua_State *L, const struct reader *r, uint32_t open, bool timed, uint64_t inside,
-                          int64_t count, int step)
+static uint64_t check_loop_work(lua_State *L, const struct program_reader *r, uint32_t loop_row, bool timed,
+                                uint64_t inner_steps, int64_t count, int step)
 {
     uint64_t rounds = timed ? 1 : (uint64_t)count;
 
     if (!timed && count == LUA_MAXINTEGER)
-        untimed(L, r, open, "infinite loop: with `loop = forever`, at least one step must take time", step);
-    if (rounds > MAX_ROUNDS || inside * rounds > MAX_ROUNDS)
-        untimed(L, r, open, "this loop runs too many steps in one frame; at least one of them must take time", step);
-    return inside * rounds;
+        raise_untimed_loop(L, r, loop_row, "infinite loop: with `loop = forever`, at least one step must take time",
+                           step);
+    if (rounds > MAX_ROUNDS || inner_steps * rounds > MAX_ROUNDS)
+        raise_untimed_loop(L, r, loop_row,
+                           "this loop runs too many steps in one frame; at least one of them must take time", step);
+    return inner_steps * rounds;
 }
 
-/* Records that the last step read may end at once, under the condition `is`; returns false. */
-static bool is_brief(struct reader *r, const char *is)
+/* Records that the last step read may end at once, under the condition `reason`; returns false. */
+static bool record_instant(struct program_reader *r, const char *reason)
 {
-    r->brief = r->n;
-    r->brief_is = is;
+    r->instant_rows = r->n;
+    r->instant_reason = reason;
     return false;
 }
 
 /* Returns whether the last step read takes time. */
-static bool takes_time(struct reader *r, const struct motion_step *s)
+static bool takes_time(struct program_reader *r, const struct motion_step *s)
 {
-    if (s->does & DOES_ORBIT && !(s->how & HOW_AT))
-        return is_brief(r, "`orbit` takes no time once its thing has despawned");
-    return s->over > 0 || s->how & HOW_SPEED;
+    if (s->actions & DOES_ORBIT && !(s->mode & MODE_AT))
+        return record_instant(r, "`orbit` takes no time once its thing has despawned");
+    return s->duration > 0 || s->mode & MODE_SPEED;
 }
 
-/* Raises an error if the key `word` is combined with a key that is not in the mask `may`. */
-static void word_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int word, uint32_t may)
+/* Raises an error if the key `key` is combined with a key that is not in the mask `allowed`. */
+static void check_key_alone(lua_State *L, const struct api_value v[M_KEYS], int step, int key, uint32_t allowed)
 {
     for (int k = 0; k < M_KEYS; k++)
-        if (v[k].given && k != word && !(may >> k & 1))
-            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
-                      step_keys[word].name);
+        if (v[k].given && k != key && !(allowed >> k & 1))
+            api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[key].name);
 }
 
 /* Adds the legs of a route; the first one sets kind and bank. */
-static void read_path(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+static void read_path(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], int step)
 {
-    const uint32_t before = r->n;
+    const uint32_t first_row = r->n;
     struct motion_step leg = { .kind = (uint16_t)v[M_KIND].i, .bank = (uint8_t)v[M_BANK].i };
-    struct api_leg at = { .route = v[M_PATH].at, .mirror = v[M_MIRROR].i };
+    struct api_route_reader route = { .route = v[M_PATH].at, .mirrored = v[M_MIRROR].i };
 
-    word_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
+    check_key_alone(L, v, step, M_PATH, 1u << M_MIRROR | 1u << M_KIND | 1u << M_BANK);
     if (r->fine)
         step_error(L, step, "`path` cannot be used in a fine motion (this step is always exact)");
-    leg.does = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
-    while (api_step_leg(L, step, &at, &leg)) {
+    leg.actions = (v[M_KIND].given ? DOES_KIND : 0u) | (v[M_BANK].given ? DOES_BANK : 0u);
+    while (api_read_step_leg(L, step, &route, &leg)) {
         *add_step(L, r) = leg;
         leg = (struct motion_step){ 0 };
     }
-    if (r->n == before)
+    if (r->n == first_row)
         step_error(L, step, "path: the route has no length; add a second point");
 }
 
 /* Reads a step without nested steps; returns whether it takes time. */
-static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], uint64_t named, int step)
+static bool read_step(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], uint64_t named_bits,
+                      int step)
 {
     struct motion_step *s, rows[EMIT_ROWS];
     struct motion_emit e;
 
     if (v[M_EMIT].given) {
-        word_alone(L, v, step, M_EMIT, 0);
-        api_step_emit(L, step, v[M_EMIT].at, &e);
-        motion_emit_steps(&e, rows);
+        check_key_alone(L, v, step, M_EMIT, 0);
+        api_read_emit_step(L, step, v[M_EMIT].at, &e);
+        motion_pack_emit(&e, rows);
         for (int k = 0; k < EMIT_ROWS; k++)
             *add_step(L, r) = rows[k];
         return false;
@@ -452,15 +460,15 @@ static bool read_step(lua_State *L, struct reader *r, const struct api_value v[M
     }
     s = add_step(L, r);
     if (v[M_WAIT_FOR].given) {
-        word_alone(L, v, step, M_WAIT_FOR, 0);
-        api_step_await(L, step, v[M_WAIT_FOR].at, s);
-        return s->how == HOW_SIGNAL || is_brief(r, "`wait_for` takes no time if its condition already holds");
+        check_key_alone(L, v, step, M_WAIT_FOR, 0);
+        api_read_await_step(L, step, v[M_WAIT_FOR].at, s);
+        return s->mode == MODE_SIGNAL || record_instant(r, "`wait_for` takes no time if its condition already holds");
     }
-    fill_step(L, s, v, named, step, r->fine);
+    fill_step(L, s, v, named_bits, step, r->fine);
     return takes_time(r, s);
 }
 
-static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed);
+static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *timed);
 
 /* Returns the walls named in a list of words. */
 static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
@@ -469,7 +477,7 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
     uint8_t walls = 0;
 
     if (!v->given)
-        return HOW_WALLS;
+        return MODE_WALLS;
     for (const char *at = lua_tostring(L, v->at); *at; at += strspn(at, " ")) {
         size_t n = 0;
         int k = 0;
@@ -478,8 +486,8 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
         while (k < 4 && (strlen(words[k]) != n || strncmp(words[k], at, n)))
             k++;
         if (k == 4)
-            api_error(L, DEF, "step %d: walls: expected one or more of \"left right top bottom\", got \"%s\"", step,
-                      lua_tostring(L, v->at));
+            api_error(L, def_entry, "step %d: walls: expected one or more of \"left right top bottom\", got \"%s\"",
+                      step, lua_tostring(L, v->at));
         walls |= (uint8_t)(1 << k);
         at += n;
     }
@@ -489,56 +497,56 @@ static uint8_t read_walls(lua_State *L, int step, const struct api_value *v)
 }
 
 /* Adds the step that flies to a wall, inside the loop of bounces whose row was just added. */
-static void add_bounce(lua_State *L, struct reader *r, const struct api_value v[M_KEYS], int step)
+static void add_bounce(lua_State *L, struct program_reader *r, const struct api_value v[M_KEYS], int step)
 {
     if (r->fine)
         step_error(L, step, "`bounce` cannot be used in a fine motion (this step is always exact)");
-    if (r->bounces++)
+    if (r->open_bounces++)
         step_error(L, step, "`bounce` cannot be nested in `bounce`");
-    r->steps[r->n - 1].does |= DOES_BOUNCE;
+    r->steps[r->n - 1].actions |= DOES_BOUNCE;
     struct motion_step *s = add_step(L, r);
-    s->does = DOES_BOUNCE;
-    s->how = read_walls(L, step, &v[M_WALLS]);
-    s->over = v[M_OVER].given ? frames(&v[M_OVER]) : UINT32_MAX;
+    s->actions = DOES_BOUNCE;
+    s->mode = read_walls(L, step, &v[M_WALLS]);
+    s->duration = v[M_OVER].given ? get_frames(&v[M_OVER]) : UINT32_MAX;
 }
 
-/* Reads a `loop` or `bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in one
- * frame. */
-static uint64_t read_loop(lua_State *L, struct reader *r, int at, int depth, const struct api_value v[M_KEYS], int step,
-                          bool *timed)
+/* Reads a `loop` or `is_bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in
+ * one frame. */
+static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int depth, const struct api_value v[M_KEYS],
+                          int step, bool *timed)
 {
-    const int word = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
-    const bool bounce = word == M_BOUNCE;
-    const uint32_t open = r->n;
-    bool inner;
+    const int key = v[M_BOUNCE].given ? M_BOUNCE : M_LOOP;
+    const bool is_bounce = key == M_BOUNCE;
+    const uint32_t loop_row = r->n;
+    bool inner_timed;
 
     if (depth == MOTION_DEPTH)
         step_error(L, step, "loops nested more than 4 deep");
     for (int k = 0; k < M_KEYS; k++)
-        if (v[k].given && k != word && !(bounce && (k == M_WALLS || k == M_OVER)))
-            api_error(L, DEF, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
-                      step_keys[word].name);
+        if (v[k].given && k != key && !(is_bounce && (k == M_WALLS || k == M_OVER)))
+            api_error(L, def_entry, "step %d: `%s` cannot be combined with `%s`", step, step_keys[k].name,
+                      step_keys[key].name);
     struct motion_step *s = add_step(L, r);
-    s->does = DOES_LOOP;
+    s->actions = DOES_LOOP;
     s->depth = (uint8_t)depth;
-    s->count = v[word].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[word].i;
-    if (bounce)
+    s->count = v[key].i == LUA_MAXINTEGER ? MOTION_FOREVER : (uint16_t)v[key].i;
+    if (is_bounce)
         add_bounce(L, r, v, step);
-    uint64_t inside = read_steps(L, r, at, depth + 1, &inner);
-    r->bounces -= bounce;
-    inner |= bounce;
-    *timed |= inner && v[word].i > 0;
+    uint64_t inner_steps = read_steps(L, r, at, depth + 1, &inner_timed);
+    r->open_bounces -= is_bounce;
+    inner_timed |= is_bounce;
+    *timed |= inner_timed && v[key].i > 0;
     s = add_step(L, r);
-    *s = (struct motion_step){ .does = DOES_NEXT, .depth = (uint8_t)depth, .jump = (uint16_t)(open + 1) };
-    r->steps[open].jump = (uint16_t)r->n;
-    if (bounce)
-        r->steps[open + 1].jump = (uint16_t)r->n;
-    return loop_work(L, r, open, inner, inside, v[word].i, step);
+    *s = (struct motion_step){ .actions = DOES_LOOP_END, .depth = (uint8_t)depth, .jump = (uint16_t)(loop_row + 1) };
+    r->steps[loop_row].jump = (uint16_t)r->n;
+    if (is_bounce)
+        r->steps[loop_row + 1].jump = (uint16_t)r->n;
+    return check_loop_work(L, r, loop_row, inner_timed, inner_steps, v[key].i, step);
 }
 
 /* Reads the list of steps in the table at `at`. Returns an upper bound on the number of steps that the list runs in one
  * frame; sets *timed to whether the list takes time. */
-static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bool *timed)
+static uint64_t read_steps(lua_State *L, struct program_reader *r, int at, int depth, bool *timed)
 {
     uint64_t work = 1;
     int n = (int)lua_rawlen(L, at);
@@ -549,11 +557,11 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
         int top = lua_gettop(L);
         if (lua_rawgeti(L, at, i) != LUA_TTABLE)
             step_error(L, i, "expected a table");
-        uint64_t named = read_keys(L, top + 1, i, v);
+        uint64_t named_bits = read_keys(L, top + 1, i, v);
         if (!v[M_LOOP].given && !v[M_BOUNCE].given) {
             if (lua_rawlen(L, top + 1))
                 step_error(L, i, "nested steps require `loop = n` or `bounce = n`");
-            *timed |= read_step(L, r, v, named, i);
+            *timed |= read_step(L, r, v, named_bits, i);
         } else
             work += read_loop(L, r, top + 1, depth, v, i, timed);
         work++;
@@ -562,63 +570,63 @@ static uint64_t read_steps(lua_State *L, struct reader *r, int at, int depth, bo
     return work;
 }
 
-enum { HEAD_NAME, HEAD_FINE, HEADS };
+enum { HEAD_NAME, HEAD_FINE, HEAD_PARAMS };
 
 /* Initializes r and reads the named arguments of motion.def, `name` and `fine`. Returns the name, or NULL. */
-static const char *read_head(lua_State *L, struct reader *r)
+static const char *read_head(lua_State *L, struct program_reader *r)
 {
-    static const struct api_param head[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                             PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
-    static const struct api_fields fields = { head, HEADS, NAME_LISTS };
-    struct api_value v[HEADS] = { { 0 } };
+    static const struct api_param head_params[] = { PARAM("name", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                                    PARAM("fine", A_BOOL, OPT, 0, 0, NULL, "false", "") };
+    static const struct api_fields fields = { head_params, HEAD_PARAMS, NAME_LISTS };
+    struct api_value v[HEAD_PARAMS] = { { 0 } };
 
-    if (luakeys_push_stray(L, 1, knows_step_key, &fields)) {
+    if (luakeys_push_unknown(L, 1, knows_step_key, &fields)) {
         const char *key = luakeys_text(L, -1);
-        if (key && api_step_word(L, key))
-            api_error(L, DEF, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
-        api_refuse_key(L, DEF, &fields);
+        if (key && api_is_step_key(L, key))
+            api_error(L, def_entry, "unknown argument \"%s\" (steps are tables: { { %s = ... } })", key, key);
+        api_raise_unknown_key(L, def_entry, &fields);
     }
-    for (int i = 0; i < HEADS; i++) {
-        lua_getfield(L, 1, head[i].name);
-        api_check(L, DEF, &head[i], lua_gettop(L), &v[i]);
+    for (int i = 0; i < HEAD_PARAMS; i++) {
+        lua_getfield(L, 1, head_params[i].name);
+        api_check(L, def_entry, &head_params[i], lua_gettop(L), &v[i]);
     }
     r->n = 0;
-    r->bounces = 0;
-    r->brief_is = NULL;
+    r->open_bounces = 0;
+    r->instant_reason = NULL;
     r->fine = v[HEAD_FINE].i;
     return v[HEAD_NAME].given ? lua_tostring(L, v[HEAD_NAME].at) : NULL;
 }
 
 static int motion_def(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct reader r;
+    struct program_reader r;
     bool timed;
 
     (void)v;
     luaL_checktype(L, 1, LUA_TTABLE);
     const char *name = read_head(L, &r);
     if (!lua_rawlen(L, 1) && !r.fine)
-        api_error(L, DEF, "expected at least one step");
+        api_error(L, def_entry, "expected at least one step");
     if (read_steps(L, &r, 1, 0, &timed) > MAX_ROUNDS)
-        api_error(L, DEF, "too many steps in one frame");
+        api_error(L, def_entry, "too many steps in one frame");
     uint32_t refused_before = b->steps.s.refused; /* to find out which pool was full */
     int32_t m = motion_define(&b->motions, &b->steps, r.steps, r.n, r.fine);
     if (m == NO_SLOT)
-        board_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);
+        board_report_full(b, b->steps.s.refused > refused_before ? &b->steps.s : &b->motions.s);
     if (name && api_names_find(L, N_MOTION, name) != (m == NO_SLOT ? NO_MOTION : m))
-        api_names_declare(L, N_MOTION, DEF, name, m == NO_SLOT ? NO_MOTION : m);
+        api_names_declare(L, N_MOTION, def_entry, name, m == NO_SLOT ? NO_MOTION : m);
     script_fold(b, (uint64_t)(uint32_t)m);
-    lua_pushinteger(L, m == NO_SLOT ? handle_of(H_MOTION, 0, 0) : handle_of(H_MOTION, 1, (uint32_t)m));
+    lua_pushinteger(L, m == NO_SLOT ? handle_make(H_MOTION, 0, 0) : handle_make(H_MOTION, 1, (uint32_t)m));
     return 1;
 }
 
-static void no_get(lua_State *L, struct board *b, uint32_t slot, int p)
+static void get_nothing(lua_State *L, struct board *b, uint32_t slot, int p)
 {
     (void)b, (void)slot, (void)p;
     lua_pushnil(L);
 }
 
-const struct api_thing api_motion_thing = { "motion", NULL, 0, no_get, NULL };
+const struct api_thing api_motion_thing = { "motion", NULL, 0, get_nothing, NULL };
 
 static const struct api_param motion_params[] = { PARAM(
     "steps", A_TABLE, REQ, 0, 0, NULL, NULL,

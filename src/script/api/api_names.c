@@ -9,14 +9,14 @@
 
 /* Registry, by enum name_kind: a table name -> index; and the array of the struct name_list, which points to the
  * strings of that table. */
-static const char names_key[NAME_LISTS] = { 0 }, back_key[NAME_LISTS] = { 0 };
+static const char names_key[NAME_LISTS] = { 0 }, strings_key[NAME_LISTS] = { 0 };
 
 static const char *const nouns[NAME_LISTS] = { "bullet", "shot",   "enemy", "player", "spark", "item",  "laser",
                                                "option", "motion", "tag",   "value",  "value", "value", "item" };
 
-const char *api_names_off(lua_State *L, enum name_kind what)
+const char *api_names_off_text(lua_State *L, enum name_kind kind)
 {
-    return api_off(&vm_board(L)->cart.m, nouns[what]);
+    return api_disabled_reason(&vm_board(L)->cart.manifest, nouns[kind]);
 }
 
 /* Creates a table for each sort of name, except those that rom.lua disables. */
@@ -26,7 +26,7 @@ void api_open_names(lua_State *L)
 
     memset(b->names, 0, sizeof b->names);
     for (int i = 0; i < NAME_LISTS; i++) {
-        if (api_off(&b->cart.m, nouns[i]))
+        if (api_disabled_reason(&b->cart.manifest, nouns[i]))
             continue;
         lua_newtable(L);
         lua_rawsetp(L, LUA_REGISTRYINDEX, &names_key[i]);
@@ -34,66 +34,66 @@ void api_open_names(lua_State *L)
 }
 
 /* Makes room for n names; the capacity doubles. */
-static void make_room(lua_State *L, enum name_kind what, uint32_t n)
+static void reserve_names(lua_State *L, enum name_kind kind, uint32_t n)
 {
-    struct name_list *t = &vm_board(L)->names[what];
-    uint32_t room = t->room ? t->room : 16;
+    struct name_list *t = &vm_board(L)->names[kind];
+    uint32_t capacity = t->cap ? t->cap : 16;
 
-    while (room < n)
-        room *= 2;
-    if (room > t->room) {
-        const char **at = lua_newuserdatauv(L, room * sizeof *at, 0);
-        memset(at, 0, room * sizeof *at);
-        if (t->room)
-            memcpy(at, t->at, t->room * sizeof *at);
-        lua_rawsetp(L, LUA_REGISTRYINDEX, &back_key[what]);
-        t->at = at;
-        t->room = room;
+    while (capacity < n)
+        capacity *= 2;
+    if (capacity > t->cap) {
+        const char **strings = lua_newuserdatauv(L, capacity * sizeof *strings, 0);
+        memset(strings, 0, capacity * sizeof *strings);
+        if (t->cap)
+            memcpy(strings, t->name, t->cap * sizeof *strings);
+        lua_rawsetp(L, LUA_REGISTRYINDEX, &strings_key[kind]);
+        t->name = strings;
+        t->cap = capacity;
     }
     t->n = n > t->n ? n : t->n;
 }
 
-void api_names_declare(lua_State *L, enum name_kind what, const char *entry, const char *name, int index)
+void api_names_declare(lua_State *L, enum name_kind kind, const char *entry, const char *name, int index)
 {
-    if (api_names_find(L, what, name) != NO_SLOT)
-        api_error(L, entry, "%s%s \"%s\" is already declared", nouns[what], what < N_MOTION ? " kind" : "", name);
+    if (api_names_find(L, kind, name) != NO_SLOT)
+        api_error(L, entry, "%s%s \"%s\" is already declared", nouns[kind], kind < N_MOTION ? " kind" : "", name);
     if (index != NO_MOTION)
-        make_room(L, what, (uint32_t)index + 1);
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+        reserve_names(L, kind, (uint32_t)index + 1);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[kind]);
     name = lua_pushstring(L, name);
     lua_pushinteger(L, index);
     lua_rawset(L, -3);
     lua_pop(L, 1);
     if (index != NO_MOTION)
-        vm_board(L)->names[what].at[index] = name;
+        vm_board(L)->names[kind].name[index] = name;
 }
 
-static int find_in_table(lua_State *L, enum name_kind what, const char *name)
+static int find_in_table(lua_State *L, enum name_kind kind, const char *name)
 {
-    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]) == LUA_TNIL)
+    if (lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[kind]) == LUA_TNIL)
         return lua_pop(L, 1), NO_SLOT;
     int index = lua_getfield(L, -1, name) == LUA_TNUMBER ? (int)lua_tointeger(L, -1) : NO_SLOT;
     lua_pop(L, 2);
     return index;
 }
 
-int api_names_find(lua_State *L, enum name_kind what, const char *name)
+int api_names_find(lua_State *L, enum name_kind kind, const char *name)
 {
     struct board *b = vm_board(L);
-    uint16_t *guess = &b->vm.guesses.names[api_guess(name, strlen(name), (unsigned)what)];
-    const char *there = board_name(b, what, *guess);
+    uint16_t *guess = &b->vm.guesses.names[api_guess_index(name, strlen(name), (unsigned)kind)];
+    const char *guessed = board_name(b, kind, *guess);
 
-    if (there && (there == name || !strcmp(there, name)))
+    if (guessed && (guessed == name || !strcmp(guessed, name)))
         return *guess;
-    int index = find_in_table(L, what, name);
+    int index = find_in_table(L, kind, name);
     if (index >= 0 && index <= UINT16_MAX)
         *guess = (uint16_t)index;
     return index;
 }
 
-void api_names_push(lua_State *L, enum name_kind what, int index)
+void api_names_push(lua_State *L, enum name_kind kind, int index)
 {
-    const char *name = board_name(vm_board(L), what, index);
+    const char *name = board_name(vm_board(L), kind, index);
 
     if (name)
         lua_pushstring(L, name);
@@ -102,7 +102,7 @@ void api_names_push(lua_State *L, enum name_kind what, int index)
 }
 
 /* Words used by other engines, and the names used here. */
-static const char *const meanings[][2] = {
+static const char *const synonyms[][2] = {
     { "angle", "dir" },     { "direction", "dir" }, { "heading", "dir" },        { "velocity", "speed" },
     { "color", "bank" },    { "colour", "bank" },   { "palette", "bank" },       { "health", "hp" },
     { "life", "hp" },       { "image", "sprite" },  { "texture", "sprite" },     { "hitbox", "hit" },
@@ -110,17 +110,17 @@ static const char *const meanings[][2] = {
     { "rotation", "dir" },
 };
 
-static int distance(const char *word, const char *candidate)
+static int word_distance(const char *word, const char *candidate)
 {
-    for (size_t i = 0; i < sizeof meanings / sizeof *meanings; i++)
-        if (!strcmp(meanings[i][0], word) && !strcmp(meanings[i][1], candidate))
+    for (size_t i = 0; i < sizeof synonyms / sizeof *synonyms; i++)
+        if (!strcmp(synonyms[i][0], word) && !strcmp(synonyms[i][1], candidate))
             return 1;
     return edit_distance(word, candidate);
 }
 
 void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found)
 {
-    int d = distance(word, candidate);
+    int d = word_distance(word, candidate);
 
     if (d < *best || (d == *best && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
         *best = d;
@@ -128,12 +128,12 @@ void api_suggest_nearer(const char *word, const char *candidate, int *best, cons
     }
 }
 
-void api_names_suggest(lua_State *L, enum name_kind what, const char *name)
+void api_names_suggest(lua_State *L, enum name_kind kind, const char *name)
 {
     const char *found = NULL;
     int best = EDIT_FAR;
 
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[what]);
+    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[kind]);
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
@@ -146,7 +146,7 @@ void api_names_suggest(lua_State *L, enum name_kind what, const char *name)
         lua_pushnil(L);
 }
 
-uint16_t api_tag(lua_State *L, const char *entry, int at)
+uint16_t api_intern_tag(lua_State *L, const char *entry, int at)
 {
     size_t n;
     const char *tag = lua_tolstring(L, at, &n);
@@ -174,7 +174,7 @@ void api_push_tag(lua_State *L, uint16_t tag)
 
 const char *api_library_names(const char *library)
 {
-    return lualib_names(library);
+    return lualib_retained_names(library);
 }
 
 /* ---- declared values ---- */
@@ -210,7 +210,7 @@ enum name_kind api_value_names(const struct api_entry *e)
     }
 }
 
-int api_values(const struct board *b, enum name_kind names)
+int api_value_count(const struct board *b, enum name_kind names)
 {
     return names == NAME_LISTS ? 0 : (int)b->names[names].n;
 }
@@ -227,9 +227,9 @@ fx *api_value_column(struct board *b, enum name_kind names, int k)
     return bullets_value(names == N_SHOT_VALUE ? &b->shots : &b->bullets, k);
 }
 
-void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)
+void api_set_values(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v)
 {
-    for (int k = 0; k < api_values(b, names); k++)
+    for (int k = 0; k < api_value_count(b, names); k++)
         if (v[k].given)
             api_value_column(b, names, k)[i] = v[k].f;
 }

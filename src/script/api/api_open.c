@@ -7,14 +7,14 @@
 #include "api_parts.h"
 
 /* The __index of the API's tables; not called for fields that the game has set. */
-static int missing_field(lua_State *L)
+static int read_missing_field(lua_State *L)
 {
-    const char *of = api_push_space(L, 1);
+    const char *table_name = api_push_namespace_name(L, 1);
 
-    if (!of || lua_type(L, 2) != LUA_TSTRING)
+    if (!table_name || lua_type(L, 2) != LUA_TSTRING)
         return 0;
-    if (!api_push_member(L, of, '.', lua_tostring(L, 2))) {
-        api_fault_missing_field(L, of, lua_tostring(L, 2));
+    if (!api_push_member(L, table_name, '.', lua_tostring(L, 2))) {
+        api_fault_missing_field(L, table_name, lua_tostring(L, 2));
         return 0;
     }
     lua_pushvalue(L, 2);
@@ -24,28 +24,28 @@ static int missing_field(lua_State *L)
 }
 
 /* Returns whether the API table is created on first use, because few games use it. */
-static bool is_late(const char *space)
+static bool is_lazy(const char *table_name)
 {
-    return !strcmp(space, "bomb");
+    return !strcmp(table_name, "bomb");
 }
 
-static void make_space(lua_State *L, const char *space)
+static void make_namespace(lua_State *L, const char *table_name)
 {
     lua_newtable(L);
-    api_add_space(L, space);
+    api_add_namespace(L, table_name);
     lua_pushglobaltable(L);
     lua_pushvalue(L, -2);
-    lua_pushstring(L, space);
+    lua_pushstring(L, table_name);
     lua_insert(L, -2);
     lua_rawset(L, -3);
     lua_pop(L, 1);
 }
 
-bool api_open_late(lua_State *L, const char *name)
+bool api_push_lazy_table(lua_State *L, const char *name)
 {
-    if (!is_late(name))
+    if (!is_lazy(name))
         return false;
-    make_space(L, name);
+    make_namespace(L, name);
     return true;
 }
 
@@ -53,21 +53,21 @@ bool api_open_late(lua_State *L, const char *name)
  * unless that table is disabled or created on first use. */
 static void install(lua_State *L, const struct api_entry *e)
 {
-    const char *split = strpbrk(e->name, ".:");
-    char space[32];
+    const char *separator = strpbrk(e->name, ".:");
+    char table_name[32];
     const int top = lua_gettop(L);
 
     if (!vm_board(L)->lasers.s.cap && !strncmp(e->name, "laser", 5))
         return;
-    if (!split) {
-        api_push_call(L, e);
+    if (!separator) {
+        api_push_function(L, e);
         lua_setglobal(L, e->name);
-    } else if (*split == '.' && !(e->flags & API_SYS)) {
-        snprintf(space, sizeof space, "%.*s", (int)(split - e->name), e->name);
-        if (api_off(&vm_board(L)->cart.m, space) || is_late(space))
+    } else if (*separator == '.' && !(e->flags & API_SYS)) {
+        snprintf(table_name, sizeof table_name, "%.*s", (int)(separator - e->name), e->name);
+        if (api_disabled_reason(&vm_board(L)->cart.manifest, table_name) || is_lazy(table_name))
             return;
-        if (lua_getglobal(L, space) != LUA_TTABLE)
-            make_space(L, space);
+        if (lua_getglobal(L, table_name) != LUA_TTABLE)
+            make_namespace(L, table_name);
         lua_settop(L, top);
     }
 }
@@ -77,11 +77,11 @@ void api_open(lua_State *L)
     api_open_names(L);
     events_open(L);
     api_open_handles(L);
-    api_open_spaces(L, missing_field);
+    api_create_namespace_metatable(L, read_missing_field);
     lua_pushinteger(L, LUA_MAXINTEGER);
     lua_setglobal(L, "forever");
     lua_newtable(L);
-    api_add_space(L, "sys");
+    api_add_namespace(L, "sys");
     int sys = lua_gettop(L);
     for (int m = 0; m < api_of(L)->n; m++)
         for (int i = 0; i < api_of(L)->modules[m]->n; i++)

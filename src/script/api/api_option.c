@@ -9,7 +9,7 @@
 
 enum { D_NAME, D_SPRITE, D_BANK, D_LAYER, D_RUN };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL, "name of the kind, used in `options` of player.def; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of its sprite"),
@@ -30,18 +30,18 @@ static int option_def(lua_State *L, struct board *b, struct api_value *v)
     k->layer[i] = (uint8_t)v[D_LAYER].i;
     if (v[D_RUN].given) {
         lua_pushvalue(L, v[D_RUN].at);
-        events_set_function(L, (uint16_t)i, "option's run");
+        events_set_property(L, (uint16_t)i, "option's run");
     }
     return 0;
 }
 
 /* ---- options of player.def ---- */
 
-static const char PLAYER[] = "player.def", *const styles[] = { "fixed", "trail", "orbit" };
+static const char player_entry[] = "player.def", *const styles[] = { "fixed", "trail", "orbit" };
 
 enum { O_KIND, O_BY, O_LEVELS, O_OVER, O_STYLE, O_APART, O_RADIUS, O_CLOSE, O_SPIN, O_PARAMS };
 
-static const struct api_param ship_params[O_PARAMS] = {
+static const struct api_param options_params[O_PARAMS] = {
     PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "declared kind of the options"),
     PARAM("by", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship that selects the level; without it, the last level applies"),
@@ -51,7 +51,7 @@ static const struct api_param ship_params[O_PARAMS] = {
           "frames the options take to reach new positions; not for style trail"),
     PARAM("style", A_STR, OPT, 0, 0, NULL, "fixed",
           "how the options fly: fixed (at positions around the ship), trail (along its path) or orbit (on a circle)"),
-    PARAM("apart", A_INT, OPT, 1, OPTION_WAY - 1, "frames", "8",
+    PARAM("apart", A_INT, OPT, 1, OPTION_PATH_LENGTH - 1, "frames", "8",
           "frames of flight between one option and the next; only for style trail"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of the circle; only for style orbit, where it is required"),
@@ -64,7 +64,7 @@ enum { L_AT, L_N, L_WIDE, L_CLOSE, L_PARAMS };
 
 static const struct api_param level_params[L_PARAMS] = {
     PARAM("at", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, "0", "lowest value of the register at which the level applies"),
-    PARAM("n", A_INT, OPT, 0, OPTION_PLACES, "options", NULL,
+    PARAM("n", A_INT, OPT, 0, OPTION_MAX_PER_SHIP, "options", NULL,
           "number of options; only for styles trail and orbit, where it is required"),
     PARAM("wide", A_TABLE, OPT, 0, 0, NULL, NULL,
           "positions around the ship, { { dx, dy }, .. } in px; only for style fixed, where it is required"),
@@ -72,92 +72,94 @@ static const struct api_param level_params[L_PARAMS] = {
           "positions while focused, as many as in `wide`; defaults to `wide`; only for style fixed"),
 };
 
-static fx place_axis(lua_State *L, const char *where, int axis)
+static fx read_axis(lua_State *L, const char *setting, int axis)
 {
-    const struct api_param p = { where, A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL };
+    const struct api_param p = { setting, A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL };
     struct api_value v = { 0 };
 
     lua_rawgeti(L, -1, axis + 1);
-    api_check(L, PLAYER, &p, lua_gettop(L), &v);
+    api_check(L, player_entry, &p, lua_gettop(L), &v);
     lua_pop(L, 1);
     return v.f;
 }
 
 /* Reads { { dx, dy }, .. } at `at`; returns the number of places. */
-static uint32_t read_places(lua_State *L, const char *where, int at, fx place[OPTION_PLACES][2])
+static uint32_t read_positions(lua_State *L, const char *setting, int at, fx positions[OPTION_MAX_PER_SHIP][2])
 {
     const lua_Unsigned n = lua_rawlen(L, at);
-    char full[80];
+    char full_name[80];
 
-    if (n > OPTION_PLACES)
-        api_error(L, PLAYER, "%s: expected at most %d options, got %d", where, OPTION_PLACES, (int)n);
+    if (n > OPTION_MAX_PER_SHIP)
+        api_error(L, player_entry, "%s: expected at most %d options, got %d", setting, OPTION_MAX_PER_SHIP, (int)n);
     for (lua_Unsigned i = 0; i < n; i++) {
-        snprintf(full, sizeof full, "%s[%d]", where, (int)i + 1);
+        snprintf(full_name, sizeof full_name, "%s[%d]", setting, (int)i + 1);
         if (lua_rawgeti(L, at, (lua_Integer)i + 1) != LUA_TTABLE)
-            api_error(L, PLAYER, "%s: expected { dx, dy }, got %s", full, luaL_typename(L, -1));
+            api_error(L, player_entry, "%s: expected { dx, dy }, got %s", full_name, luaL_typename(L, -1));
         for (int axis = 0; axis < 2; axis++)
-            place[i][axis] = place_axis(L, full, axis);
+            positions[i][axis] = read_axis(L, full_name, axis);
         lua_pop(L, 1);
     }
     return (uint32_t)n;
 }
 
-static void read_fixed(lua_State *L, const char *where, const struct api_value *v, struct option_level *level)
+static void read_fixed_level(lua_State *L, const char *setting, const struct api_value *v, struct option_level *level)
 {
-    char full[64];
+    char full_name[64];
 
     if (!v[L_WIDE].given)
-        api_error(L, PLAYER, "%s: wide: expected a list { { dx, dy }, .. }, got nil", where);
+        api_error(L, player_entry, "%s: wide: expected a list { { dx, dy }, .. }, got nil", setting);
     if (v[L_N].given)
-        api_error(L, PLAYER,
+        api_error(L, player_entry,
                   "%s: `n` applies to styles trail and orbit; a level of style fixed has one option for each position "
                   "in `wide`",
-                  where);
-    snprintf(full, sizeof full, "%s.wide", where);
-    level->n = read_places(L, full, v[L_WIDE].at, level->wide);
+                  setting);
+    snprintf(full_name, sizeof full_name, "%s.wide", setting);
+    level->n = read_positions(L, full_name, v[L_WIDE].at, level->wide);
     memcpy(level->close, level->wide, sizeof level->close);
     if (!v[L_CLOSE].given)
         return;
-    snprintf(full, sizeof full, "%s.close", where);
-    const uint32_t n = read_places(L, full, v[L_CLOSE].at, level->close);
+    snprintf(full_name, sizeof full_name, "%s.close", setting);
+    const uint32_t n = read_positions(L, full_name, v[L_CLOSE].at, level->close);
     if (n != level->n)
-        api_error(L, PLAYER, "%s: expected as many positions as in `wide` (%d), got %d", full, (int)level->n, (int)n);
+        api_error(L, player_entry, "%s: expected as many positions as in `wide` (%d), got %d", full_name, (int)level->n,
+                  (int)n);
 }
 
-static void read_counted(lua_State *L, const char *where, const struct api_value *v, const struct option_plan *plan,
-                         struct option_level *level)
+static void read_counted_level(lua_State *L, const char *setting, const struct api_value *v,
+                               const struct option_plan *plan, struct option_level *level)
 {
     if (v[L_WIDE].given || v[L_CLOSE].given)
-        api_error(L, PLAYER, "%s: `%s` applies to style fixed; use `n` with style %s", where,
+        api_error(L, player_entry, "%s: `%s` applies to style fixed; use `n` with style %s", setting,
                   v[L_WIDE].given ? "wide" : "close", styles[plan->style]);
     if (!v[L_N].given)
-        api_error(L, PLAYER, "%s: n: expected a whole number from 0 to %d options, got nil", where, OPTION_PLACES);
+        api_error(L, player_entry, "%s: n: expected a whole number from 0 to %d options, got nil", setting,
+                  OPTION_MAX_PER_SHIP);
     level->n = (uint32_t)v[L_N].i;
-    if (plan->style == OPTION_TRAIL && level->n * plan->apart >= OPTION_WAY)
-        api_error(L, PLAYER,
-                  "%s: `n` times `apart`: expected at most %d frames (the length of the recorded trail), got %d", where,
-                  OPTION_WAY - 1, (int)(level->n * plan->apart));
+    if (plan->style == OPTION_TRAIL && level->n * plan->spacing >= OPTION_PATH_LENGTH)
+        api_error(L, player_entry,
+                  "%s: `n` times `apart`: expected at most %d frames (the length of the recorded trail), got %d",
+                  setting, OPTION_PATH_LENGTH - 1, (int)(level->n * plan->spacing));
 }
 
 static void read_level(lua_State *L, int list, int i, struct option_plan *plan)
 {
     struct option_level *level = &plan->level[i];
     struct api_value v[L_PARAMS];
-    char where[32];
+    char setting[32];
     const int top = lua_gettop(L);
 
-    snprintf(where, sizeof where, "options.levels[%d]", i + 1);
+    snprintf(setting, sizeof setting, "options.levels[%d]", i + 1);
     if (lua_rawgeti(L, list, i + 1) != LUA_TTABLE)
-        api_error(L, PLAYER, "%s: expected { at = n, .. }, got %s", where, luaL_typename(L, -1));
-    api_read_fields(L, PLAYER, where, &(struct api_fields){ level_params, L_PARAMS, NAME_LISTS }, top + 1, v);
-    level->at = v[L_AT].given ? (int32_t)v[L_AT].i : 0;
-    if (i && level->at <= plan->level[i - 1].at)
-        api_error(L, PLAYER, "%s.at: expected more than the level before (%d), got %d", where,
-                  (int)plan->level[i - 1].at, (int)level->at);
+        api_error(L, player_entry, "%s: expected { at = n, .. }, got %s", setting, luaL_typename(L, -1));
+    api_read_fields(L, player_entry, setting, &(struct api_fields){ level_params, L_PARAMS, NAME_LISTS }, top + 1, v);
+    level->min_value = v[L_AT].given ? (int32_t)v[L_AT].i : 0;
+    if (i && level->min_value <= plan->level[i - 1].min_value)
+        api_error(L, player_entry, "%s.at: expected more than the level before (%d), got %d", setting,
+                  (int)plan->level[i - 1].min_value, (int)level->min_value);
     if (plan->style == OPTION_FIXED)
-        read_fixed(L, where, v, level);
+        read_fixed_level(L, setting, v, level);
     else
-        read_counted(L, where, v, plan, level);
+        read_counted_level(L, setting, v, plan, level);
     lua_settop(L, top);
 }
 
@@ -172,9 +174,10 @@ static enum option_style read_style(lua_State *L, const struct api_value *v)
         api_suggest_nearer(word, styles[i], &best, &found);
     }
     if (found)
-        api_error(L, PLAYER, "options.style: expected fixed, trail or orbit, got \"%s\" (did you mean \"%s\"?)", word,
-                  found);
-    return (enum option_style)api_error(L, PLAYER, "options.style: expected fixed, trail or orbit, got \"%s\"", word);
+        api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\" (did you mean \"%s\"?)",
+                  word, found);
+    return (enum option_style)api_error(L, player_entry, "options.style: expected fixed, trail or orbit, got \"%s\"",
+                                        word);
 }
 
 /* Raises an error for settings that belong to another style. */
@@ -182,24 +185,24 @@ static void check_style(lua_State *L, const struct api_value *v, enum option_sty
 {
     static const struct {
         int param;
-        enum option_style of;
-    } own[] = {
+        enum option_style style;
+    } style_settings[] = {
         { O_APART, OPTION_TRAIL }, { O_RADIUS, OPTION_ORBIT }, { O_CLOSE, OPTION_ORBIT }, { O_SPIN, OPTION_ORBIT }
     };
 
-    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
-        if (v[own[i].param].given && own[i].of != style)
-            api_error(L, PLAYER, "options.%s: requires style = \"%s\"", ship_params[own[i].param].name,
-                      styles[own[i].of]);
+    for (size_t i = 0; i < sizeof style_settings / sizeof *style_settings; i++)
+        if (v[style_settings[i].param].given && style_settings[i].style != style)
+            api_error(L, player_entry, "options.%s: requires style = \"%s\"",
+                      options_params[style_settings[i].param].name, styles[style_settings[i].style]);
     if (style == OPTION_ORBIT && !v[O_RADIUS].given)
-        api_error(L, PLAYER, "options.radius: expected a number of px, got nil");
+        api_error(L, player_entry, "options.radius: expected a number of px, got nil");
 }
 
 static const char plans_key = 0; /* registry: kind of ship -> struct option_plan */
 
 /* Stores the plan on top of the stack as the plan of a ship. The plans and the array of pointers to them are all in
  * Lua's heap. */
-static void keep_plan(lua_State *L, struct board *b, int32_t ship, struct option_plan *plan)
+static void store_plan(lua_State *L, struct board *b, int32_t ship, struct option_plan *plan)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &plans_key) != LUA_TTABLE) {
         lua_pop(L, 1);
@@ -217,35 +220,38 @@ static void keep_plan(lua_State *L, struct board *b, int32_t ship, struct option
 
 void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct api_value *options)
 {
-    const char *line = api_off(&b->cart.m, "option");
+    const char *off_text = api_disabled_reason(&b->cart.manifest, "option");
     struct api_value v[O_PARAMS];
     const int top = lua_gettop(L);
 
     if (!options->given)
         return;
-    if (line)
-        api_error(L, PLAYER, "options: " API_OFF, line);
-    api_read_fields(L, PLAYER, "options", &(struct api_fields){ ship_params, O_PARAMS, NAME_LISTS }, options->at, v);
+    if (off_text)
+        api_error(L, player_entry, "options: " API_DISABLED_FORMAT, off_text);
+    api_read_fields(L, player_entry, "options", &(struct api_fields){ options_params, O_PARAMS, NAME_LISTS },
+                    options->at, v);
     const enum option_style style = read_style(L, &v[O_STYLE]);
     check_style(L, v, style);
     const lua_Unsigned n = lua_rawlen(L, v[O_LEVELS].at);
-    if (n < 1 || n > OPTION_LEVELS)
-        api_error(L, PLAYER, "options.levels: expected a list of 1 to %d levels, got %d", OPTION_LEVELS, (int)n);
+    if (n < 1 || n > OPTION_MAX_LEVELS)
+        api_error(L, player_entry, "options.levels: expected a list of 1 to %d levels, got %d", OPTION_MAX_LEVELS,
+                  (int)n);
     const size_t size = sizeof(struct option_plan) + (size_t)n * sizeof(struct option_level);
     struct option_plan *plan = memset(lua_newuserdatauv(L, size, 0), 0, size);
-    const int kept = lua_gettop(L);
+    const int plan_at = lua_gettop(L);
     plan->kind = (uint16_t)v[O_KIND].i;
     plan->style = style;
-    plan->by = v[O_BY].given ? api_register_expect(L, PLAYER, "options.by", ship, lua_tostring(L, v[O_BY].at)) : -1;
-    plan->over = v[O_OVER].given ? (uint32_t)v[O_OVER].i : 8;
-    plan->apart = v[O_APART].given ? (uint32_t)v[O_APART].i : 8;
+    plan->level_register =
+        v[O_BY].given ? api_register_expect(L, player_entry, "options.by", ship, lua_tostring(L, v[O_BY].at)) : -1;
+    plan->move_duration = v[O_OVER].given ? (uint32_t)v[O_OVER].i : 8;
+    plan->spacing = v[O_APART].given ? (uint32_t)v[O_APART].i : 8;
     plan->wide = v[O_RADIUS].f;
     plan->close = v[O_CLOSE].given ? v[O_CLOSE].f : v[O_RADIUS].f;
     plan->spin = v[O_SPIN].given ? v[O_SPIN].a : 0;
-    for (; plan->levels < n; plan->levels++)
-        read_level(L, v[O_LEVELS].at, (int)plan->levels, plan);
-    lua_pushvalue(L, kept);
-    keep_plan(L, b, ship, plan);
+    for (; plan->n_levels < n; plan->n_levels++)
+        read_level(L, v[O_LEVELS].at, (int)plan->n_levels, plan);
+    lua_pushvalue(L, plan_at);
+    store_plan(L, b, ship, plan);
     lua_settop(L, top);
 }
 
@@ -265,7 +271,7 @@ static const struct api_prop props[PROPS] = {
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies and fires"), PROP_WRITE },
 };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct options *o = &b->options;
 
@@ -296,7 +302,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_option(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct options *o = &b->options;
 
@@ -307,12 +313,12 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         o->flags[i] = (uint8_t)(v->i ? o->flags[i] | OPTION_HIDDEN : o->flags[i] & ~OPTION_HIDDEN);
 }
 
-const struct api_thing api_option_thing = { "option", props, PROPS, get, set };
+const struct api_thing api_option_thing = { "option", props, PROPS, get_option, set_option };
 
 static const struct api_entry entries[] = {
-    { "option.def", option_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "option.def", option_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of option, a thing that flies with a ship and fires; needs `board = { options = n }`") },
-    { "player.def options", NULL, PARAMS(ship_params), 0, API_LUA | API_SYS, NULL,
+    { "player.def options", NULL, PARAMS(options_params), 0, API_LUA | API_SYS, NULL,
       HELP("which options fly with the ship, and how") },
     { "player.def level", NULL, PARAMS(level_params), 0, API_LUA | API_SYS, NULL,
       HELP("one level of options; of the levels whose `at` the register has reached, the highest applies") },

@@ -11,12 +11,12 @@
 enum { MAX_PARAMS = 40 };
 
 /* The upvalue of an API function: a userdata whose user value keeps `plan` alive. */
-struct api_bound {
+struct api_binding {
     const struct api_entry *entry;
     uint64_t hash;         /* of the entry's name */
     struct api_plan *plan; /* api_plan.c; NULL: none made yet */
-    uint32_t tables;       /* number of calls, before the plan was made, that could have used one */
-    bool walks;            /* the function may iterate over a table argument */
+    uint32_t table_calls;  /* number of calls, before the plan was made, that could have used one */
+    bool may_iterate;      /* the function may iterate over a table argument */
 };
 
 /* Pushes f as a function bound to e. */
@@ -28,55 +28,56 @@ static inline const struct api_table *api_of(lua_State *L)
 }
 
 /* Pushes the function that scripts call for the entry. */
-void api_push_call(lua_State *L, const struct api_entry *e);
+void api_push_function(lua_State *L, const struct api_entry *e);
 
 /* Returns the binding of the running function. */
-static inline struct api_bound *api_bound(lua_State *L)
+static inline struct api_binding *api_current_binding(lua_State *L)
 {
     return lua_touserdata(L, lua_upvalueindex(1));
 }
 
-/* Reads the value at stack index `now` into v: its type and, for a number, its bits. The check, the digest and the
+/* Reads the value at stack index `from` into v: its type and, for a number, its bits. The check, the digest and the
  * caller then use v instead of asking Lua again. `at` is the stack index the value will be moved to. */
-static inline void api_look(lua_State *L, int at, int now, struct api_value *v)
+static inline void api_read_value(lua_State *L, int at, int from, struct api_value *v)
 {
     v->at = at;
-    v->whole = lua_isinteger(L, now);
-    v->type = v->whole ? LUA_TNUMBER : (int8_t)lua_type(L, now);
+    v->is_integer = lua_isinteger(L, from);
+    v->type = v->is_integer ? LUA_TNUMBER : (int8_t)lua_type(L, from);
     v->given = v->type > LUA_TNIL;
-    if (v->whole) {
-        v->bits = lua_tointeger(L, now);
+    if (v->is_integer) {
+        v->bits = lua_tointeger(L, from);
     } else if (v->type == LUA_TNUMBER) {
-        const double d = lua_tonumber(L, now);
+        const double d = lua_tonumber(L, from);
         memcpy(&v->bits, &d, sizeof d);
     }
 }
 
-/* api_note_place records the source line of the current call of `entry` that declares `name`. api_error_at raises an
- * error about that declaration, found later, with the recorded line. */
-void api_note_place(lua_State *L, const char *entry, const char *name);
+/* api_record_location records the source line of the current call of `entry` that declares `name`. api_error_at raises
+ * an error about that declaration, found later, with the recorded line. */
+void api_record_location(lua_State *L, const char *entry, const char *name);
 int api_error_at(lua_State *L, const char *entry, const char *name, const char *format, ...);
 
 /* Pushes a description of the value at `at` for an error message. */
-const char *api_push_got(lua_State *L, int at);
+const char *api_push_description(lua_State *L, int at);
 
-/* api_check_value checks a value read by api_look, whether or not it was given. api_fill_default sets v to p's
+/* api_check_value checks a value read by api_read_value, whether or not it was given. api_fill_default sets v to p's
  * default. */
 void api_check_value(lua_State *L, const char *entry, const struct api_param *p, struct api_value *v);
 void api_fill_default(const struct api_param *p, struct api_value *v);
 
 /* Returns the element of a guess array (struct vm_guesses), below VM_GUESSES, that stores the index last found for a
- * name of n bytes in list `of`. The element depends on the name's bytes, never on addresses. The stored index is only a
- * guess: callers compare the whole name and search if it differs, so the guesses cannot change a result. */
-static inline unsigned api_guess(const char *name, size_t n, unsigned of)
+ * name of n bytes in list `list`. The element depends on the name's bytes, never on addresses. The stored index is only
+ * a guess: callers compare the whole name and search if it differs, so the guesses cannot change a result. */
+static inline unsigned api_guess_index(const char *name, size_t n, unsigned list)
 {
     const uint8_t *c = (const uint8_t *)name;
 
-    return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + of * 41u) % VM_GUESSES;
+    return ((unsigned)n * 16u + c[0] + c[n - (n > 0)] * 5u + list * 41u) % VM_GUESSES;
 }
 
 /* The entries for what a pattern can fire; the pattern also takes their parameters. */
-extern const struct api_entry api_fire_bullet, api_fire_shot, api_fire_bolt, api_fire_curve, api_fire_beam;
+extern const struct api_entry api_bullet_fire_entry, api_shot_fire_entry, api_bolt_entry, api_curve_entry,
+    api_beam_entry;
 
 /* Indices of the arguments of bullet.fire and shot.fire. */
 enum {
@@ -88,69 +89,69 @@ enum {
     FIRE_BANK,
     FIRE_TAG,
     FIRE_MOTION,
-    FIRE_BY,              /* shots only */
-    FIRE_DELAY = FIRE_BY, /* bullets only */
-    FIRE_AROUND,          /* shots and bullets */
+    FIRE_OWNER,              /* shots only */
+    FIRE_DELAY = FIRE_OWNER, /* bullets only */
+    FIRE_AROUND,             /* shots and bullets */
     FIRE_VALUES
 };
 
 /* Fills s from the arguments of bullet.fire (or shot.fire), except `aim`. Returns false if the thing `from` is dead or
  * the ship that would fire was hit. */
-bool api_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool shot,
-                struct bullet_shape *s);
+bool api_read_flight(lua_State *L, struct board *b, const char *entry, const struct api_value *v, bool is_shot,
+                     struct bullet_spec *s);
 
 /* Indices of the properties of bullets and shots. */
 enum {
-    FLIES_X,
-    FLIES_Y,
-    FLIES_DIR,
-    FLIES_SPEED,
-    FLIES_VX,
-    FLIES_VY,
-    FLIES_KIND,
-    FLIES_BANK,
-    FLIES_TAG,
-    FLIES_MOTION,
-    FLIES_AROUND,
-    FLIES_AGE,
-    FLIES_FROZEN,
-    FLIES_LAST,
-    FLIES_DELAY = FLIES_LAST,
-    FLIES_HP
+    FLIGHT_X,
+    FLIGHT_Y,
+    FLIGHT_DIR,
+    FLIGHT_SPEED,
+    FLIGHT_VX,
+    FLIGHT_VY,
+    FLIGHT_KIND,
+    FLIGHT_BANK,
+    FLIGHT_TAG,
+    FLIGHT_MOTION,
+    FLIGHT_AROUND,
+    FLIGHT_AGE,
+    FLIGHT_FROZEN,
+    FLIGHT_SHARED,
+    FLIGHT_DELAY = FLIGHT_SHARED,
+    FLIGHT_HP
 };
 
-/* Get or set property p, below FLIES_LAST, of bullet, shot or laser head i in s. */
+/* Get or set property p, below FLIGHT_SHARED, of bullet, shot or laser head i in s. */
 void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum name_kind names, uint32_t i, int p);
 void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const struct bullet_kinds *kinds, uint32_t i,
                     int p, const struct api_value *v);
 
 /* Returns whether a motion (index + 1; 0: none) runs with 32 fraction bits (BULLET_FINE). */
-static inline bool api_motion_fine(const struct board *b, uint16_t motion)
+static inline bool api_motion_is_fine(const struct board *b, uint16_t motion)
 {
     return motion && b->motions.fine[motion - 1];
 }
 
 /* Converts a number from a script to Q32, rounding to nearest. The caller has checked a range within +-2^15. */
-static inline int64_t api_q32(double v)
+static inline int64_t api_to_q32(double v)
 {
     return fx_nearest(v * 4294967296.0);
 }
 
 /* Converts a number to Q32. Unless `fine`, rounds it to fx first. */
-static inline int64_t api_units(bool fine, const struct api_value *v)
+static inline int64_t api_value_to_q32(bool fine, const struct api_value *v)
 {
-    return fine ? api_q32(v->n) : (int64_t)v->f * (1 << PACE_BITS);
+    return fine ? api_to_q32(v->n) : (int64_t)v->f * (1 << Q32_EXTRA_BITS);
 }
 
-/* Records that a script wrote the property `what` (OVERRIDE_) of bullet i, so that the running motion step stops
+/* Records that a script wrote the property `property` (OVERRIDE_) of bullet i, so that the running motion step stops
  * controlling that property. */
-void api_override(struct bullets *s, uint32_t i, unsigned what);
+void api_override(struct bullets *s, uint32_t i, unsigned property);
 
 /* A search for the known name nearest to a misspelt word. `list` collects the known names for api_hint_push. */
 struct api_hint {
-    const char *word, *found;
-    int best, n;
-    bool long_; /* the list is too long for a sentence */
+    const char *word, *nearest;
+    int best_distance, n;
+    bool is_long; /* the list is too long for a sentence */
     char list[128];
 };
 void api_hint_begin(struct api_hint *h, const char *word);
@@ -160,49 +161,51 @@ void api_hint_add(struct api_hint *h, const char *name);
 const char *api_hint_push(lua_State *L, const struct api_hint *h, const char *label);
 
 /* The settings a table may hold: n parameters (the key is the part of the name after the last dot) and the declared
- * values of list `values` (NAME_LISTS: none). */
+ * values of list `value_names` (NAME_LISTS: none). */
 struct api_fields {
     const struct api_param *params;
     int n;
-    enum name_kind values;
+    enum name_kind value_names;
 };
-bool api_knows_field(lua_State *L, const char *key, const void *of);
+bool api_knows_field(lua_State *L, const char *key, const void *fields);
 
 /* Raises the error for the unknown key on top of the stack, suggesting the nearest key in f. */
-void api_refuse_key(lua_State *L, const char *entry, const struct api_fields *f);
+void api_raise_unknown_key(lua_State *L, const char *entry, const struct api_fields *f);
 
 /* Reads the settings in the table at `at` into v, checks them in the order of f's parameters, and leaves their values
- * on the stack. `where` ("registers.power") precedes a setting's name in errors; NULL: no prefix. */
-void api_read_fields(lua_State *L, const char *entry, const char *where, const struct api_fields *f, int at,
+ * on the stack. `prefix` ("registers.power") precedes a setting's name in errors; NULL: no prefix. */
+void api_read_fields(lua_State *L, const char *entry, const char *prefix, const struct api_fields *f, int at,
                      struct api_value *v);
 
 /* Stores the keys of the table at `at` in `names`, in byte order, and returns how many there are. Raises an error if a
- * key is not a name or there are more than `most`. The strings are valid while the table holds them. */
-int api_sorted_names(lua_State *L, const char *entry, const char *what, const char *expected, int at,
-                     const char **names, int most);
+ * key is not a name or there are more than `max`. The strings are valid while the table holds them. */
+int api_read_sorted_keys(lua_State *L, const char *entry, const char *param_name, const char *expected, int at,
+                         const char **names, int max);
 
 /* api_param_count returns the number of parameters of a call of e, and api_param_at returns parameter i. If e is a
- * pattern, `fire` is the entry for what it fires, whose parameters follow e's own; otherwise `fire` is NULL. */
-int api_param_count(const struct api_entry *e, const struct api_entry *fire);
-const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fire, int i);
+ * pattern, `fired_entry` is the entry for what it fires, whose parameters follow e's own; otherwise it is NULL. */
+int api_param_count(const struct api_entry *e, const struct api_entry *fired_entry);
+const struct api_param *api_param_at(const struct api_entry *e, const struct api_entry *fired_entry, int i);
 
 /* Checks the call's arguments (stack 1 to top), spreads them over the stack and fills v: one element per parameter,
- * then one per declared value the entry takes. Returns the number of elements. *fire receives the entry whose
+ * then one per declared value the entry takes. Returns the number of elements. *fired_entry receives the entry whose
  * parameters e takes in addition, or NULL. */
-int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire);
+int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v,
+                       const struct api_entry **fired_entry);
 
 /* Like api_read_arguments, for the running function f, but faster if the call's table has the same keys as the tables
  * of earlier calls. */
-int api_read_planned_arguments(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire);
+int api_read_planned_arguments(lua_State *L, struct api_binding *f, struct api_value *v,
+                               const struct api_entry **fired_entry);
 
-/* api_fires returns the entry whose parameters a call of e takes in addition, chosen by the field `fire` of the table
- * at `at`, or NULL. api_search_param returns the index of the named parameter, or -1. */
-const struct api_entry *api_fires(lua_State *L, const struct api_entry *e, int at);
-int api_search_param(const struct api_entry *e, const struct api_entry *fire, const char *name);
+/* api_fired_entry returns the entry whose parameters a call of e takes in addition, chosen by the field `fire` of the
+ * table at `at`, or NULL. api_search_param returns the index of the named parameter, or -1. */
+const struct api_entry *api_fired_entry(lua_State *L, const struct api_entry *e, int at);
+int api_search_param(const struct api_entry *e, const struct api_entry *fired_entry, const char *name);
 
 /* Pushes a table of the call's arguments, checked against e, with defaults filled in; returns 1. Errors begin with e's
  * name, which may carry a quoted detail: "boss.def phase \"rain\"". */
-int api_checked(lua_State *L, const struct api_entry *e);
+int api_push_checked(lua_State *L, const struct api_entry *e);
 
 /* sys.check(name, ...): returns a table of the arguments, checked against the entry of that name, with its defaults. */
 int api_sys_check(lua_State *L);
@@ -210,36 +213,36 @@ int api_sys_check(lua_State *L);
 /* Folds the value at `at` into the script digest. */
 void api_fold(lua_State *L, struct board *b, int at);
 
-/* api_fold_looked folds the value at v->at, read by api_look, and uses the number in v instead of asking Lua again;
- * api_fold_text folds n bytes. */
-void api_fold_looked(lua_State *L, struct board *b, const struct api_value *v);
+/* api_fold_value folds the value at v->at, read by api_read_value, and uses the number in v instead of asking Lua
+ * again; api_fold_text folds n bytes. */
+void api_fold_value(lua_State *L, struct board *b, const struct api_value *v);
 void api_fold_text(lua_State *L, struct board *b, const char *s, size_t n);
 
 /* Folds a call: the hash of the entry's name, and the arguments that were given, before defaults. */
-void api_fold_call(lua_State *L, struct board *b, uint64_t entry, const struct api_value *v, int n);
+void api_fold_call(lua_State *L, struct board *b, uint64_t entry_hash, const struct api_value *v, int n);
 
 /* The entry sys.volley (api_volley.c). */
 int api_volley(lua_State *L, struct board *b, struct api_value *v);
 
-/* Pushes the function of the entry whose name is `of`, the character `split` and `name` in sequence ("bullet.fire").
- * Returns false and pushes nothing if there is none. */
-bool api_push_member(lua_State *L, const char *of, char split, const char *name);
+/* Pushes the function of the entry whose name is `owner`, the character `separator` and `name` in sequence
+ * ("bullet.fire"). Returns false and pushes nothing if there is none. */
+bool api_push_member(lua_State *L, const char *owner, char separator, const char *name);
 
-/* Creates the metatable that the API's tables share, with `missing` as __index. Call this before api_add_space. */
-void api_open_spaces(lua_State *L, lua_CFunction missing);
+/* Creates the metatable that the API's tables share, with `missing` as __index. Call this before api_add_namespace. */
+void api_create_namespace_metatable(lua_State *L, lua_CFunction missing);
 
 /* Registers the table on top of the stack as the API table of that name. */
-void api_add_space(lua_State *L, const char *name);
+void api_add_namespace(lua_State *L, const char *name);
 
 /* Pushes and returns the name of the API table at `at`; pushes nil and returns NULL for any other table. */
-const char *api_push_space(lua_State *L, int at);
+const char *api_push_namespace_name(lua_State *L, int at);
 
 /* Raises the fault for reading a missing field of an API table, if the field is reserved, disabled in rom.lua, or
  * belongs to a library module that is not loaded. */
-void api_fault_missing_field(lua_State *L, const char *of, const char *name);
+void api_fault_missing_field(lua_State *L, const char *table, const char *name);
 
 /* Returns whether the name is a key of a motion step. */
-bool api_step_word(lua_State *L, const char *name);
+bool api_is_step_key(lua_State *L, const char *name);
 
 /* Sets the metatable of the number type, which implements the properties and methods of handles. */
 void api_open_handles(lua_State *L);
@@ -249,7 +252,7 @@ bool api_push_method(lua_State *L, int kind, const char *name);
 
 /* Returns the direction from (x, y) to the nearest player, or for a shot to the nearest enemy. If there is no target,
  * or it is exactly at (x, y), returns down, or up for a shot. */
-ang api_aim(struct board *b, bool shot, fx x, fx y);
+ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y);
 
 /* A hit shape, as the rows that a kind stores (motion.h). */
 struct api_shape {
@@ -257,15 +260,15 @@ struct api_shape {
     uint32_t rows;
     struct {
         fx a, b, x, y;
-    } row[SHAPE_PARTS];
+    } row[SHAPE_MAX_CIRCLES];
 };
 
-/* Reads the hit shape at stack index `at`; raises an error if the shape is not accepted by its owner (`whose`). */
-struct api_shape api_hit(lua_State *L, const char *entry, int at, enum hit_whose whose);
+/* Reads the hit shape at stack index `at`; raises an error if the shape is not accepted by its owner (`owner`). */
+struct api_shape api_read_hit_shape(lua_State *L, const char *entry, int at, enum hit_owner owner);
 
 /* Declares a kind with hit shape s; returns the kind's index. */
-int32_t api_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
-                 const struct api_shape *s);
+int32_t api_declare_kind(lua_State *L, const char *entry, struct slots *kinds, const struct shape_columns *k,
+                         const struct api_shape *s);
 
 /* api_value_names returns the list of values declared for the things that entry e creates (API_VALUES, API_FIRE),
  * api_value_names_of the list for a kind of thing. NAME_LISTS: none. */
@@ -273,7 +276,7 @@ enum name_kind api_value_names(const struct api_entry *e);
 enum name_kind api_value_names_of(enum handle_kind kind);
 
 /* Returns the number of values declared in list `names`; 0 for NAME_LISTS. */
-int api_values(const struct board *b, enum name_kind names);
+int api_value_count(const struct board *b, enum name_kind names);
 
 /* Returns the parameter against which the declared value of that name is checked. */
 struct api_param api_value_param(const char *name);
@@ -282,16 +285,16 @@ struct api_param api_value_param(const char *name);
 fx *api_value_column(struct board *b, enum name_kind names, int k);
 
 /* Sets the declared values of the new entity in slot i from v, the elements that api_read_arguments filled for them. */
-void api_value_set(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v);
+void api_set_values(struct board *b, enum name_kind names, uint32_t i, const struct api_value *v);
 
 /* Converts a count (A_COUNT) to the 32 bits a chip stores, -1 for forever, and back. */
 enum { COUNT_FOREVER = -1 };
-static inline int32_t api_or_forever(const struct api_value *v)
+static inline int32_t api_to_count(const struct api_value *v)
 {
     return v->i == LUA_MAXINTEGER ? COUNT_FOREVER : (int32_t)v->i;
 }
 
-static inline void api_push_or_forever(lua_State *L, int32_t n)
+static inline void api_push_count(lua_State *L, int32_t n)
 {
     lua_pushinteger(L, n == COUNT_FOREVER ? LUA_MAXINTEGER : n);
 }
@@ -331,12 +334,12 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
     }
 
 /* Pushes a handle for the group of all things of a kind, or of only those with the given tag. */
-int api_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
+int api_push_group(lua_State *L, enum handle_kind kind, const char *entry, const struct api_value *tag);
 
 /* Calls the function in v with each live entity of a pool that has the tag in v (none: all), in slot order. Entities
  * spawned during the calls are not visited. */
-int api_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
-             const uint16_t *tags, const struct api_value v[EACH_PARAMS]);
+int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const char *entry, const struct slots *s,
+                  const uint16_t *tags, const struct api_value v[EACH_PARAMS]);
 
 /* A region given by a place and shape words: everywhere, a circle, a box or a line with a width. */
 enum api_region_shape { REGION_ALL, REGION_CIRCLE, REGION_BOX, REGION_LINE };
@@ -348,16 +351,18 @@ struct api_region {
 };
 
 /* Arguments of the verbs of bullets, shots, lasers and their groups. */
-#define SELF_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
+#define SELF_PARAM_OF(kinds) PARAM("self", A_THING, REQ, kinds, 0, NULL, NULL, "the thing itself")
 
-#define AIM_ADD PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "angle added to the direction towards the target, clockwise")
+#define AIM_ADD_PARAM                                                                                                  \
+    PARAM("add", A_DIR, OPT, 0, 0, NULL, "0", "angle added to the direction towards the target, clockwise")
 
-#define TURN_BY                                                                                                        \
+#define TURN_BY_PARAM                                                                                                  \
     PARAM("by", A_DIR, REQ, 0, 0, NULL, NULL, "degrees to turn clockwise; a negative number turns counterclockwise")
 
-#define SHIFT_DX                                                                                                       \
-    PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right; a negative distance moves left")
-#define SHIFT_DY PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down; a negative distance moves up")
+#define SHIFT_DX_PARAM                                                                                                 \
+    PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right; a negative distance moves left")
+#define SHIFT_DY_PARAM                                                                                                 \
+    PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down; a negative distance moves up")
 
 /* Indices of the shape words, which follow PLACE in this order. */
 enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_Y, REGION_WIDTH, REGION_PARAMS };
@@ -371,20 +376,20 @@ enum { REGION_RADIUS = PLACE_PARAMS, REGION_W, REGION_H, REGION_TO_X, REGION_TO_
         PARAM("h", A_FX, must, 0, 32767, "px", NULL,                                                                   \
               "height of a box centred on the position" SHAPE_NEEDS_##must("`w`"))
 #define SHAPE_LINE_PARAMS(must)                                                                                        \
-    PARAM("to_x", A_FX, must, -WORLD, WORLD, "px", NULL,                                                               \
+    PARAM("to_x", A_FX, must, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                     \
           "x of the end of a line that starts at the position" SHAPE_NEEDS_##must("`to_y` and `width`")),              \
-        PARAM("to_y", A_FX, must, -WORLD, WORLD, "px", NULL, "y of the end of the line"),                              \
-        PARAM("width", A_FX, must, 0, WORLD, "px", NULL, "width of the line; its ends are round")
+        PARAM("to_y", A_FX, must, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "y of the end of the line"),                    \
+        PARAM("width", A_FX, must, 0, WORLD_EDGE, "px", NULL, "width of the line; its ends are round")
 
 /* Reads a region from REGION_PARAMS values. Returns false if the thing `from` is dead, so that the region has no
  * position. */
-bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);
+bool api_read_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r);
 
 /* Returns whether the region contains the point, edge included. The test is exact. */
-bool api_region_has(const struct api_region *r, fx x, fx y);
+bool api_region_contains(const struct api_region *r, fx x, fx y);
 
 /* Returns whether any part of laser i, as drawn, is in the region. */
-bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i);
+bool api_region_touches_laser(const struct board *b, const struct api_region *r, uint32_t i);
 
 /* The parameters and functions of bullet.clear, laser.clear and the clear verbs of bullets, shots, lasers and
  * groups. */
@@ -420,60 +425,60 @@ uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at);
 /* Read the table of settings, at stack index `at`, of a step emit or wait_for (api_step.c). */
 enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
 extern const struct api_param api_emit_params[EMIT_PARAMS], api_await_params[AWAIT_PARAMS];
-void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e);
-void api_step_await(lua_State *L, int step, int at, struct motion_step *s);
+void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e);
+void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s);
 
-/* State of reading the route at stack index `route`; i, x and y start at 0. Each call of api_step_leg reads the next
- * leg; returns false after the last one. */
-struct api_leg {
+/* State of reading the route at stack index `route`; i, x and y start at 0. Each call of api_read_step_leg reads the
+ * next leg; returns false after the last one. */
+struct api_route_reader {
     int route, i;
-    bool mirror;
+    bool mirrored;
     fx x, y;
 };
-bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step *leg);
+bool api_read_step_leg(lua_State *L, int step, struct api_route_reader *reader, struct motion_step *leg);
 
-/* Pushes the module path. Raises `message` if the game lacks the module or the value at `at` is not a route. */
-void api_push_routes(lua_State *L, const char *entry, int at, const char *message);
+/* Pushes the Lua module `path`. Raises `message` if the game lacks that module or the value at `at` is not a route. */
+void api_push_path_module(lua_State *L, const char *entry, int at, const char *message);
 
 /* The pictures of a kind of enemy or player in addition to its sprite, with their names (api_looks.c). */
-enum { MOST_PICTURES = 15 };
+enum { MAX_PICTURES = 15 };
 struct api_pictures {
     int n;
-    const char *name[MOST_PICTURES];
-    uint16_t sprite[MOST_PICTURES];
+    const char *name[MAX_PICTURES];
+    uint16_t sprite[MAX_PICTURES];
 };
 
-/* Reads at most `most` pictures from the table `pictures`: first the names in `first`, which ends with NULL (an
+/* Reads at most `max` pictures from the table `pictures`: first the names in `first_names`, which ends with NULL (an
  * omitted picture uses the kind's own sprite), then the other names in byte order. If the table is not given,
  * there are none. */
-void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t own,
-                       const char *const *first, int most, struct api_pictures *p);
+void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t default_sprite,
+                       const char *const *first_names, int max, struct api_pictures *p);
 
-/* api_pictures_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next.
- * api_pictures_keep then stores the pictures' names. */
-void api_pictures_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
-                       const struct api_pictures *p);
-void api_pictures_keep(lua_State *L, enum name_kind of, int32_t kind, const struct api_pictures *p);
+/* api_pictures_append_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next.
+ * api_pictures_store_names then stores the pictures' names. */
+void api_pictures_append_rows(lua_State *L, const char *entry, struct slots *kinds, uint16_t *sprite,
+                              const struct api_pictures *p);
+void api_pictures_store_names(lua_State *L, enum name_kind names, int32_t kind, const struct api_pictures *p);
 
-/* api_picture_named returns the number of the named picture, 0 for nil, or raises an error; api_picture_push pushes the
+/* api_picture_find returns the number of the named picture, 0 for nil, or raises an error; api_picture_push pushes the
  * picture's name, or nil. */
-unsigned api_picture_named(lua_State *L, enum name_kind of, int32_t kind, const char *thing,
-                           const struct api_value *name);
-void api_picture_push(lua_State *L, enum name_kind of, int32_t kind, unsigned n);
+unsigned api_picture_find(lua_State *L, enum name_kind names, int32_t kind, const char *thing,
+                          const struct api_value *name);
+void api_picture_push(lua_State *L, enum name_kind names, int32_t kind, unsigned n);
 
-/* If rom.lua disables names of that sort, returns the text for the %s of API_OFF, otherwise NULL. */
-const char *api_names_off(lua_State *L, enum name_kind what);
+/* If rom.lua disables names of that sort, returns the text for the %s of API_DISABLED_FORMAT, otherwise NULL. */
+const char *api_names_off_text(lua_State *L, enum name_kind kind);
 
 /* Returns whether that kind of thing has a property of that name. */
-bool api_property(const struct api_thing *t, const char *name);
+bool api_has_property(const struct api_thing *t, const char *name);
 
 /* A table of items or registers: { NAME = n }. */
-enum { MOST_ITEM_NAMES = ITEM_REGISTERS + 2, AN_ITEM = 6 /* work per dropped item */ };
-#define ITEM_NAMES "{ NAME = n }"
+enum { MAX_ITEM_NAMES = ITEM_REGISTERS + 2, DROP_WORK = 6 /* work per dropped item */ };
+#define ITEM_TABLE_FORM "{ NAME = n }"
 
 /* Returns the integer under `name` in the table at `at`; raises an error unless it is from lo to hi. */
-int64_t api_named_number(lua_State *L, const char *entry, const char *what, int at, const char *name, double lo,
-                         double hi);
+int64_t api_read_named_number(lua_State *L, const char *entry, const char *param_name, int at, const char *name,
+                              double lo, double hi);
 
 /* Both functions pack the items in the table at `at` (drops = { NAME = n }) into a string, in byte order of the names,
  * and push the string; api_push_folded_drops also folds the string. */
@@ -488,7 +493,7 @@ void api_items_check(lua_State *L, struct board *b);
 void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct api_value *options);
 
 /* Returns the number of the bomb named by an argument of player.def; 0: not given. */
-uint8_t api_bomb_named(lua_State *L, const char *what, int32_t ship, const struct api_value *v);
+uint8_t api_find_bomb(lua_State *L, const char *param_name, int32_t ship, const struct api_value *v);
 
 /* Passed instead of a kind of ship: the registers of the run. */
 enum { RUN_REGISTERS = -1 };
@@ -506,27 +511,27 @@ int api_register_expect(lua_State *L, const char *entry, const char *what, int32
 
 /* Returns the integer at `at`, to be written to a register. Raises an error for anything but an integer up to
  * INT32_MAX; integers below the register's min are accepted, because writes clamp to min and max. */
-int64_t api_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
+int64_t api_read_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
 
 /* Returns the number of a register of that kind of ship, or -1. */
-int api_ship_register(lua_State *L, int32_t kind, const char *name);
+int api_find_ship_register(lua_State *L, int32_t kind, const char *name);
 
 /* Adds to the table on top of the stack how register i of a kind of ship is displayed: show, at, label and mark, if
  * declared. */
-void api_register_show(lua_State *L, int32_t kind, int i);
+void api_register_add_display(lua_State *L, int32_t kind, int i);
 
 /* Pushes the name of the unlock that a kind of ship needs, or nil. */
-void api_player_needs(lua_State *L, int32_t kind);
+void api_player_push_unlock(lua_State *L, int32_t kind);
 
 /* Returns whether any kind of ship, or the run, has a register of that name. */
-bool api_register_declared(lua_State *L, const char *name);
+bool api_register_is_declared(lua_State *L, const char *name);
 
 /* Returns the register name nearest to a misspelt one, or NULL. */
-const char *api_register_near(lua_State *L, const char *name);
+const char *api_register_nearest(lua_State *L, const char *name);
 
 /* Fills `names` with the names of the registers of a kind of ship, indexed by register number; returns how many there
  * are. The strings are valid as long as the board is. */
-int api_player_registers(lua_State *L, int32_t kind, const char *names[PLAYER_REGISTERS]);
+int api_player_register_names(lua_State *L, int32_t kind, const char *names[PLAYER_MAX_REGISTERS]);
 
 /* Adds player i to the game with that kind of ship and starts the kind's run function, if any, as a task. */
 int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
@@ -534,16 +539,16 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind);
 /* Counts a wait that the running task skips while fast-forwarding to a practice mark (TASK_SKIPS); does nothing
  * otherwise. More than MAX_SKIPS in one turn is a fault. Under PRACTICE_LIST the task is stopped instead, and also once
  * half of a tick's work limit is used, so that the other tasks continue. Returns 0 if the caller may continue. */
-int api_pass_wait(lua_State *L, struct board *b);
+int api_count_skipped_wait(lua_State *L, struct board *b);
 
-/* Call after loading a palette. If the palette changed (`other`), rebuilds the tables of shades for the plane's fog and
- * for a fade to black. */
-void api_bg_shade(lua_State *L, struct board *b, bool other);
+/* Call after loading a palette. If the palette changed (`changed`), rebuilds the tables of shades for the plane's fog
+ * and for a fade to black. */
+void api_bg_rebuild_shades(lua_State *L, struct board *b, bool changed);
 
 /* Creates the tables of declared names. */
 void api_open_names(lua_State *L);
 
 /* If rom.lua does not enable bodies, raises an error that quotes the line to add. */
-void api_body_check(lua_State *L, const char *entry, const char *what);
+void api_check_bodies(lua_State *L, const char *entry, const char *feature);
 
 #endif

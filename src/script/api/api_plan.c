@@ -15,45 +15,46 @@
 #include "api_parts.h"
 
 enum {
-    WARM = 16,                /* number of calls before a plan is made */
-    ROOMY = LUA_MINSTACK - 3, /* stack slots a C function has above its arguments; odd, as the offsets of values are */
-    FURTHER = 16,             /* stack slots an API function may need in addition */
-    KEYS = MAX_PARAMS
+    WARM_CALLS = 16, /* number of calls before a plan is made */
+    FREE_SLOTS =
+        LUA_MINSTACK - 3, /* stack slots a C function has above its arguments; odd, as the offsets of values are */
+    EXTRA_SLOTS = 16,     /* stack slots an API function may need in addition */
+    MAX_KEYS = MAX_PARAMS
 };
 
 struct api_plan {
-    const struct api_entry *fire; /* the entry whose parameters are taken in addition */
-    enum name_kind names;         /* list of the declared values, which follow the parameters */
-    int n, values;
-    uint64_t required;        /* mask of required parameters */
-    uint8_t follow[KEYS + 1]; /* by parameter: the one that followed it; last element: the first */
-    const void *key[KEYS];    /* the Lua string of each name; the plan's address if not yet known */
-    struct api_value start[]; /* values of omitted arguments */
+    const struct api_entry *fired_entry; /* the entry whose parameters are taken in addition */
+    enum name_kind names;                /* list of the declared values, which follow the parameters */
+    int n, n_values;
+    uint64_t required;                /* mask of required parameters */
+    uint8_t next_param[MAX_KEYS + 1]; /* by parameter: the one that followed it; last element: the first */
+    const void *key[MAX_KEYS];        /* the Lua string of each name; the plan's address if not yet known */
+    struct api_value defaults[];      /* values of omitted arguments */
 };
 
-static void fill(struct api_plan *p, const struct api_entry *e, const struct api_entry *fire)
+static void fill_plan(struct api_plan *p, const struct api_entry *e, const struct api_entry *fired_entry)
 {
-    for (int i = 0; i < p->n + p->values; i++) {
+    for (int i = 0; i < p->n + p->n_values; i++) {
         p->key[i] = p;
-        p->start[i] = (struct api_value){ .at = e->plain + 2 }; /* the nil above the table */
+        p->defaults[i] = (struct api_value){ .at = e->positional_count + 2 }; /* the nil above the table */
         if (i >= p->n)
             continue;
-        const struct api_param *param = api_param_at(e, fire, i);
-        api_fill_default(param, &p->start[i]);
+        const struct api_param *param = api_param_at(e, fired_entry, i);
+        api_fill_default(param, &p->defaults[i]);
         p->required |= (uint64_t)!param->optional << i;
     }
 }
 
 /* Makes the plan of f. f keeps the plan alive, and the plan's user values keep the strings of the names alive. */
-static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api_entry *fire)
+static struct api_plan *make_plan(lua_State *L, struct api_binding *f, const struct api_entry *fired_entry)
 {
     const struct api_entry *e = f->entry;
-    const enum name_kind names = api_value_names(fire ? fire : e);
-    const int n = api_param_count(e, fire), values = api_values(vm_board(L), names);
-    struct api_plan *p = lua_newuserdatauv(L, sizeof *p + (size_t)(n + values) * sizeof *p->start, n + values);
+    const enum name_kind names = api_value_names(fired_entry ? fired_entry : e);
+    const int n = api_param_count(e, fired_entry), n_values = api_value_count(vm_board(L), names);
+    struct api_plan *p = lua_newuserdatauv(L, sizeof *p + (size_t)(n + n_values) * sizeof *p->defaults, n + n_values);
 
-    *p = (struct api_plan){ .fire = fire, .names = names, .n = n, .values = values };
-    fill(p, e, fire);
+    *p = (struct api_plan){ .fired_entry = fired_entry, .names = names, .n = n, .n_values = n_values };
+    fill_plan(p, e, fired_entry);
     lua_setiuservalue(L, lua_upvalueindex(1), 1);
     f->plan = p;
     return p;
@@ -61,38 +62,38 @@ static struct api_plan *make(lua_State *L, struct api_bound *f, const struct api
 
 /* Returns the plan for this call, or NULL if there is none. A call has a plan only if its last argument is the table of
  * named arguments. */
-static struct api_plan *plan_for(lua_State *L, struct api_bound *f, const struct api_entry **fire)
+static struct api_plan *get_plan(lua_State *L, struct api_binding *f, const struct api_entry **fired_entry)
 {
     const struct api_entry *e = f->entry;
-    const int at = e->plain + 1;
+    const int at = e->positional_count + 1;
 
-    if (e->flags & API_MORE || lua_gettop(L) != at || lua_type(L, at) != LUA_TTABLE || vm_board(L)->vm.plain)
+    if (e->flags & API_VARARGS || lua_gettop(L) != at || lua_type(L, at) != LUA_TTABLE || vm_board(L)->vm.skips_plans)
         return NULL;
-    *fire = api_fires(L, e, at);
+    *fired_entry = api_fired_entry(L, e, at);
     struct api_plan *p = f->plan;
-    if (p && p->fire == *fire && p->values == api_values(vm_board(L), p->names))
+    if (p && p->fired_entry == *fired_entry && p->n_values == api_value_count(vm_board(L), p->names))
         return p;
-    if ((p && p->fire != *fire) || ++f->tables < WARM)
+    if ((p && p->fired_entry != *fired_entry) || ++f->table_calls < WARM_CALLS)
         return NULL;
-    return make(L, f, *fire);
+    return make_plan(L, f, *fired_entry);
 }
 
 /* Returns the index of the parameter or declared value named by the key below the top of the stack, and stores the key
  * in the plan; -1: unknown. */
-static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
+static int learn_key(lua_State *L, const struct api_entry *e, struct api_plan *p)
 {
     const void *key = lua_topointer(L, -2);
     int i = 0;
 
-    while (i < p->n + p->values && p->key[i] != key)
+    while (i < p->n + p->n_values && p->key[i] != key)
         i++;
-    if (i < p->n + p->values)
+    if (i < p->n + p->n_values)
         return i;
     const char *name = luakeys_text(L, -2);
     if (!name || (e->flags & API_FIRE && !strcmp(name, "each"))) /* `each` makes fewer arguments required */
         return -1;
-    i = api_search_param(e, p->fire, name);
-    if (i < 0 && p->values > 0) {
+    i = api_search_param(e, p->fired_entry, name);
+    if (i < 0 && p->n_values > 0) {
         const int k = api_names_find(L, p->names, name);
         i = k == NO_SLOT ? -1 : p->n + k;
     }
@@ -108,35 +109,36 @@ static int learn(lua_State *L, const struct api_entry *e, struct api_plan *p)
 
 /* Iterates over the table at `at`. Leaves the keys and values on the stack, above a nil. Returns false if a key is not
  * an argument. */
-static bool walk(lua_State *L, const struct api_entry *e, struct api_plan *p, int at, struct api_value *v,
-                 uint64_t *given)
+static bool read_table(lua_State *L, const struct api_entry *e, struct api_plan *p, int at, struct api_value *v,
+                       uint64_t *given_mask)
 {
-    int last = KEYS, slot = at + 3;
+    int previous = MAX_KEYS, slot = at + 3;
 
     lua_pushnil(L);
     lua_pushnil(L);
     while (lua_next(L, at)) {
-        if (slot == at + ROOMY)
-            luaL_checkstack(L, 2 * (p->n + p->values), NULL);
-        int i = p->follow[last];
+        if (slot == at + FREE_SLOTS)
+            luaL_checkstack(L, 2 * (p->n + p->n_values), NULL);
+        int i = p->next_param[previous];
         if (lua_topointer(L, -2) != p->key[i]) {
-            if ((i = learn(L, e, p)) < 0)
+            if ((i = learn_key(L, e, p)) < 0)
                 return false;
-            p->follow[last] = (uint8_t)i;
+            p->next_param[previous] = (uint8_t)i;
         }
-        api_look(L, slot, -1, &v[i]);
+        api_read_value(L, slot, -1, &v[i]);
         slot += 2;
         lua_pushvalue(L, -2);
-        *given |= 1ull << i;
-        last = i;
+        *given_mask |= 1ull << i;
+        previous = i;
     }
     return true;
 }
 
-static void check(lua_State *L, const struct api_entry *e, const struct api_plan *p, struct api_value *v, int i)
+static void check_argument(lua_State *L, const struct api_entry *e, const struct api_plan *p, struct api_value *v,
+                           int i)
 {
     if (i < p->n) {
-        api_check_value(L, e->name, api_param_at(e, p->fire, i), &v[i]);
+        api_check_value(L, e->name, api_param_at(e, p->fired_entry, i), &v[i]);
         return;
     }
     const struct api_param param = api_value_param(board_name(vm_board(L), p->names, i - p->n));
@@ -144,10 +146,10 @@ static void check(lua_State *L, const struct api_entry *e, const struct api_plan
 }
 
 /* Checks a call whose arguments are all positional and all on the stack. */
-static int check_plain(lua_State *L, const struct api_entry *e, struct api_value *v)
+static int check_positional(lua_State *L, const struct api_entry *e, struct api_value *v)
 {
     for (int i = 0; i < e->count; i++) {
-        api_look(L, i + 1, i + 1, &v[i]);
+        api_read_value(L, i + 1, i + 1, &v[i]);
         if (v[i].given || !e->params[i].optional)
             api_check_value(L, e->name, &e->params[i], &v[i]);
         else
@@ -156,32 +158,34 @@ static int check_plain(lua_State *L, const struct api_entry *e, struct api_value
     return e->count;
 }
 
-int api_read_planned_arguments(lua_State *L, struct api_bound *f, struct api_value *v, const struct api_entry **fire)
+int api_read_planned_arguments(lua_State *L, struct api_binding *f, struct api_value *v,
+                               const struct api_entry **fired_entry)
 {
     const struct api_entry *e = f->entry;
-    uint64_t given = 0;
-    const int at = e->plain + 1;
+    uint64_t given_mask = 0;
+    const int at = e->positional_count + 1;
 
-    if (e->plain == e->count && !(e->flags & (API_FIRE | API_MORE | API_VALUES)) && lua_gettop(L) == e->count) {
-        *fire = NULL;
+    if (e->positional_count == e->count && !(e->flags & (API_FIRE | API_VARARGS | API_VALUES)) &&
+        lua_gettop(L) == e->count) {
+        *fired_entry = NULL;
         memset(v, 0, e->count * sizeof *v);
-        return check_plain(L, e, v);
+        return check_positional(L, e, v);
     }
-    struct api_plan *p = plan_for(L, f, fire);
+    struct api_plan *p = get_plan(L, f, fired_entry);
     if (!p)
-        return api_read_arguments(L, e, v, fire);
-    memcpy(v, p->start, (size_t)(p->n + p->values) * sizeof *v);
-    if (!walk(L, e, p, at, v, &given)) {
+        return api_read_arguments(L, e, v, fired_entry);
+    memcpy(v, p->defaults, (size_t)(p->n + p->n_values) * sizeof *v);
+    if (!read_table(L, e, p, at, v, &given_mask)) {
         lua_settop(L, at);
-        return api_read_arguments(L, e, v, fire);
+        return api_read_arguments(L, e, v, fired_entry);
     }
-    luaL_checkstack(L, FURTHER, NULL);
-    vm_board(L)->vm.planned++;
-    for (int i = 0; i < e->plain; i++) {
-        api_look(L, i + 1, i + 1, &v[i]);
-        given |= (uint64_t)v[i].given << i;
+    luaL_checkstack(L, EXTRA_SLOTS, NULL);
+    vm_board(L)->vm.plan_count++;
+    for (int i = 0; i < e->positional_count; i++) {
+        api_read_value(L, i + 1, i + 1, &v[i]);
+        given_mask |= (uint64_t)v[i].given << i;
     }
-    for (uint64_t asked = given | p->required; asked; asked &= asked - 1)
-        check(L, e, p, v, (int)bits_lowest(asked));
-    return p->n + p->values;
+    for (uint64_t to_check = given_mask | p->required; to_check; to_check &= to_check - 1)
+        check_argument(L, e, p, v, (int)bits_lowest(to_check));
+    return p->n + p->n_values;
 }

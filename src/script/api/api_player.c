@@ -30,14 +30,14 @@ enum {
     D_NEEDS
 };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the ship, used in `players` of boot.run; must be new"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "sprite to draw"),
     PARAM("hit", A_HIT, REQ, HIT_PLAYERS, 0, NULL, NULL, "hitbox, a circle around its position"),
     PARAM("graze", A_FX, OPT, 0, MAX_SPEED, "px", "16", "radius of the circle in which bullets graze it"),
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "4", "speed of flight"),
     PARAM("focus", A_FX, OPT, 0, MAX_SPEED, "px/frame", "2", "speed of flight while the focus button is held"),
-    PARAM("lives", A_INT, OPT, 1, MOST_LIVES, NULL, "3", "lives at the start of a game, counting the one in play"),
+    PARAM("lives", A_INT, OPT, 1, MAX_LIVES, NULL, "3", "lives at the start of a game, counting the one in play"),
     PARAM("safe", A_INT, OPT, 0, 100000, "frames", "120",
           "frames at the start and after a death during which nothing can hit the ship"),
     PARAM("registers", A_TABLE, OPT, 0, 0, NULL, NULL,
@@ -46,7 +46,7 @@ static const struct api_param def[] = {
     PARAM("run", A_FUNC, OPT, 0, 0, NULL, NULL,
           "run(p): task that runs from when the ship joins the game until the player is out"),
     PARAM("magnet", A_FX, OPT, 0, MAX_SPEED, "px", "24", "distance within which items fly to it"),
-    PARAM("collect_line", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("collect_line", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "vertical position of a line; while the ship is above the line, it attracts all items; nil for no line"),
     PARAM("collect_full", A_STR, OPT, 1, 31, NULL, NULL,
           "register of the ship or the run; while the register is at its max, all items fly to the ship"),
@@ -70,7 +70,7 @@ static const char run_key = 0; /* registry: kind -> run */
 static const char needs_key = 0; /* registry: kind -> the unlock it needs */
 
 /* Stores the value at `at` for a kind. Creates the table on first use. */
-static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
+static void store_for_kind(lua_State *L, const char *key, int32_t kind, int at)
 {
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, key) != LUA_TTABLE) {
         lua_pop(L, 1);
@@ -83,7 +83,7 @@ static void keep_of_kind(lua_State *L, const char *key, int32_t kind, int at)
     lua_pop(L, 1);
 }
 
-void api_player_needs(lua_State *L, int32_t kind)
+void api_player_push_unlock(lua_State *L, int32_t kind)
 {
     int top = lua_gettop(L);
 
@@ -96,53 +96,54 @@ void api_player_needs(lua_State *L, int32_t kind)
 }
 
 /* Returns the register that, when at its max, collects all items: the register's number + 1 in the ship,
- * PLAYER_FULL_RUN + its number in the run, or 0 for none. If both the ship and the run have a register of that name,
- * the ship's is used. */
-static uint8_t full_register(lua_State *L, const struct board *b, int32_t kind, const struct api_value *full)
+ * PLAYER_RUN_REGISTER + its number in the run, or 0 for none. If both the ship and the run have a register of that
+ * name, the ship's is used. */
+static uint8_t find_full_register(lua_State *L, const struct board *b, int32_t kind,
+                                  const struct api_value *collect_full)
 {
-    const char *name = full->given ? lua_tostring(L, full->at) : NULL;
+    const char *name = collect_full->given ? lua_tostring(L, collect_full->at) : NULL;
 
     if (!name)
         return 0;
-    const int of_run = api_ship_register(L, kind, name) < 0 ? api_run_register(L, name) : -1;
-    const int i = of_run < 0 ? api_register_expect(L, "player.def", "collect_full", kind, name) : of_run;
-    const uint32_t first = of_run < 0 ? b->player_kinds.first[kind] : b->registers.first;
-    if (registers_rule(&b->registers, first + (uint32_t)i).most == REGISTER_MOST)
+    const int run_register = api_find_ship_register(L, kind, name) < 0 ? api_find_run_register(L, name) : -1;
+    const int i = run_register < 0 ? api_register_expect(L, "player.def", "collect_full", kind, name) : run_register;
+    const uint32_t first_row = run_register < 0 ? b->player_kinds.first_register[kind] : b->registers.first_run_row;
+    if (registers_rule(&b->registers, first_row + (uint32_t)i).max_value == REGISTER_NO_MAX)
         api_error(L, "player.def", "collect_full: register \"%s\" has no max (write registers = { %s = { max = n } })",
                   name, name);
-    return (uint8_t)(of_run < 0 ? i + 1 : PLAYER_FULL_RUN + i);
+    return (uint8_t)(run_register < 0 ? i + 1 : PLAYER_RUN_REGISTER + i);
 }
 
 /* Sets how the ship attracts items. */
 static void define_items(lua_State *L, struct board *b, int32_t kind, const struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
-    const char *line = api_off(&b->cart.m, "item");
+    const char *off_text = api_disabled_reason(&b->cart.manifest, "item");
 
     for (int p = D_MAGNET; p <= D_PULL; p++)
-        if (line && v[p].given)
-            api_error(L, "player.def", "%s: " API_OFF, def[p].name, line);
-    if (line)
+        if (off_text && v[p].given)
+            api_error(L, "player.def", "%s: " API_DISABLED_FORMAT, def_params[p].name, off_text);
+    if (off_text)
         return;
-    k->magnet[kind] = v[D_MAGNET].f;
-    k->line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
-    k->pull[kind] = v[D_PULL].f;
-    k->full[kind] = full_register(L, b, kind, &v[D_FULL]);
+    k->magnet_radius[kind] = v[D_MAGNET].f;
+    k->collect_line[kind] = v[D_LINE].given ? v[D_LINE].f : FX_MIN;
+    k->pull_speed[kind] = v[D_PULL].f;
+    k->full_register[kind] = find_full_register(L, b, kind, &v[D_FULL]);
 }
 
 static int player_def(lua_State *L, struct board *b, struct api_value *v)
 {
     struct player_kinds *k = &b->player_kinds;
 
-    fx r = api_hit(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
+    fx r = api_read_hit_shape(L, "player.def", v[D_HIT].at, HIT_PLAYERS).row[0].a;
     struct api_pictures pictures;
-    uint32_t before = k->s.live;
+    uint32_t row = k->s.live;
 
     api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_PICTURES,
                       &pictures);
-    api_pictures_rows(L, "player.def", &k->s, k->sprite, &pictures);
-    for (; before < k->s.live; before++)
-        k->radius[before] = PICTURE_ROW;
+    api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
+    for (; row < k->s.live; row++)
+        k->radius[row] = PICTURE_ROW;
     int32_t i = slots_append(&k->s);
     if (i == NO_SLOT)
         return api_error(L, "player.def", "too many kinds (at most %d)", (int)k->s.cap);
@@ -151,23 +152,23 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     k->radius[i] = r;
     k->graze_radius[i] = v[D_GRAZE].f;
     k->speed[i] = v[D_SPEED].f;
-    k->focus[i] = v[D_FOCUS].f;
+    k->focus_speed[i] = v[D_FOCUS].f;
     k->lives[i] = (int32_t)v[D_LIVES].i;
-    k->safe[i] = (uint32_t)v[D_SAFE].i;
-    k->first[i] = (uint16_t)b->registers.s.live;
+    k->safe_frames[i] = (uint32_t)v[D_SAFE].i;
+    k->first_register[i] = (uint16_t)b->registers.s.live;
     if (v[D_REGISTERS].given)
-        k->registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
+        k->n_registers[i] = (uint8_t)api_registers_define(L, "player.def", i, v[D_REGISTERS].at);
     define_items(L, b, i, v);
-    k->bomb[i] = api_bomb_named(L, "bomb", i, &v[D_BOMB]);
-    k->bomb_focus[i] = api_bomb_named(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
-    k->deathbomb[i] = (uint16_t)v[D_DEATHBOMB].i;
+    k->bomb[i] = api_find_bomb(L, "bomb", i, &v[D_BOMB]);
+    k->bomb_focus[i] = api_find_bomb(L, "bomb_focus", i, &v[D_BOMB_FOCUS]);
+    k->deathbomb_frames[i] = (uint16_t)v[D_DEATHBOMB].i;
     api_options_read(L, b, i, &v[D_OPTIONS]);
-    api_pictures_keep(L, N_PLAYER, i, &pictures);
+    api_pictures_store_names(L, N_PLAYER, i, &pictures);
     if (v[D_RUN].given)
-        keep_of_kind(L, &run_key, i, v[D_RUN].at);
+        store_for_kind(L, &run_key, i, v[D_RUN].at);
     if (v[D_NEEDS].given) {
-        keep_of_kind(L, &needs_key, i, v[D_NEEDS].at);
-        api_note_place(L, "player.def", lua_tostring(L, v[D_NAME].at));
+        store_for_kind(L, &needs_key, i, v[D_NEEDS].at);
+        api_record_location(L, "player.def", lua_tostring(L, v[D_NAME].at));
     }
     return 0;
 }
@@ -177,24 +178,24 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 {
     fx x, y;
 
-    if (b->player.in[i])
+    if (b->player.in_game[i])
         player_leave(&b->player, i);
-    if (player_retired(&b->player, i))
+    if (player_is_retired(&b->player, i))
         return vm_fault(L, FAULT_SCRIPT, "player %d has joined %d games; restart the board", (int)i + 1,
-                        GENERATIONS - 1);
-    b->player.in[i] = PLAYER_IN;
+                        RETIRED_GENERATION - 1);
+    b->player.in_game[i] = PLAYER_IN_GAME;
     for (uint32_t p = 0; p <= i; p++) { /* when player 2 joins, player 1 moves off centre too */
-        events_player_start(b, p, &x, &y);
-        if (b->player.in[p] && p != i)
-            player_place(&b->player, p, x, y);
+        events_player_start_position(b, p, &x, &y);
+        if (b->player.in_game[p] && p != i)
+            player_set_position(&b->player, p, x, y);
     }
     player_join(&b->player, &b->player_kinds, i, kind, x, y);
-    registers_reset(&b->registers, b->player_kinds.first[kind], b->player_kinds.registers[kind], i);
+    registers_reset(&b->registers, b->player_kinds.first_register[kind], b->player_kinds.n_registers[kind], i);
     api_items_check(L, b);
-    options_drop_of(&b->options, i, 0); /* left over from the previous game */
-    b->core.extended[i] = 0;
-    b->core.over = 0;
-    input_forget(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not meant for the new ship */
+    options_drop_from(&b->options, i, 0); /* left over from the previous game */
+    b->core.extends_received[i] = 0;
+    b->core.game_over = 0;
+    input_drop_presses(&b->input, i, PRESS_GAME, PAD_ALL); /* earlier presses are not meant for the new ship */
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &run_key) == LUA_TTABLE && lua_rawgeti(L, -1, kind) == LUA_TFUNCTION) {
         lua_pushinteger(L, board_handle(b, H_PLAYER, (int32_t)i));
         tasks_start(b, L, board_handle(b, H_PLAYER, (int32_t)i), 1);
@@ -204,13 +205,13 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
 
 enum { ARG_PLAYER = 0, ARG_X = 0, ARG_Y = 1, ARG_F = 0 };
 
-static const struct api_param index_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "player to return") };
-static const struct api_param xy[] = {
-    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "horizontal position to measure from"),
-    PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position to measure from")
+static const struct api_param get_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "player to return") };
+static const struct api_param nearest_params[] = {
+    PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position to measure from"),
+    PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position to measure from")
 };
-static const struct api_param f_only[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                 "f(player): called with each player; it cannot wait") };
+static const struct api_param each_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                      "f(player): called with each player; it cannot wait") };
 
 static int player_get(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -220,7 +221,7 @@ static int player_get(lua_State *L, struct board *b, struct api_value *v)
 
 static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct targets t = board_players(b);
+    struct targets t = board_player_targets(b);
 
     lua_pushinteger(L, board_handle(b, H_PLAYER, targets_nearest(&t, v[ARG_X].f, v[ARG_Y].f)));
     return 1;
@@ -229,7 +230,7 @@ static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 static int player_each(lua_State *L, struct board *b, struct api_value *v)
 {
     for (int32_t i = 0; i < PADS; i++) {
-        if (!b->player.in[i])
+        if (!b->player.in_game[i])
             continue;
         lua_pushvalue(L, v[ARG_F].at);
         lua_pushinteger(L, board_handle(b, H_PLAYER, i));
@@ -256,21 +257,22 @@ enum {
 };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports it, without collisions on the way"),
       PROP_WRITE },
-    { PARAM("lives", A_INT, REQ, 0, MOST_LIVES, NULL, NULL,
+    { PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
             "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
       PROP_WRITE },
     { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE },
     { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ },
-    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "number of bullets and lasers grazed in this game"), PROP_LASTS },
-    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_LASTS },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_LASTS },
-    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_LASTS },
+    { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "number of bullets and lasers grazed in this game"),
+      PROP_PERSISTENT },
+    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_PERSISTENT },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_PERSISTENT },
+    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_PERSISTENT },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
             "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
             "flies left or right, otherwise its sprite"),
@@ -284,9 +286,9 @@ static const struct api_prop props[PROPS] = {
       PROP_READ },
 };
 
-static const uint8_t flag_of[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
+static const uint8_t prop_flags[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_player_prop(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct player *s = &b->player;
 
@@ -301,7 +303,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, s->lives[i]);
         break;
     case P_SAFE:
-        lua_pushinteger(L, s->safe[i]);
+        lua_pushinteger(L, s->safe_left[i]);
         break;
     case P_FOCUS:
         lua_pushboolean(L, s->flags[i] & PLAYER_FOCUS);
@@ -311,7 +313,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case P_FLIP_X:
     case P_HIDDEN:
-        lua_pushboolean(L, s->flags[i] & flag_of[p]);
+        lua_pushboolean(L, s->flags[i] & prop_flags[p]);
         break;
     case P_GRAZES:
         lua_pushinteger(L, s->grazes[i]);
@@ -330,55 +332,57 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     }
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_player_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct player *s = &b->player;
 
     switch (p) {
     case P_X:
-        player_place(s, i, v->f, s->y[i]);
+        player_set_position(s, i, v->f, s->y[i]);
         break;
     case P_Y:
-        player_place(s, i, s->x[i], v->f);
+        player_set_position(s, i, s->x[i], v->f);
         break;
     case P_LIVES:
         s->lives[i] = (int32_t)v->i;
         break;
     case P_PICTURE:
         s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_POSED)) |
-                                api_picture_named(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
+                                api_picture_find(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
                                 (v->given ? PLAYER_POSED : 0));
         break;
     case P_FLIP_X:
     case P_HIDDEN:
-        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | prop_flags[p] : s->flags[i] & ~prop_flags[p]);
         break;
     default:
-        s->safe[i] = (uint32_t)v->i;
+        s->safe_left[i] = (uint32_t)v->i;
     }
 }
 
-const struct api_thing api_player_thing = { "player", props, PROPS, get, set };
+const struct api_thing api_player_thing = { "player", props, PROPS, get_player_prop, set_player_prop };
 
 /* ---- pad ---- */
 
 enum { BUTTON_NAME, BUTTON_PLAYER };
 
-static const struct api_param button[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
-                                           PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
+static const struct api_param button_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
+                                                  PARAM("p", A_PAD, OPT, 0, 0, NULL, "1",
+                                                        "player whose buttons to read") };
 
 enum { TAKE_BUTTON, TAKE_AGE, TAKE_PLAYER };
 
-static const struct api_param take[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
-                                         PARAM("n", A_INT, REQ, 0, PRESS_KEPT, "frames", NULL,
-                                               "maximum age of the press; 0 accepts only a press in this frame"),
-                                         PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player whose buttons to read") };
+static const struct api_param take_params[] = { PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, "button to read"),
+                                                PARAM("n", A_INT, REQ, 0, MAX_PRESS_AGE, "frames", NULL,
+                                                      "maximum age of the press; 0 accepts only a press in this frame"),
+                                                PARAM("p", A_PAD, OPT, 0, 0, NULL, "1",
+                                                      "player whose buttons to read") };
 
-static int read_pad(lua_State *L, const struct board *b, const uint16_t *pads, const struct api_value *v)
+static int read_pad(lua_State *L, const struct board *b, const uint16_t *button_masks, const struct api_value *v)
 {
     uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
 
-    lua_pushboolean(L, v[BUTTON_PLAYER].i && (pads[p] & ~board_withheld(b, p)) >> v[BUTTON_NAME].i & 1);
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && (button_masks[p] & ~board_withheld_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
@@ -396,8 +400,8 @@ static int pad_take(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t p = (uint32_t)v[TAKE_PLAYER].i - 1, k = (uint32_t)v[TAKE_BUTTON].i;
 
-    lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_withheld(b, p) >> k & 1) &&
-                           input_take(&b->input, p, k, (uint32_t)v[TAKE_AGE].i, board_presses(b)));
+    lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_withheld_buttons(b, p) >> k & 1) &&
+                           input_take(&b->input, p, k, (uint32_t)v[TAKE_AGE].i, board_press_side(b)));
     return 1;
 }
 
@@ -415,38 +419,38 @@ static int pad_repeated(lua_State *L, struct board *b, struct api_value *v)
 
 enum { ADD_POINTS, ADD_PLAYER };
 
-static const struct api_param add[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
-                                              "points to add; a negative number takes points away"),
-                                        PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets the points") };
+static const struct api_param add_params[] = { PARAM("n", A_INT, REQ, -1e12, 1e12, "points", NULL,
+                                                     "points to add; a negative number takes points away"),
+                                               PARAM("p", A_PAD, OPT, 0, 0, NULL, "1", "player who gets the points") };
 
 enum { ROWS_TABLE, ROWS_SHIP };
 
-static const struct api_param rows_of[] = {
-    PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
+static const struct api_param rows_params[] = {
+    PARAM("table", A_STR, REQ, 1, NV_MAX_KEY, NULL, NULL,
           "name of the score table; boot.run uses the names of the difficulties"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL,
+    PARAM("ship", A_STR, OPT, 1, NV_MAX_KEY, NULL, NULL,
           "ship whose table to read; if omitted, the best rows of all ships are returned")
 };
 
 enum { ENTER_TABLE, ENTER_NAME, ENTER_SCORE, ENTER_SHIP, ENTER_STAGE, ENTER_CLEAR, ENTER_CONTINUES };
 
-static const struct api_param enter[] = {
-    PARAM("table", A_STR, REQ, 1, NV_KEY, NULL, NULL,
+static const struct api_param enter_params[] = {
+    PARAM("table", A_STR, REQ, 1, NV_MAX_KEY, NULL, NULL,
           "name of the score table; boot.run uses the names of the difficulties"),
-    PARAM("name", A_STR, REQ, 1, NV_NAME, NULL, NULL, "name to show for the player"),
+    PARAM("name", A_STR, REQ, 1, NV_MAX_NAME, NULL, NULL, "name to show for the player"),
     PARAM("score", A_INT, REQ, -1e15, 1e15, "points", NULL, "points to enter"),
-    PARAM("ship", A_STR, OPT, 1, NV_KEY, NULL, NULL,
+    PARAM("ship", A_STR, OPT, 1, NV_MAX_KEY, NULL, NULL,
           "ship that earned the score; the score is entered into the ship's table"),
     PARAM("stage", A_INT, OPT, 1, NV_CLEARED - 1, NULL, NULL, "number of the stage reached"),
     PARAM("clear", A_BOOL, OPT, 0, 0, NULL, "false", "true if all stages were cleared; use it instead of `stage`"),
-    PARAM("continues", A_INT, OPT, 0, NV_CONTINUES, NULL, "0", "number of continues used")
+    PARAM("continues", A_INT, OPT, 0, NV_MAX_CONTINUES, NULL, "0", "number of continues used")
 };
 
 static int score_add(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (v[ADD_PLAYER].i && b->player.in[v[ADD_PLAYER].i - 1])
-        board_score(b, (uint32_t)v[ADD_PLAYER].i - 1, v[ADD_POINTS].i);
+    if (v[ADD_PLAYER].i && b->player.in_game[v[ADD_PLAYER].i - 1])
+        board_add_score(b, (uint32_t)v[ADD_PLAYER].i - 1, v[ADD_POINTS].i);
     return 0;
 }
 
@@ -473,11 +477,11 @@ static void push_row(lua_State *L, const struct nv_row *row)
 
 static int score_rows(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct nv_row rows[NV_ROWS];
+    struct nv_row rows[NV_MAX_ROWS];
     const char *ship = v[ROWS_SHIP].given ? lua_tostring(L, v[ROWS_SHIP].at) : NULL;
 
-    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
-    int n = nvram_rows(&b->nvram, lua_tostring(L, v[ROWS_TABLE].at), ship, rows);
+    vm_charge(L, b->nvram.s.live / NVRAM_BYTES_PER_WORK);
+    int n = nvram_get_rows(&b->nvram, lua_tostring(L, v[ROWS_TABLE].at), ship, rows);
     lua_createtable(L, n, 0);
     for (int r = 0; r < n; r++) {
         push_row(L, &rows[r]);
@@ -491,7 +495,7 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
     const char *table = lua_tostring(L, v[ENTER_TABLE].at);
     struct nv_row row = { .score = v[ENTER_SCORE].i, .continues = (uint8_t)v[ENTER_CONTINUES].i };
 
-    vm_charge(L, b->nvram.s.live / NVRAM_STEP);
+    vm_charge(L, b->nvram.s.live / NVRAM_BYTES_PER_WORK);
     strcpy(row.name, lua_tostring(L, v[ENTER_NAME].at)); /* fits: the parameter limits the length of the name */
     if (v[ENTER_SHIP].given)
         strcpy(row.ship, lua_tostring(L, v[ENTER_SHIP].at));
@@ -499,42 +503,42 @@ static int score_enter(lua_State *L, struct board *b, struct api_value *v)
         row.stage = (uint8_t)v[ENTER_STAGE].i;
     if (v[ENTER_CLEAR].i)
         row.stage = NV_CLEARED;
-    int r = nvram_enter(&b->nvram, table, &row);
+    int r = nvram_enter_row(&b->nvram, table, &row);
     if (r == -2)
-        return api_error(L, "score.enter", NO_NVRAM, b->cart.m.nvram_kib);
+        return api_error(L, "score.enter", NVRAM_FULL, b->cart.manifest.nvram_kib);
     if (r < 0)
         return lua_pushnil(L), 1;
-    if (!board_lists(b))
+    if (!board_is_listing(b))
         board_add_marker(b, MARKER_ROW, table, row.ship, "", r + 1);
     lua_pushinteger(L, r + 1);
     return 1;
 }
 
 static const struct api_entry entries[] = {
-    { "player.def", player_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "player.def", player_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a ship: its sprite, its hitbox, its speed and its rules") },
-    { "player.get", player_get, PARAMS(index_only), 1, 0, "player",
+    { "player.get", player_get, PARAMS(get_params), 1, 0, "player",
       HELP("returns player 1 or 2, even if that player isn't in the game") },
-    { "player.nearest", player_nearest, PARAMS(xy), 2, 0, "player",
+    { "player.nearest", player_nearest, PARAMS(nearest_params), 2, 0, "player",
       HELP("returns the living player nearest to a point, or a dead handle if there is none") },
-    { "player.each", player_each, PARAMS(f_only), 1, API_CHANGES, NULL,
+    { "player.each", player_each, PARAMS(each_params), 1, API_CHANGES, NULL,
       HELP("calls a function for each player in the game") },
-    { "pad.down", pad_down, PARAMS(button), 2, 0, "boolean", HELP("returns true while a button is held") },
-    { "pad.pressed", pad_pressed, PARAMS(button), 2, 0, "boolean",
+    { "pad.down", pad_down, PARAMS(button_params), 2, 0, "boolean", HELP("returns true while a button is held") },
+    { "pad.pressed", pad_pressed, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true in the frame in which a button goes down") },
-    { "pad.take", pad_take, PARAMS(take), 3, API_CHANGES, "boolean",
+    { "pad.take", pad_take, PARAMS(take_params), 3, API_CHANGES, "boolean",
       HELP("takes a button's oldest press that hasn't been taken yet; returns false if there is none") },
-    { "pad.released", pad_released, PARAMS(button), 2, 0, "boolean",
+    { "pad.released", pad_released, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true in the frame in which a button is released") },
-    { "pad.repeated", pad_repeated, PARAMS(button), 2, 0, "boolean",
+    { "pad.repeated", pad_repeated, PARAMS(button_params), 2, 0, "boolean",
       HELP("returns true when a button goes down, then every 5 frames once it has been held for 20 frames") },
-    { "score.add", score_add, PARAMS(add), 2, API_CHANGES, NULL,
+    { "score.add", score_add, PARAMS(add_params), 2, API_CHANGES, NULL,
       HELP("adds points to a player's score, which stays between 0 and 999,999,999,999; the points can earn extra "
            "lives (`extends` in rom.lua)") },
-    { "score.rows", score_rows, PARAMS(rows_of), 2, API_CHANGES, "list",
+    { "score.rows", score_rows, PARAMS(rows_params), 2, API_CHANGES, "list",
       HELP("returns up to ten rows of a saved score table, best first; each is { name, score, ship, stage, clear, "
            "continues }") },
-    { "score.enter", score_enter, PARAMS(enter), 1, API_CHANGES, "row",
+    { "score.enter", score_enter, PARAMS(enter_params), 1, API_CHANGES, "row",
       HELP("enters a score into a saved table of ten rows; returns the number of its row, or nil if the score is too "
            "low") },
     { "player.def register", NULL, api_register_settings, REGISTER_SETTINGS, 0, API_LUA | API_SYS, NULL,

@@ -23,42 +23,42 @@ static bool any_given(const struct api_value *v, int first, int n)
     return false;
 }
 
-enum { BOX_WORDS = 2, LINE_WORDS = 3 };
+enum { BOX_ARGS = 2, LINE_ARGS = 3 };
 
 /* Returns the shape whose arguments are given; raises an error for arguments of several shapes, or for only some of the
  * arguments of one shape. */
-static enum api_region_shape shape_given(lua_State *L, const char *entry, const struct api_value *v)
+static enum api_region_shape find_shape(lua_State *L, const char *entry, const struct api_value *v)
 {
-    bool circle = v[REGION_RADIUS].given, box = any_given(v, REGION_W, BOX_WORDS),
-         line = any_given(v, REGION_TO_X, LINE_WORDS);
+    bool has_circle = v[REGION_RADIUS].given, has_box = any_given(v, REGION_W, BOX_ARGS),
+         has_line = any_given(v, REGION_TO_X, LINE_ARGS);
 
-    if (circle + box + line > 1)
+    if (has_circle + has_box + has_line > 1)
         api_error(L, entry,
                   "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got arguments of %s",
-                  !box      ? "a circle and a line"
-                  : !line   ? "a circle and a box"
-                  : !circle ? "a box and a line"
-                            : "all three");
-    if (box && !all_given(v, REGION_W, BOX_WORDS))
+                  !has_box      ? "a circle and a line"
+                  : !has_line   ? "a circle and a box"
+                  : !has_circle ? "a box and a line"
+                                : "all three");
+    if (has_box && !all_given(v, REGION_W, BOX_ARGS))
         api_error(L, entry, "shape: expected both `w` and `h`, got only `%s`", v[REGION_W].given ? "w" : "h");
-    if (line && !all_given(v, REGION_TO_X, LINE_WORDS))
+    if (has_line && !all_given(v, REGION_TO_X, LINE_ARGS))
         api_error(L, entry, "shape: expected all of `to_x`, `to_y` and `width`, got no `%s`",
                   !v[REGION_TO_X].given   ? "to_x"
                   : !v[REGION_TO_Y].given ? "to_y"
                                           : "width");
-    return circle ? REGION_CIRCLE : box ? REGION_BOX : line ? REGION_LINE : REGION_ALL;
+    return has_circle ? REGION_CIRCLE : has_box ? REGION_BOX : has_line ? REGION_LINE : REGION_ALL;
 }
 
-bool api_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r)
+bool api_read_region(lua_State *L, struct board *b, const char *entry, const struct api_value *v, struct api_region *r)
 {
-    *r = (struct api_region){ .shape = shape_given(L, entry, v) };
+    *r = (struct api_region){ .shape = find_shape(L, entry, v) };
     if (r->shape == REGION_ALL) {
         if (any_given(v, 0, PLACE_PARAMS))
             api_error(L, entry,
                       "shape: expected `radius`, or `w` and `h`, or `to_x`, `to_y` and `width`, got only a place");
         return true;
     }
-    if (!api_place(L, b, entry, v, &r->x, &r->y))
+    if (!api_read_place(L, b, entry, v, &r->x, &r->y))
         return false;
     r->a = r->shape == REGION_CIRCLE ? v[REGION_RADIUS].f : v[r->shape == REGION_BOX ? REGION_W : REGION_WIDTH].f / 2;
     r->b = v[REGION_H].f / 2;
@@ -67,7 +67,7 @@ bool api_region(lua_State *L, struct board *b, const char *entry, const struct a
     return true;
 }
 
-bool api_region_has(const struct api_region *r, fx x, fx y)
+bool api_region_contains(const struct api_region *r, fx x, fx y)
 {
     switch (r->shape) {
     case REGION_CIRCLE:
@@ -81,15 +81,15 @@ bool api_region_has(const struct api_region *r, fx x, fx y)
     }
 }
 
-bool api_region_laser(const struct board *b, const struct api_region *r, uint32_t i)
+bool api_region_touches_laser(const struct board *b, const struct api_region *r, uint32_t i)
 {
     switch (r->shape) {
     case REGION_CIRCLE:
-        return lasers_in_circle(b, i, r->x, r->y, r->a);
+        return lasers_overlap_circle(b, i, r->x, r->y, r->a);
     case REGION_BOX:
-        return lasers_in_box(b, i, r->x, r->y, r->a, r->b);
+        return lasers_overlap_box(b, i, r->x, r->y, r->a, r->b);
     case REGION_LINE:
-        return lasers_in_line(b, i, r->x, r->y, r->to_x, r->to_y, r->a);
+        return lasers_overlap_line(b, i, r->x, r->y, r->to_x, r->to_y, r->a);
     default:
         return true;
     }
@@ -97,63 +97,63 @@ bool api_region_laser(const struct board *b, const struct api_region *r, uint32_
 
 /* ---- clears ---- */
 
-static const struct bullet_kinds *kinds_of(const struct board *b, const struct bullets *s)
+static const struct bullet_kinds *bullet_kinds_of(const struct board *b, const struct bullets *s)
 {
     return s == &b->bullets ? &b->bullet_kinds : &b->shot_kinds;
 }
 
-/* Emits the spark of a cleared bullet: the spark `given` or, if not given, the one of the bullet's kind. */
-static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
+/* Emits the spark of a cleared bullet: the spark `spark` or, if not given, the one of the bullet's kind. */
+static void leave_spark(struct board *b, const struct bullets *s, const struct api_value *spark, uint32_t i)
 {
-    if (given->given)
-        board_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)given->i, .n = 1 });
+    if (spark->given)
+        board_burst_sparks(b, &(struct spark_burst){ .x = s->x[i], .y = s->y[i], .kind = (uint16_t)spark->i, .n = 1 });
     else if (s == &b->bullets)
-        board_vanish(b, i);
+        board_spawn_vanish_spark(b, i);
 }
 
 /* Spawns the item a cleared bullet turns into, if one is given. */
-static void leave_item(struct board *b, const struct bullets *s, const struct api_value *given, uint32_t i)
+static void leave_item(struct board *b, const struct bullets *s, const struct api_value *item, uint32_t i)
 {
-    if (given->given)
-        board_turn_into(b, (uint16_t)given->i, s->x[i], s->y[i]);
+    if (item->given)
+        board_replace_with_item(b, (uint16_t)item->i, s->x[i], s->y[i]);
 }
 
-/* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `all`. */
-struct clearing {
+/* A clear removes entities that have the tag (0: any), are in the region, and are clearable unless `include_fixed`. */
+struct clear_filter {
     struct api_region region;
     const struct api_value *spark, *items; /* arguments as given */
     uint32_t tag;
-    bool all;
+    bool include_fixed;
 };
 
-static bool takes(const struct board *b, const struct bullets *s, const struct clearing *c, uint32_t i)
+static bool matches_filter(const struct board *b, const struct bullets *s, const struct clear_filter *c, uint32_t i)
 {
-    const struct bullet_kinds *kinds = kinds_of(b, s);
+    const struct bullet_kinds *kinds = bullet_kinds_of(b, s);
 
-    return api_has_tag(s->tag, i, c->tag) && api_region_has(&c->region, s->x[i], s->y[i]) &&
-           (c->all || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
+    return api_has_tag(s->tag, i, c->tag) && api_region_contains(&c->region, s->x[i], s->y[i]) &&
+           (c->include_fixed || !(kinds->flags[bullets_kind(s, kinds, i)] & KIND_FIXED));
 }
 
-enum { A_LINE = 3, A_CLEAR = 10 /* work: per bullet tested against a line; per bullet cleared */ };
+enum { LINE_WORK = 3, CLEAR_WORK = 10 /* work: per bullet tested against a line; per bullet cleared */ };
 
 /* Removes the matching bullets and returns how many. Also releases, without counting them, matching held bullets (those
  * that left the field this frame), so their pending hits have no effect. */
-static lua_Integer clear(lua_State *L, struct board *b, struct bullets *s, const struct clearing *c)
+static lua_Integer clear_bullets(lua_State *L, struct board *b, struct bullets *s, const struct clear_filter *c)
 {
     lua_Integer n = 0;
 
-    vm_charge(L, (c->region.shape == REGION_LINE ? A_LINE : 1) * (uint64_t)s->s.live);
+    vm_charge(L, (c->region.shape == REGION_LINE ? LINE_WORK : 1) * (uint64_t)s->s.live);
     EACH_LIVE (i, &s->s) {
-        if (!takes(b, s, c, i))
+        if (!matches_filter(b, s, c, i))
             continue;
         leave_spark(b, s, c->spark, i);
         leave_item(b, s, c->items, i);
         bullets_drop(s, i);
         n++;
     }
-    vm_charge(L, A_CLEAR * (uint64_t)n);
+    vm_charge(L, CLEAR_WORK * (uint64_t)n);
     EACH_HELD (i, &s->s)
-        if (takes(b, s, c, i))
+        if (matches_filter(b, s, c, i))
             bullets_release(s, i);
     return n;
 }
@@ -180,46 +180,49 @@ enum {
 };
 
 /* Parameters that all clears of bullets and of lasers share. */
-#define CLEAR_PARAMS_OF_ALL                                                                                            \
+#define COMMON_CLEAR_PARAMS                                                                                            \
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "remove only things with this tag"),                                   \
-        PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,                                                               \
+        PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                     \
               "horizontal position of the shape; give `x` and `y`, or `from`"),                                        \
-        PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position of the shape"),                            \
+        PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position of the shape"),                  \
         SHAPE_CIRCLE_PARAMS(OPT, MAX_SPEED),                                                                           \
         PARAM("spark", A_SPARK_KIND, OPT, 0, 0, NULL, NULL, "kind of spark to leave behind; overrides `vanish`"),      \
-        PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL, "thing whose position is used instead of `x` and `y`"),     \
-        PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `x`, or to the position of `from`"),       \
-        PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance added to `y`, or to the position of `from`"),       \
+        PARAM("from", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,                                                        \
+              "thing whose position is used instead of `x` and `y`"),                                                  \
+        PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
+              "distance added to `x`, or to the position of `from`"),                                                  \
+        PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",                                                     \
+              "distance added to `y`, or to the position of `from`"),                                                  \
         SHAPE_BOX_PARAMS(OPT), SHAPE_LINE_PARAMS(OPT),                                                                 \
         PARAM("all", A_BOOL, OPT, 0, 0, NULL, "false", "also remove kinds with `clearable = false`"),                  \
         PARAM("items", A_ITEM_KIND, OPT, 0, 0, NULL, NULL, "kind of item that replaces each thing removed")
 
 const struct api_param api_clear_params[CLEAR_PARAMS] = {
-    CLEAR_PARAMS_OF_ALL,
+    COMMON_CLEAR_PARAMS,
     PARAM("lasers", A_BOOL, OPT, 0, 0, NULL, "true",
           "also remove enemy lasers; with a shape, only lasers that touch it"),
 };
 
 /* ---- clearing lasers ---- */
 
-enum { EVERY = 12 /* px between the sparks and items along a cleared laser */ };
+enum { DEFAULT_EVERY = 12 /* px between the sparks and items along a cleared laser */ };
 
 /* The spark and item a cleared laser leaves. */
 struct remains {
-    bool spark;
+    bool has_spark;
     uint16_t kind;
     const struct api_value *items;
 };
 
 /* Emits the spark and spawns the item at one position on a cleared laser. */
-static void leave_one(struct board *b, fx x, fx y, void *context)
+static void leave_remains(struct board *b, fx x, fx y, void *context)
 {
     const struct remains *r = context;
 
-    if (r->spark)
-        board_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->kind, .n = 1 });
+    if (r->has_spark)
+        board_burst_sparks(b, &(struct spark_burst){ .x = x, .y = y, .kind = r->kind, .n = 1 });
     if (r->items->given)
-        board_turn_into(b, (uint16_t)r->items->i, x, y);
+        board_replace_with_item(b, (uint16_t)r->items->i, x, y);
 }
 
 /* Removes the whole of laser i. Every `every` px along it, emits the given spark (otherwise the one of its kind) and
@@ -227,26 +230,27 @@ static void leave_one(struct board *b, fx x, fx y, void *context)
 static void clear_laser(lua_State *L, struct board *b, uint32_t i, const struct api_value *spark,
                         const struct api_value *items, fx every)
 {
-    const uint16_t vanish = b->laser_kinds.vanish[b->laser_heads.kind[i]];
+    const uint16_t vanish = b->laser_kinds.vanish_spark[b->laser_heads.kind[i]];
     struct remains r = { spark->given || vanish, (uint16_t)(spark->given ? spark->i : vanish - 1), items };
 
-    vm_charge(L, lasers_corners(b, i));
-    if (r.spark || items->given)
-        vm_charge(L, lasers_places(b, i, every, leave_one, &r));
+    vm_charge(L, lasers_corner_count(b, i));
+    if (r.has_spark || items->given)
+        vm_charge(L, lasers_each_position(b, i, every, leave_remains, &r));
     lasers_remove(b, i);
 }
 
-/* Removes the lasers that match c and returns how many; includes players' lasers only if `shooting`. */
-static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clearing *c, fx every, bool shooting)
+/* Removes the lasers that match c and returns how many; includes players' lasers only if `include_shooting`. */
+static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clear_filter *c, fx every,
+                                bool include_shooting)
 {
     const struct laser_kinds *kinds = &b->laser_kinds;
     lua_Integer n = 0;
 
     EACH_LIVE (i, &b->lasers.s) {
         const unsigned flags = kinds->flags[b->laser_heads.kind[i]];
-        vm_charge(L, lasers_corners(b, i));
-        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_SHOOTS && !shooting) ||
-            (flags & LASER_FIXED && !c->all) || !api_region_laser(b, &c->region, i))
+        vm_charge(L, lasers_corner_count(b, i));
+        if (!api_has_tag(b->laser_heads.tag, i, c->tag) || (flags & LASER_SHOOTS && !include_shooting) ||
+            (flags & LASER_FIXED && !c->include_fixed) || !api_region_touches_laser(b, &c->region, i))
             continue;
         clear_laser(L, b, i, c->spark, c->items, every);
         n++;
@@ -256,16 +260,16 @@ static lua_Integer clear_lasers(lua_State *L, struct board *b, const struct clea
 
 int api_clear(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value place[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
-                                                    v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
-    struct clearing c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .all = v[C_ALL].i };
+    const struct api_value region_args[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
+                                                          v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
+    struct clear_filter c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
 
     if (v[C_TAG].given)
-        c.tag = api_tag(L, "bullet.clear", v[C_TAG].at);
-    bool there = api_region(L, b, "bullet.clear", place, &c.region);
-    lua_Integer n = there ? clear(L, b, &b->bullets, &c) : 0;
-    if (there && v[C_LASERS].i)
-        n += clear_lasers(L, b, &c, EVERY << 16, false);
+        c.tag = api_intern_tag(L, "bullet.clear", v[C_TAG].at);
+    bool has_position = api_read_region(L, b, "bullet.clear", region_args, &c.region);
+    lua_Integer n = has_position ? clear_bullets(L, b, &b->bullets, &c) : 0;
+    if (has_position && v[C_LASERS].i)
+        n += clear_lasers(L, b, &c, DEFAULT_EVERY << 16, false);
     lua_pushinteger(L, n);
     return 1;
 }
@@ -289,7 +293,7 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
         leave_spark(b, s, &v[ARG_SPARK], i);
         leave_item(b, s, &v[SELF_ITEMS], i);
         bullets_drop(s, i);
-    } else if (board_there(b, h))
+    } else if (board_is_readable(b, h))
         bullets_release(s, handle_slot(h));
     return 0;
 }
@@ -307,37 +311,37 @@ const struct api_param api_clear_group_params[CLEAR_GROUP_PARAMS] = {
 
 int api_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
-    bool shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
-    struct clearing c = {
-        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i
+    bool is_shots = handle_kind(v[ARG_SELF].i) == H_SHOTS;
+    struct clear_filter c = {
+        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
     };
-    bool there = api_region(L, b, shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
+    bool has_position = api_read_region(L, b, is_shots ? "shots:clear" : "group:clear", v + ARG_PLACE, &c.region);
 
-    lua_pushinteger(L, there ? clear(L, b, shots ? &b->shots : &b->bullets, &c) : 0);
+    lua_pushinteger(L, has_position ? clear_bullets(L, b, is_shots ? &b->shots : &b->bullets, &c) : 0);
     return 1;
 }
 
 /* ---- laser.clear ---- */
 
 #define EVERY_PARAM                                                                                                    \
-    PARAM("every", A_FX, OPT, 1, LASER_LONGEST, "px", "12",                                                            \
+    PARAM("every", A_FX, OPT, 1, LASER_MAX_SIZE, "px", "12",                                                           \
           "distance along the laser between the sparks or items it leaves")
 
 const struct api_param api_laser_clear_params[LASER_CLEAR_PARAMS] = {
-    CLEAR_PARAMS_OF_ALL,
+    COMMON_CLEAR_PARAMS,
     EVERY_PARAM,
 };
 
 int api_laser_clear(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct api_value place[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
-                                                    v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
-    struct clearing c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .all = v[C_ALL].i };
+    const struct api_value region_args[REGION_PARAMS] = { v[C_X], v[C_Y], v[C_FROM], v[C_DX],   v[C_DY],   v[C_RADIUS],
+                                                          v[C_W], v[C_H], v[C_TO_X], v[C_TO_Y], v[C_WIDTH] };
+    struct clear_filter c = { .spark = &v[C_SPARK], .items = &v[C_ITEMS], .include_fixed = v[C_ALL].i };
 
     if (v[C_TAG].given)
-        c.tag = api_tag(L, "laser.clear", v[C_TAG].at);
-    bool there = api_region(L, b, "laser.clear", place, &c.region);
-    lua_pushinteger(L, there ? clear_lasers(L, b, &c, v[C_EVERY].f, false) : 0);
+        c.tag = api_intern_tag(L, "laser.clear", v[C_TAG].at);
+    bool has_position = api_read_region(L, b, "laser.clear", region_args, &c.region);
+    lua_pushinteger(L, has_position ? clear_lasers(L, b, &c, v[C_EVERY].f, false) : 0);
     return 1;
 }
 
@@ -369,11 +373,11 @@ const struct api_param api_laser_clear_group_params[LASER_CLEAR_GROUP_PARAMS] = 
 
 int api_laser_clear_group(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct clearing c = {
-        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .all = v[ARG_ALL].i
+    struct clear_filter c = {
+        .spark = &v[ARG_SPARK], .items = &v[ARG_ITEMS], .tag = handle_slot(v[ARG_SELF].i), .include_fixed = v[ARG_ALL].i
     };
-    bool there = api_region(L, b, "lasers:clear", v + ARG_PLACE, &c.region);
+    bool has_position = api_read_region(L, b, "lasers:clear", v + ARG_PLACE, &c.region);
 
-    lua_pushinteger(L, there ? clear_lasers(L, b, &c, v[ARG_ITEMS + 1].f, true) : 0);
+    lua_pushinteger(L, has_position ? clear_lasers(L, b, &c, v[ARG_ITEMS + 1].f, true) : 0);
     return 1;
 }

@@ -7,8 +7,8 @@
 #include "api_parts.h"
 
 static const struct {
-    const char *of; /* a table of the API, a function, or a thing; "": the globals */
-    char how;       /* '.' a field, '{' an argument, ':' a property or a verb */
+    const char *owner; /* a table of the API, a function, or a thing; "": the globals */
+    char separator;    /* '.' a field, '{' an argument, ':' a property or a verb */
     const char *names;
 } reserved[] = {
     { "", '.', "test" },
@@ -24,36 +24,36 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* Returns whether `of` is the row's name. In `of`, a quoted detail may follow the name (api_checked). */
-static bool is_of(const char *row, const char *of)
+/* Returns whether `owner` is the row's name. In `owner`, a quoted detail may follow the name (api_push_checked). */
+static bool is_owner(const char *row, const char *owner)
 {
     size_t n = strlen(row);
 
-    return !strncmp(row, of, n) && (!of[n] || !strncmp(of + n, " \"", 2));
+    return !strncmp(row, owner, n) && (!owner[n] || !strncmp(owner + n, " \"", 2));
 }
 
-bool api_reserved(const char *of, char how, const char *name)
+bool api_is_reserved(const char *owner, char separator, const char *name)
 {
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (reserved[i].how == how && is_of(reserved[i].of, of))
+        if (reserved[i].separator == separator && is_owner(reserved[i].owner, owner))
             return has_word(reserved[i].names, name);
     return false;
 }
 
-const char *api_reserved_row(int i, const char **of, char *how)
+const char *api_reserved_row(int i, const char **owner, char *separator)
 {
     if (i >= (int)(sizeof reserved / sizeof *reserved))
         return NULL;
-    *of = reserved[i].of;
-    *how = reserved[i].how;
+    *owner = reserved[i].owner;
+    *separator = reserved[i].separator;
     return reserved[i].names;
 }
 
 /* Tables, things and fields that exist only if rom.lua enables them. */
 static const struct {
     const char *names;
-    size_t room; /* offset in struct manifest of an int32_t; 0: disabled */
-    const char *line;
+    size_t capacity; /* offset in struct manifest of an int32_t; 0: disabled */
+    const char *reason;
 } optional[] = {
     { "item items on.take sys.drop", offsetof(struct manifest, items),
       "items are disabled; add `items = 512` to `board`" },
@@ -69,29 +69,30 @@ static const struct {
       "sound is disabled; add `sounds = { ... }` or `music = { ... }`" },
 };
 
-const char *api_off(const struct manifest *m, const char *name)
+const char *api_disabled_reason(const struct manifest *m, const char *name)
 {
-    int32_t room;
+    int32_t capacity;
 
     for (size_t i = 0; i < sizeof optional / sizeof *optional; i++) {
-        memcpy(&room, (const char *)m + optional[i].room, sizeof room);
-        if (!room && has_word(optional[i].names, name))
-            return optional[i].line;
+        memcpy(&capacity, (const char *)m + optional[i].capacity, sizeof capacity);
+        if (!capacity && has_word(optional[i].names, name))
+            return optional[i].reason;
     }
     return NULL;
 }
 
-void api_fault_missing_field(lua_State *L, const char *of, const char *name)
+void api_fault_missing_field(lua_State *L, const char *owner, const char *name)
 {
-    const char *full = lua_pushfstring(L, "%s.%s", of, name), *line = api_off(&vm_board(L)->cart.m, full);
+    const char *full_name = lua_pushfstring(L, "%s.%s", owner, name),
+               *reason = api_disabled_reason(&vm_board(L)->cart.manifest, full_name);
 
-    if (line)
-        vm_fault(L, FAULT_SCRIPT, "%s: " API_OFF, full, line);
+    if (reason)
+        vm_fault(L, FAULT_SCRIPT, "%s: " API_DISABLED_FORMAT, full_name, reason);
     lua_pop(L, 1);
-    if (api_reserved(of, '.', name))
-        vm_fault(L, FAULT_SCRIPT, "%s.%s %s", of, name, NOT_YET);
-    if (std_module_of_field(of, name) >= 0)
-        vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", of, name, STD_NOT_HERE);
+    if (api_is_reserved(owner, '.', name))
+        vm_fault(L, FAULT_SCRIPT, "%s.%s %s", owner, name, RESERVED_MESSAGE);
+    if (std_module_of_field(owner, name) >= 0)
+        vm_fault(L, FAULT_SCRIPT, "%s.%s: %s", owner, name, STD_NOT_HERE);
 }
 
 /* If the global `table` is a table without a metatable, makes reads of its missing fields raise an error that explains
@@ -101,17 +102,17 @@ static void explain_missing(lua_State *L, const char *table)
     int top = lua_gettop(L);
 
     if (lua_getglobal(L, table) == LUA_TTABLE && !lua_getmetatable(L, -1))
-        api_add_space(L, table);
+        api_add_namespace(L, table);
     lua_settop(L, top);
 }
 
 void api_reserved_install(lua_State *L)
 {
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
-        if (reserved[i].how == '.' && reserved[i].of[0])
-            explain_missing(L, reserved[i].of);
+        if (reserved[i].separator == '.' && reserved[i].owner[0])
+            explain_missing(L, reserved[i].owner);
     explain_missing(L, "text"); /* its fields that come late */
     for (int i = 0; i < STD_MODULES; i++)
-        if (std_adds_to(i))
-            explain_missing(L, std_adds_to(i));
+        if (std_extended_table(i))
+            explain_missing(L, std_extended_table(i));
 }

@@ -8,7 +8,7 @@
 
 static uint64_t draw(struct board *b, uint64_t below)
 {
-    return board_chance(b, below);
+    return board_random(b, below);
 }
 
 enum { ARG_A = 0, ARG_B = 1, ARG_P = 0, ARG_LIST = 0, ARG_DX = 0, ARG_DY = 1, ARG_D = 0 };
@@ -31,14 +31,14 @@ static int rng_int(lua_State *L, struct board *b, struct api_value *v)
 }
 
 /* Returns a random fraction, 0 <= f < 1, of 53 bits, which a double represents exactly. */
-static double fraction(struct board *b)
+static double random_fraction(struct board *b)
 {
     return (double)(draw(b, 0) >> 11) / 9007199254740992.0;
 }
 
 static int rng_number(lua_State *L, struct board *b, struct api_value *v)
 {
-    double n = v[ARG_A].n + (v[ARG_B].n - v[ARG_A].n) * fraction(b);
+    double n = v[ARG_A].n + (v[ARG_B].n - v[ARG_A].n) * random_fraction(b);
 
     if (n >= v[ARG_B].n && v[ARG_B].n > v[ARG_A].n) /* the sum was rounded up to the bound */
         n = v[ARG_A].n;
@@ -48,7 +48,7 @@ static int rng_number(lua_State *L, struct board *b, struct api_value *v)
 
 static int rng_chance(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, fraction(b) < v[ARG_P].n);
+    lua_pushboolean(L, random_fraction(b) < v[ARG_P].n);
     return 1;
 }
 
@@ -71,33 +71,34 @@ static int rng_dir(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- angle ---- */
 
-static const struct api_param two[] = {
+static const struct api_param two_positions[] = {
     PARAM("a", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to start from"),
     PARAM("b", A_ANY, REQ, 0, 0, NULL, NULL, "thing or { x = , y = } to point at")
 };
-static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance to the right"),
-                                         PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL, "distance down") };
+static const struct api_param dxdy[] = { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+                                               "distance to the right"),
+                                         PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance down") };
 static const struct api_param two_dirs[] = { PARAM("a", A_DIR, REQ, 0, 0, NULL, NULL, "direction to start from"),
                                              PARAM("b", A_DIR, REQ, 0, 0, NULL, NULL, "direction to arrive at") };
 static const struct api_param one_dir[] = { PARAM("d", A_DIR, REQ, 0, 0, NULL, NULL, "angle") };
 
 /* Reads the position of a thing or of a table with x and y. Returns false for a dead thing. */
-static bool where(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
+static bool read_position(lua_State *L, struct board *b, const char *entry, const char *name, int at, fx *x, fx *y)
 {
-    struct api_param px = { "x", A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL },
-                     py = { "y", A_FX, REQ, -WORLD, WORLD, "px", NULL, NULL },
-                     thing = { name, A_THING, REQ, PLACES, 0, NULL, NULL, NULL };
+    struct api_param x_param = { "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
+                     y_param = { "y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, NULL },
+                     thing_param = { name, A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
     if (lua_type(L, at) != LUA_TTABLE) {
-        api_check(L, entry, &thing, at, &v);
-        return board_where(b, v.i, x, y);
+        api_check(L, entry, &thing_param, at, &v);
+        return board_get_position(b, v.i, x, y);
     }
     lua_getfield(L, at, "x");
-    api_check(L, entry, &px, lua_gettop(L), &v);
+    api_check(L, entry, &x_param, lua_gettop(L), &v);
     *x = v.f;
     lua_getfield(L, at, "y");
-    api_check(L, entry, &py, lua_gettop(L), &v);
+    api_check(L, entry, &y_param, lua_gettop(L), &v);
     *y = v.f;
     lua_pop(L, 2);
     return true;
@@ -107,8 +108,8 @@ static int angle_to(lua_State *L, struct board *b, struct api_value *v)
 {
     fx ax, ay, bx, by;
 
-    if (!where(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) || !where(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) ||
-        (ax == bx && ay == by))
+    if (!read_position(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) ||
+        !read_position(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) || (ax == bx && ay == by))
         lua_pushnumber(L, 90); /* same position: down, as for `aim` */
     else
         lua_pushnumber(L, trig_to_degrees(trig_atan2(fx_sub(by, ay), fx_sub(bx, ax))));
@@ -153,7 +154,7 @@ static const struct api_entry entries[] = {
       HELP("returns true with a given probability") },
     { "rng.pick", rng_pick, PARAMS(list_only), 1, API_CHANGES, "value", HELP("returns a random entry of a list") },
     { "rng.dir", rng_dir, NO_PARAMS, 0, API_CHANGES, "degrees", HELP("returns a random direction") },
-    { "angle.to", angle_to, PARAMS(two), 2, 0, "degrees",
+    { "angle.to", angle_to, PARAMS(two_positions), 2, 0, "degrees",
       HELP("returns the direction from one position to another; 90 if the positions are equal or a thing is dead") },
     { "angle.of", angle_of, PARAMS(dxdy), 2, 0, "degrees", HELP("returns the direction of a vector") },
     { "angle.difference", angle_difference, PARAMS(two_dirs), 2, 0, "degrees",

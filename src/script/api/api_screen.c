@@ -29,12 +29,12 @@ enum {
     PUT_DY
 };
 
-enum { FOLLOWED = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
+enum { FOLLOWABLE = 1 << H_BULLET | 1 << H_SHOT | 1 << H_ENEMY | 1 << H_PLAYER | 1 << H_OPTION };
 
-static const struct api_param put[] = {
+static const struct api_param put_params[] = {
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL, "horizontal position; give `x` and `y`, or `follow`"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "vertical position"),
+    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position; give `x` and `y`, or `follow`"),
+    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the picture"),
     PARAM("layer", A_LAYER, OPT, 0, 0, NULL, "front",
           "drawing order; `over` is above everything that screen.dim darkens, and cannot be combined with `blend`"),
@@ -46,9 +46,10 @@ static const struct api_param put[] = {
     PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL,
           "blend to draw it with, from `blends` in rom.lua; nil draws it opaque"),
     PARAM("stay", A_BOOL, OPT, 0, 0, NULL, "false", "keep the sprite when the boss phase that created it ends"),
-    PARAM("follow", A_THING, OPT, FOLLOWED, 0, NULL, NULL, "thing to follow; the sprite is removed together with it"),
-    PARAM("dx", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance to the right of the followed thing; needs `follow`"),
-    PARAM("dy", A_FX, OPT, -WORLD, WORLD, "px", "0", "distance below the followed thing; needs `follow`"),
+    PARAM("follow", A_THING, OPT, FOLLOWABLE, 0, NULL, NULL, "thing to follow; the sprite is removed together with it"),
+    PARAM("dx", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0",
+          "distance to the right of the followed thing; needs `follow`"),
+    PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the followed thing; needs `follow`"),
 };
 
 #define OVER_BLEND "sprites in layer \"over\" cannot blend"
@@ -56,9 +57,9 @@ static const struct api_param put[] = {
 /* Raises an error unless the position is given by exactly one of x, y and follow. */
 static void check_put(lua_State *L, const struct api_value *v)
 {
-    const bool xy = v[PUT_X].given && v[PUT_Y].given;
+    const bool has_xy = v[PUT_X].given && v[PUT_Y].given;
 
-    if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !xy)
+    if (v[PUT_FOLLOW].given ? v[PUT_X].given || v[PUT_Y].given : !has_xy)
         api_error(L, "sprite.put", "place: expected `x` and `y`, or `follow` (a thing), got %s",
                   v[PUT_FOLLOW].given                ? "both"
                   : v[PUT_X].given || v[PUT_Y].given ? "only one of `x` and `y`"
@@ -73,18 +74,18 @@ static void check_put(lua_State *L, const struct api_value *v)
 
 /* Makes sprite i follow the given thing. A player outlives the scene that owns the sprite, so the sprite keeps its
  * owner; any other thing becomes the owner. */
-static void follow(struct board *b, uint32_t i, const struct api_value *v)
+static void set_follow(struct board *b, uint32_t i, const struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t h = v[PUT_FOLLOW].i;
-    unsigned how = handle_kind(h) == H_PLAYER ? FOLLOW_PLAYER + handle_slot(h) : FOLLOW_OWNER;
+    unsigned follow_mode = handle_kind(h) == H_PLAYER ? FOLLOW_PLAYER + handle_slot(h) : FOLLOW_OWNER;
 
     s->x[i] = v[PUT_DX].f;
     s->y[i] = v[PUT_DY].f;
-    s->flags[i] |= (uint8_t)(how * SPRITE_FOLLOW_ONE);
-    if (how == FOLLOW_OWNER)
+    s->flags[i] |= (uint8_t)(follow_mode * SPRITE_FOLLOW_ONE);
+    if (follow_mode == FOLLOW_OWNER)
         s->owner[i] = h;
-    s->following++;
+    s->n_following++;
 }
 
 static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
@@ -93,12 +94,12 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
 
     check_put(L, v);
-    bool comes =
-        tasks_owner_of_new(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_alive(b, v[PUT_FOLLOW].i));
-    int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
+    bool can_spawn =
+        tasks_get_owner_of_new(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_alive(b, v[PUT_FOLLOW].i));
+    int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
 
-    if (i == NO_SLOT && comes)
-        board_full(b, &s->s);
+    if (i == NO_SLOT && can_spawn)
+        board_report_full(b, &s->s);
     else if (i != NO_SLOT) {
         s->sprite[i] = (uint16_t)v[PUT_SPRITE].i;
         s->x[i] = v[PUT_X].f;
@@ -111,7 +112,7 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
         s->born[i] = b->core.clock;
         s->owner[i] = owner;
         if (v[PUT_FOLLOW].given)
-            follow(b, (uint32_t)i, v);
+            set_follow(b, (uint32_t)i, v);
     }
     lua_pushinteger(L, board_handle(b, H_SPRITE, i));
     return 1;
@@ -119,9 +120,9 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
 
 enum { PLATE_X, PLATE_Y, PLATE_W, PLATE_H, PLATE_BANK, PLATE_HIDDEN, PLATE_FRONT, PLATE_STAY };
 
-static const struct api_param plate[] = {
-    PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, "left edge on the screen"),
-    PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "top edge on the screen"),
+static const struct api_param plate_params[] = {
+    PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "left edge on the screen"),
+    PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "top edge on the screen"),
     PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width"),
     PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "palette bank; the plate is drawn in its colours 1 and 10"),
@@ -139,11 +140,11 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 {
     struct sprites *s = &b->sprites;
     int64_t owner;
-    bool comes = tasks_owner_of_new(b, v[PLATE_STAY].i, &owner);
-    int32_t i = comes ? slots_take(&s->s) : NO_SLOT;
+    bool can_spawn = tasks_get_owner_of_new(b, v[PLATE_STAY].i, &owner);
+    int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
 
-    if (i == NO_SLOT && comes)
-        board_full(b, &s->s);
+    if (i == NO_SLOT && can_spawn)
+        board_report_full(b, &s->s);
     else if (i != NO_SLOT) {
         s->sprite[i] = (uint16_t)v[PLATE_W].i;
         s->x[i] = v[PLATE_X].f;
@@ -161,10 +162,11 @@ static int sprite_plate(lua_State *L, struct board *b, struct api_value *v)
 enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, P_DY, P_W, P_H, P_LAYER, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position; read-only while the sprite follows a thing"),
       PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "vertical position; read-only while the sprite follows a thing"),
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+            "vertical position; read-only while the sprite follows a thing"),
       PROP_WRITE },
     { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
             "name of the picture; writing a different name restarts the animation; nil for a plate"),
@@ -174,10 +176,10 @@ static const struct api_prop props[PROPS] = {
     { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE },
     { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
     { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },
-    { PARAM("dx", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "distance to the right of the followed thing; nil if the sprite follows nothing"),
       PROP_WRITE },
-    { PARAM("dy", A_FX, REQ, -WORLD, WORLD, "px", NULL,
+    { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "distance below the followed thing; nil if the sprite follows nothing"),
       PROP_WRITE },
     { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE },
@@ -185,7 +187,7 @@ static const struct api_prop props[PROPS] = {
     { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE },
 };
 
-static const uint8_t flag_of[PROPS] = {
+static const uint8_t prop_flags[PROPS] = {
     [P_FLIP_X] = SPRITE_FLIP_X, [P_FLIP_Y] = SPRITE_FLIP_Y, [P_HIDDEN] = SPRITE_HIDDEN
 };
 
@@ -197,7 +199,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
     switch (p) {
     case P_X:
     case P_Y:
-        board_where(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
+        board_get_position(b, board_handle(b, H_SPRITE, (int32_t)i), &x, &y);
         lua_pushnumber(L, fx_to_double(p == P_X ? x : y));
         break;
     case P_DX:
@@ -236,28 +238,28 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
             lua_pushnil(L);
         break;
     default:
-        lua_pushboolean(L, s->flags[i] & flag_of[p]);
+        lua_pushboolean(L, s->flags[i] & prop_flags[p]);
     }
 }
 
 /* Raises an error if property p cannot be set on sprite i. */
 static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, const struct api_value *v)
 {
-    const bool plate_is = is_plate(s, i);
+    const bool drawn_as_plate = is_plate(s, i);
 
     if (s->flags[i] & SPRITE_FOLLOW ? p == P_X || p == P_Y : p == P_DX || p == P_DY)
         api_error(L, "sprite",
                   s->flags[i] & SPRITE_FOLLOW ? "%s: the sprite follows a thing; set `dx` and `dy` instead"
                                               : "%s: the sprite follows nothing; set `x` and `y` instead",
-                  props[p].value.name);
-    if (!plate_is && (p == P_W || p == P_H))
+                  props[p].param.name);
+    if (!drawn_as_plate && (p == P_W || p == P_H))
         api_error(L, "sprite", "%s: can only be written on a plate; a sprite's size comes from rom.lua",
-                  props[p].value.name);
-    if (plate_is && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
-        api_error(L, "sprite", "%s: a plate has no picture", props[p].value.name);
+                  props[p].param.name);
+    if (drawn_as_plate && (p == P_LAYER || p == P_SPRITE || p == P_FLIP_X || p == P_FLIP_Y || p == P_BLEND))
+        api_error(L, "sprite", "%s: a plate has no picture", props[p].param.name);
     if ((p == P_BLEND && v->i && s->layer[i] == LAYER_OVER) ||
         (p == P_LAYER && v->i == LAYER_OVER && s->flags[i] & SPRITE_BLEND))
-        api_error(L, "sprite", "%s: " OVER_BLEND, props[p].value.name);
+        api_error(L, "sprite", "%s: " OVER_BLEND, props[p].param.name);
 }
 
 static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -295,7 +297,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
         s->flags[i] = (uint8_t)((s->flags[i] & ~SPRITE_BLEND) | v->i * SPRITE_BLEND_ONE);
         break;
     default:
-        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | flag_of[p] : s->flags[i] & ~flag_of[p]);
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | prop_flags[p] : s->flags[i] & ~prop_flags[p]);
     }
 }
 
@@ -303,7 +305,7 @@ const struct api_thing api_sprite_thing = { "sprite", props, PROPS, get, set };
 
 enum { ARG_SELF };
 
-static const struct api_param self[] = { PARAM("self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL, "") };
+static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_SPRITE, 0, NULL, NULL, "") };
 
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -319,7 +321,7 @@ static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 
 enum { D_NAME, D_SPRITE, D_LIFE, D_GRAVITY, D_DRAG, D_BANK, D_BLEND, D_BANKS, D_LAYER };
 
-static const struct api_param spark_def[] = {
+static const struct api_param spark_def_params[] = {
     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the kind, used as `kind = NAME`"),
     PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "picture to show"),
     PARAM("life", A_INT, REQ, 1, 65535, "frames", NULL, "frames until a spark disappears"),
@@ -338,15 +340,15 @@ static const struct api_param spark_def[] = {
 static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
                                "after the first counts as one)";
 
-/* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `drawn`: the other
+/* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `look_bits`: the other
  * bits of the column `bank`. */
-static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned drawn)
+static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at, unsigned look_bits)
 {
     const struct api_param bank = { "banks", A_INT, REQ, 0, 15, NULL, NULL, NULL };
     lua_Unsigned n = lua_rawlen(L, at);
 
-    if (n < 1 || n > SPARK_BANKS)
-        api_error(L, "spark.def", "banks: expected a list of 1 to %d banks", SPARK_BANKS);
+    if (n < 1 || n > SPARK_MAX_BANKS)
+        api_error(L, "spark.def", "banks: expected a list of 1 to %d banks", SPARK_MAX_BANKS);
     for (lua_Unsigned b = 0; b < n; b++) {
         struct api_value v = { 0 };
         int32_t row = b ? slots_append(&k->s) : i;
@@ -356,7 +358,7 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
         api_check(L, "spark.def", &bank, lua_gettop(L), &v);
         lua_pop(L, 1);
         k->sprite[row] = k->sprite[i];
-        k->bank[row] = (uint8_t)(v.i | drawn);
+        k->bank[row] = (uint8_t)(v.i | look_bits);
     }
 }
 
@@ -369,23 +371,23 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
-    const bool under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
-    const unsigned drawn = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (under ? SPARK_UNDER : 0);
+    const bool is_under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
+    const unsigned look_bits = (unsigned)v[D_BLEND].i * SPARK_BLEND_ONE | (is_under ? SPARK_UNDER : 0);
     api_names_declare(L, N_SPARK, "spark.def", lua_tostring(L, v[D_NAME].at), i);
     k->sprite[i] = (uint16_t)v[D_SPRITE].i;
     k->life[i] = (uint16_t)v[D_LIFE].i;
     k->gravity[i] = v[D_GRAVITY].f;
     k->drag[i] = v[D_DRAG].f;
-    k->bank[i] = (uint8_t)(v[D_BANK].i | drawn);
+    k->bank[i] = (uint8_t)(v[D_BANK].i | look_bits);
     if (v[D_BANKS].given)
-        define_banks(L, k, i, v[D_BANKS].at, drawn);
+        define_banks(L, k, i, v[D_BANKS].at, look_bits);
     return 0;
 }
 
-enum { A_SPARK = 6 /* work per spark */ };
+enum { SPARK_WORK = 6 /* work per spark */ };
 enum { B_KIND, B_PLACE, B_N = B_PLACE + 5, B_DIR, B_SPREAD, B_SPEED, B_RADIUS, B_TO_X, B_TO_Y };
 
-static const struct api_param burst[] = {
+static const struct api_param burst_params[] = {
     PARAM("kind", A_SPARK_KIND, REQ, 0, 0, NULL, NULL, "declared kind to create"),
     PLACE,
     PARAM("n", A_INT, OPT, 0, 65535, "sparks", "1", "number of sparks to create"),
@@ -396,9 +398,9 @@ static const struct api_param burst[] = {
     PARAM("speed", A_FX, OPT, 0, MAX_SPEED, "px/frame", "1", "highest speed; each spark gets at least half of it"),
     PARAM("radius", A_FX, OPT, 0, MAX_SPEED, "px", NULL,
           "radius of a ring from which the sparks fly outwards, evenly spaced; not with `to_x`"),
-    PARAM("to_x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("to_x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "x of the end of a line that starts at the position; the sparks start evenly spaced along it; needs `to_y`"),
-    PARAM("to_y", A_FX, OPT, -WORLD, WORLD, "px", NULL, "y of the end of the line; needs `to_x`"),
+    PARAM("to_y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "y of the end of the line; needs `to_x`"),
 };
 
 static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
@@ -414,14 +416,14 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "spark.burst", "shape: expected `radius`, or `to_x` and `to_y`, or neither");
     if (s.radius && !v[B_SPREAD].given)
         s.spread = 0;
-    if (!api_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
+    if (!api_read_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
         return 0;
     if (v[B_TO_X].given) {
         s.along_x = v[B_TO_X].f - s.x;
         s.along_y = v[B_TO_Y].f - s.y;
     }
-    vm_charge(L, A_SPARK * (uint64_t)s.n);
-    board_sparks(b, &s);
+    vm_charge(L, SPARK_WORK * (uint64_t)s.n);
+    board_burst_sparks(b, &s);
     return 0;
 }
 
@@ -429,13 +431,13 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
 
 enum { TEXT_COL, TEXT_ROW, TEXT_TEXT, TEXT_BANK, TEXT_ALIGN, TEXT_FONT, TEXT_RIM, TEXT_SIZE };
 
-static const struct api_param text_put[] = {
+static const struct api_param text_put_params[] = {
     PARAM("col", A_INT, REQ, -1000, 1000, "cells", NULL, "column, from 0 at the left"),
     PARAM("row", A_INT, REQ, -1000, 1000, "cells", NULL, "row, from 0 at the top"),
     PARAM("text", A_ANY, REQ, 0, 0, NULL, NULL, "string or number to write"),
     PARAM("bank", A_INT, OPT, 0, 15, NULL, "0", "number added to the palette bank of the font"),
     PARAM("align", A_ALIGN, OPT, 0, 0, NULL, "left", "put the start, the middle or the end of the text at `col`"),
-    PARAM("font", A_FACE, OPT, 0, 0, NULL, NULL,
+    PARAM("font", A_FONT, OPT, 0, 0, NULL, NULL,
           "font from rom.lua; defaults to the font of the cells; needs `board = { wide = true }`"),
     PARAM("rim", A_BOOL, OPT, 0, 0, NULL, "false", "outline the letters in the darkest colour of the bank"),
     PARAM("size", A_INT, OPT, 1, 2, NULL, "1",
@@ -444,7 +446,7 @@ static const struct api_param text_put[] = {
 
 enum { CLEAR_COL, CLEAR_ROW, CLEAR_W, CLEAR_H };
 
-static const struct api_param text_clear[] = {
+static const struct api_param text_clear_params[] = {
     PARAM("col", A_INT, OPT, -1000, 1000, "cells", "0", "leftmost column"),
     PARAM("row", A_INT, OPT, -1000, 1000, "cells", "0", "top row"),
     PARAM("w", A_INT, OPT, 0, 1000, "cells", "1000", "width"),
@@ -456,7 +458,7 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     size_t n;
     int col = (int)v[TEXT_COL].i;
 
-    if (v[TEXT_FONT].given && !b->cart.m.wide)
+    if (v[TEXT_FONT].given && !b->cart.manifest.wide)
         return api_error(L, "text.put",
                          "font: fonts in text cells are disabled; add `wide = true` to `board` in rom.lua");
     if (lua_type(L, v[TEXT_TEXT].at) != LUA_TSTRING && lua_type(L, v[TEXT_TEXT].at) != LUA_TNUMBER)
@@ -465,11 +467,11 @@ static int text_put_run(lua_State *L, struct board *b, struct api_value *v)
     if (lua_type(L, v[TEXT_TEXT].at) == LUA_TNUMBER && !isfinite(lua_tonumber(L, v[TEXT_TEXT].at)))
         return api_error(L, "text.put", "text: expected a finite number");
     const char *s = lualib_tolstring(L, v[TEXT_TEXT].at, &n);
-    int cells = (int)utf8_count(s, n, FIX_TEXT, &n) * (int)v[TEXT_SIZE].i;
-    unsigned look = (v[TEXT_RIM].i ? FIX_RIM : 0u) | (v[TEXT_SIZE].i > 1 ? FIX_BIG : 0u);
+    int cells = (int)utf8_count(s, n, FIX_MAX_TEXT, &n) * (int)v[TEXT_SIZE].i;
+    unsigned style = (v[TEXT_RIM].i ? FIX_RIM : 0u) | (v[TEXT_SIZE].i > 1 ? FIX_BIG : 0u);
     col -= v[TEXT_ALIGN].i == ALIGN_CENTER ? cells / 2 : v[TEXT_ALIGN].i == ALIGN_RIGHT ? cells : 0;
-    fix_put(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)((unsigned)v[TEXT_BANK].i | look),
-            (uint8_t)v[TEXT_FONT].i);
+    fix_write(&b->fix, col, (int)v[TEXT_ROW].i, s, n, (uint8_t)((unsigned)v[TEXT_BANK].i | style),
+              (uint8_t)v[TEXT_FONT].i);
     return 0;
 }
 
@@ -480,16 +482,16 @@ static int text_clear_run(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const struct api_param text_lang[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
-                                                    "text in the language the game is written in") };
+static const struct api_param text_lang_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
+                                                           "text in the language the game is written in") };
 
 static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 {
     size_t n;
-    const char *text = lua_tolstring(L, v[0].at, &n), *words = words_find(&b->words, text, n);
+    const char *text = lua_tolstring(L, v[0].at, &n), *translation = words_find(&b->words, text, n);
 
-    if (words)
-        lua_pushstring(L, words);
+    if (translation)
+        lua_pushstring(L, translation);
     else
         lua_pushvalue(L, v[0].at);
     return 1;
@@ -499,19 +501,19 @@ static int text_lang_run(lua_State *L, struct board *b, struct api_value *v)
 
 enum { SET_INDEX, SET_RGB };
 
-static const struct api_param set_colour[] = {
+static const struct api_param set_params[] = {
     PARAM("i", A_INT, REQ, 0, 255, NULL, NULL, "palette entry; bank n starts at 16 * n, and entry 0 is the background"),
     PARAM("rgb", A_INT, REQ, 0, 0xffffff, NULL, NULL, "colour as 0xRRGGBB")
 };
 
 enum { ARG_NAME };
 
-static const struct api_param load[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL,
-                                               "palette from rom.lua; the game starts with the palette `main`") };
+static const struct api_param load_params[] = { PARAM(
+    "name", A_STR, REQ, 0, 0, NULL, NULL, "palette from rom.lua; the game starts with the palette `main`") };
 
 enum { FADE_TO, FADE_OVER, FADE_FIRST, FADE_LAST };
 
-static const struct api_param fade[] = {
+static const struct api_param fade_params[] = {
     PARAM("to", A_ANY, REQ, 0, 0, "colour 0xRRGGBB, or a palette", NULL,
           "colour to fade to, or the name of a palette from rom.lua; the game starts with the palette `main`"),
     PARAM("over", A_INT, REQ, 0, 65535, "frames", NULL, "frames the fade takes"),
@@ -521,7 +523,7 @@ static const struct api_param fade[] = {
 
 enum { CYCLE_FIRST, CYCLE_LAST, CYCLE_EVERY };
 
-static const struct api_param cycle[] = {
+static const struct api_param cycle_params[] = {
     PARAM("first", A_INT, REQ, 0, 255, NULL, NULL, "first palette entry of the range"),
     PARAM("last", A_INT, REQ, 0, 255, NULL, NULL, "last palette entry of the range"),
     PARAM("every", A_INT, REQ, 0, 65535, "frames", NULL, "frames from one step to the next; 0 stops the cycle"),
@@ -534,17 +536,17 @@ static int palette_set(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-static const uint8_t *palette_named(lua_State *L, struct board *b, const char *entry, int at)
+static const uint8_t *find_palette(lua_State *L, struct board *b, const char *entry, int at)
 {
     const uint8_t *p = cart_palette(&b->cart, lua_tostring(L, at));
 
     if (p)
         return p;
-    struct api_hint near;
-    api_hint_begin(&near, lua_tostring(L, at));
+    struct api_hint hint;
+    api_hint_begin(&hint, lua_tostring(L, at));
     for (int i = 0; i < b->cart.palettes; i++)
-        api_hint_add(&near, cart_palette_name(&b->cart, i));
-    api_error(L, entry, "unknown palette \"%s\"%s", near.word, api_hint_push(L, &near, "in rom.lua"));
+        api_hint_add(&hint, cart_palette_name(&b->cart, i));
+    api_error(L, entry, "unknown palette \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
     return NULL;
 }
 
@@ -554,37 +556,37 @@ static uint32_t colour(const uint8_t *p, int i)
 }
 
 /* Returns the loaded palette if the cart has looks, otherwise 0. */
-static int loaded(const struct board *b)
+static int loaded_palette(const struct board *b)
 {
-    return b->cart.has_looks ? board_palette(b) : 0;
+    return b->cart.has_looks ? board_loaded_palette(b) : 0;
 }
 
 static int palette_load(lua_State *L, struct board *b, struct api_value *v)
 {
-    const uint8_t *p = palette_named(L, b, "palette.load", v[ARG_NAME].at);
-    const int before = loaded(b);
+    const uint8_t *p = find_palette(L, b, "palette.load", v[ARG_NAME].at);
+    const int old_palette = loaded_palette(b);
 
     for (int i = 0; i < COLOURS; i++)
         pal_set(&b->pal, i, colour(p, i));
-    api_bg_shade(L, b, loaded(b) != before);
+    api_bg_rebuild_shades(L, b, loaded_palette(b) != old_palette);
     return 0;
 }
 
 static int palette_fade(lua_State *L, struct board *b, struct api_value *v)
 {
-    struct api_param number = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL };
-    struct api_value to = { 0 };
+    struct api_param number_param = { "to", A_INT, REQ, 0, 0xffffff, NULL, NULL, NULL };
+    struct api_value target = { 0 };
     const uint8_t *p = NULL;
-    const int before = loaded(b);
+    const int old_palette = loaded_palette(b);
 
     if (lua_type(L, v[FADE_TO].at) == LUA_TSTRING)
-        p = palette_named(L, b, "palette.fade", v[FADE_TO].at);
+        p = find_palette(L, b, "palette.fade", v[FADE_TO].at);
     else
-        api_check(L, "palette.fade", &number, v[FADE_TO].at, &to);
+        api_check(L, "palette.fade", &number_param, v[FADE_TO].at, &target);
     for (int i = (int)v[FADE_FIRST].i; i <= (int)v[FADE_LAST].i; i++)
-        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)to.i, (uint16_t)v[FADE_OVER].i);
+        pal_fade(&b->pal, i, p ? colour(p, i) : (uint32_t)target.i, (uint16_t)v[FADE_OVER].i);
     if (p)
-        api_bg_shade(L, b, loaded(b) != before);
+        api_bg_rebuild_shades(L, b, loaded_palette(b) != old_palette);
     return 0;
 }
 
@@ -602,33 +604,33 @@ static int palette_cycle(lua_State *L, struct board *b, struct api_value *v)
 
 enum { SHAKE_SIZE, SHAKE_OVER, SHAKE_DIR };
 
-static const struct api_param shake[] = {
-    PARAM("size", A_INT, REQ, 0, SHAKE_MOST, "px", NULL,
+static const struct api_param shake_params[] = {
+    PARAM("size", A_INT, REQ, 0, MAX_SHAKE, "px", NULL,
           "distance the picture moves at first; the distance shrinks to 0"),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "duration of the shake"),
+    PARAM("over", A_INT, REQ, 1, MAX_EFFECT_FRAMES, "frames", NULL, "duration of the shake"),
     PARAM("dir", A_DIR, OPT, 0, 0, NULL, NULL, "direction of the axis to shake along; all directions if omitted"),
 };
 
 enum { FLASH_TO, FLASH_OVER, FLASH_SHARE };
 
-static const struct api_param flash[] = {
+static const struct api_param flash_params[] = {
     PARAM("to", A_INT, OPT, 0, 0xffffff, NULL, "0xffffff", "colour as 0xRRGGBB"),
-    PARAM("over", A_INT, REQ, 1, SCREEN_FRAMES, "frames", NULL, "frames the tint takes to fade out"),
+    PARAM("over", A_INT, REQ, 1, MAX_EFFECT_FRAMES, "frames", NULL, "frames the tint takes to fade out"),
     PARAM("share", A_FX, OPT, 0, 1, NULL, "1", "initial strength; 1 is the pure colour"),
 };
 
 enum { BARS_H, BARS_OVER };
 
-static const struct api_param bars[] = {
-    PARAM("h", A_INT, REQ, 0, BARS_MOST, "px", NULL, "height of each bar; 0 removes them"),
-    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "20", "frames the change takes"),
+static const struct api_param bars_params[] = {
+    PARAM("h", A_INT, REQ, 0, MAX_BARS, "px", NULL, "height of each bar; 0 removes them"),
+    PARAM("over", A_INT, OPT, 0, MAX_EFFECT_FRAMES, "frames", "20", "frames the change takes"),
 };
 
 enum { DIM_SHARE, DIM_OVER };
 
-static const struct api_param dim[] = {
+static const struct api_param dim_params[] = {
     PARAM("share", A_FX, OPT, 0, 1, NULL, "0.5", "darkness: 0 is none, 1 is black"),
-    PARAM("over", A_INT, OPT, 0, SCREEN_FRAMES, "frames", "0", "frames the change takes"),
+    PARAM("over", A_INT, OPT, 0, MAX_EFFECT_FRAMES, "frames", "0", "frames the change takes"),
 };
 
 static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
@@ -637,8 +639,8 @@ static int screen_shake_run(lua_State *L, struct board *b, struct api_value *v)
 
     (void)L;
     s->shake = (int32_t)v[SHAKE_SIZE].i;
-    s->shake_over = (uint32_t)v[SHAKE_OVER].i;
-    s->shake_at = b->core.clock;
+    s->shake_frames = (uint32_t)v[SHAKE_OVER].i;
+    s->shake_start = b->core.clock;
     s->shake_dir = v[SHAKE_DIR].a;
     s->shake_aimed = v[SHAKE_DIR].given;
     return 0;
@@ -649,59 +651,60 @@ static int screen_flash_run(lua_State *L, struct board *b, struct api_value *v)
     struct screen *s = &b->screen;
 
     (void)L;
-    s->flash = (uint32_t)v[FLASH_TO].i;
+    s->flash_colour = (uint32_t)v[FLASH_TO].i;
     s->flash_share = v[FLASH_SHARE].f;
-    s->flash_over = (uint32_t)v[FLASH_OVER].i;
-    s->flash_at = b->core.clock;
+    s->flash_frames = (uint32_t)v[FLASH_OVER].i;
+    s->flash_start = b->core.clock;
     return 0;
 }
 
 static int screen_letterbox(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    screen_bars_to(&b->screen, b->core.clock, (int32_t)v[BARS_H].i, (uint32_t)v[BARS_OVER].i);
+    screen_move_bars(&b->screen, b->core.clock, (int32_t)v[BARS_H].i, (uint32_t)v[BARS_OVER].i);
     return 0;
 }
 
 static int screen_dim_run(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushnumber(L, fx_to_double(b->screen.dim));
-    screen_dim_to(&b->screen, b->core.frame, v[DIM_SHARE].f, (uint32_t)v[DIM_OVER].i);
+    screen_set_dim(&b->screen, b->core.frame, v[DIM_SHARE].f, (uint32_t)v[DIM_OVER].i);
     return 1;
 }
 
 static const struct api_entry entries[] = {
-    { "sprite.put", sprite_put, PARAMS(put), 0, API_CHANGES, "sprite",
+    { "sprite.put", sprite_put, PARAMS(put_params), 0, API_CHANGES, "sprite",
       HELP("places a sprite in the field or on the screen, or attaches it to a thing") },
-    { "sprite.plate", sprite_plate, PARAMS(plate), 0, API_CHANGES, "sprite",
+    { "sprite.plate", sprite_plate, PARAMS(plate_params), 0, API_CHANGES, "sprite",
       HELP("places a dark plate with a light rim on the screen, above the picture that screen.dim darkens and below "
            "the text") },
-    { "sprite:remove", sprite_remove, PARAMS(self), 1, API_CHANGES | API_METHOD, NULL, HELP("removes the sprite") },
-    { "spark.def", spark_define, PARAMS(spark_def), 1, API_CHANGES | API_LOAD, NULL,
+    { "sprite:remove", sprite_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
+      HELP("removes the sprite") },
+    { "spark.def", spark_define, PARAMS(spark_def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a kind of spark: a purely visual particle that never hits and that scripts can't read") },
-    { "spark.burst", spark_burst, PARAMS(burst), 0, API_CHANGES, NULL,
+    { "spark.burst", spark_burst, PARAMS(burst_params), 0, API_CHANGES, NULL,
       HELP("creates sparks that scatter from a point, a ring or a line") },
-    { "text.put", text_put_run, PARAMS(text_put), 0, API_CHANGES, NULL,
+    { "text.put", text_put_run, PARAMS(text_put_params), 0, API_CHANGES, NULL,
       HELP("writes text into the grid of 8x8 cells on the screen; the text stays until it is overwritten or cleared") },
-    { "text.clear", text_clear_run, PARAMS(text_clear), 0, API_CHANGES, NULL,
+    { "text.clear", text_clear_run, PARAMS(text_clear_params), 0, API_CHANGES, NULL,
       HELP("clears a rectangle of text cells; without arguments, all of them") },
-    { "text.lang", text_lang_run, PARAMS(text_lang), 1, 0, "string",
+    { "text.lang", text_lang_run, PARAMS(text_lang_params), 1, 0, "string",
       HELP("translates a text into the language of the run, using lang/NAME.txt; a text that has no translation is "
            "returned unchanged") },
-    { "palette.set", palette_set, PARAMS(set_colour), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
-    { "palette.load", palette_load, PARAMS(load), 1, API_CHANGES, NULL,
+    { "palette.set", palette_set, PARAMS(set_params), 2, API_CHANGES, NULL, HELP("sets one colour of the palette") },
+    { "palette.load", palette_load, PARAMS(load_params), 1, API_CHANGES, NULL,
       HELP("sets all 256 colours to a palette from rom.lua") },
-    { "palette.fade", palette_fade, PARAMS(fade), 0, API_CHANGES, NULL,
+    { "palette.fade", palette_fade, PARAMS(fade_params), 0, API_CHANGES, NULL,
       HELP("fades colours to one colour or to a palette from rom.lua") },
-    { "palette.cycle", palette_cycle, PARAMS(cycle), 0, API_CHANGES, NULL,
+    { "palette.cycle", palette_cycle, PARAMS(cycle_params), 0, API_CHANGES, NULL,
       HELP("rotates a range of colours by one entry every few frames; up to 8 ranges can rotate at the same time") },
-    { "screen.shake", screen_shake_run, PARAMS(shake), 0, API_CHANGES, NULL,
+    { "screen.shake", screen_shake_run, PARAMS(shake_params), 0, API_CHANGES, NULL,
       HELP("shakes the picture of the field; nothing really moves, so hits aren't affected") },
-    { "screen.flash", screen_flash_run, PARAMS(flash), 0, API_CHANGES, NULL,
+    { "screen.flash", screen_flash_run, PARAMS(flash_params), 0, API_CHANGES, NULL,
       HELP("tints the entire picture and fades the tint out") },
-    { "screen.letterbox", screen_letterbox, PARAMS(bars), 0, API_CHANGES, NULL,
+    { "screen.letterbox", screen_letterbox, PARAMS(bars_params), 0, API_CHANGES, NULL,
       HELP("slides in black bars at the top and the bottom of the field, under the text") },
-    { "screen.dim", screen_dim_run, PARAMS(dim), 0, API_CHANGES, "share",
+    { "screen.dim", screen_dim_run, PARAMS(dim_params), 0, API_CHANGES, "share",
       HELP("darkens everything except plates, text and sprites in layer `over`, even while the game is paused; returns "
            "the previous `share`") },
 };

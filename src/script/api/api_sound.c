@@ -12,21 +12,21 @@ enum { M_NAME, M_FADE, M_AGAIN, M_BACK, M_AT };
 enum { VOL_SHARE, VOL_OVER };
 enum { ARG_NAME = 0, ARG_FADE = 0, ARG_BEATS = 0, ARG_N = 0 };
 
-enum { MOST_FADE = 3600, NO_TEMPO = 12000 /* hundredths of beats per minute, used while nothing plays */ };
+enum { MAX_FADE = 3600, DEFAULT_TEMPO = 12000 /* hundredths of beats per minute, used while nothing plays */ };
 
-static const struct api_param play[] = {
+static const struct api_param sound_play_params[] = {
     PARAM("name", A_SOUND, REQ, 0, 0, NULL, NULL, "sound from rom.lua"),
     PARAM("volume", A_NUM, OPT, 0, 1, NULL, "1", "fraction of the sound's volume in rom.lua"),
     PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "stereo position: -1 is left, 1 is right; give `pan` or `from`"),
-    PARAM("from", A_THING, OPT, PLACES, 0, NULL, NULL,
+    PARAM("from", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing whose position in the field sets the stereo position; if the thing is dead, nothing plays"),
     PARAM("pitch", A_NUM, OPT, -48, 48, "semitones", "0", "pitch shift"),
 };
-static const struct api_param stop[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
-                                               "sound from rom.lua to stop; all sounds if omitted") };
+static const struct api_param sound_stop_params[] = { PARAM("name", A_SOUND, OPT, 0, 0, NULL, NULL,
+                                                            "sound from rom.lua to stop; all sounds if omitted") };
 static const struct api_param music_play_params[] = {
     PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, "piece of music from rom.lua"),
-    PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
+    PARAM("fade", A_INT, OPT, 0, MAX_FADE, "frames", "0",
           "frames the current music takes to fade out first; cannot be combined with `at`"),
     PARAM("again", A_BOOL, OPT, 0, 0, NULL, "false",
           "restart the piece if it is already playing; if false, the piece continues"),
@@ -37,20 +37,20 @@ static const struct api_param music_play_params[] = {
           "start on the next \"beat\" or \"bar\" of the current music; if omitted, start immediately; cannot be "
           "combined with `fade`"),
 };
-static const struct api_param volume[] = {
+static const struct api_param music_volume_params[] = {
     PARAM("share", A_NUM, OPT, 0, 1, NULL, NULL, "new volume; if omitted, the volume doesn't change"),
-    PARAM("over", A_INT, OPT, 0, MOST_FADE, "frames", "0", "frames the change takes")
+    PARAM("over", A_INT, OPT, 0, MAX_FADE, "frames", "0", "frames the change takes")
 };
-static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MOST_FADE, "frames", "0",
+static const struct api_param music_stop_params[] = { PARAM("fade", A_INT, OPT, 0, MAX_FADE, "frames", "0",
                                                             "frames the music takes to fade out") };
-static const struct api_param beats[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
-                                                "number of beats (quarter notes)") };
-static const struct api_param until[] = { PARAM(
+static const struct api_param beats_req[] = { PARAM("beats", A_NUM, REQ, 0, 65536, NULL, NULL,
+                                                    "number of beats (quarter notes)") };
+static const struct api_param music_wait_params[] = { PARAM(
     "n", A_ANY, OPT, 0, 0, "whole number, or a marker", "1",
     "number of beats to wait for, or the name of a marker of the current piece") };
 
 /* Returns whether the running task is fast-forwarding to a practice mark, when nothing is heard. */
-static bool skips(const struct board *b)
+static bool is_skipping(const struct board *b)
 {
     return b->tasks.current != NO_SLOT && b->tasks.flags[b->tasks.current] & TASK_SKIPS;
 }
@@ -61,14 +61,14 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[P_PAN].given && v[P_FROM].given)
         return api_error(L, "sound.play", "expected either `pan` or `from`, got both");
-    struct cue cue = { cart_sound(&b->cart, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
-                       (int16_t)(v[P_PAN].n * TUNE_PAN), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
+    struct cue cue = { cart_sound_place(&b->cart, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
+                       (int16_t)(v[P_PAN].n * TUNE_PAN_CENTRE), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
     if (v[P_FROM].given) {
-        if (!board_where(b, v[P_FROM].i, &x, &y))
+        if (!board_get_position(b, v[P_FROM].i, &x, &y))
             return 0;
-        cue.place = sound_place(b, x);
+        cue.pan_offset = sound_pan_at(b, x);
     }
-    if (!skips(b))
+    if (!is_skipping(b))
         sound_play(b, &cue);
     return 0;
 }
@@ -76,50 +76,50 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
 static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_stop(b, v[ARG_NAME].given ? cart_sound(&b->cart, (int)v[ARG_NAME].i - 1) : 0);
+    sound_stop(b, v[ARG_NAME].given ? cart_sound_place(&b->cart, (int)v[ARG_NAME].i - 1) : 0);
     return 0;
 }
 
 static int music_play(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const places[] = { "beat", "bar" };
-    struct music_options how = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
+    static const char *const boundaries[] = { "beat", "bar" };
+    struct music_options options = { (int32_t)v[M_FADE].i, MUSIC_AT_ONCE, v[M_AGAIN].i != 0, v[M_BACK].i != 0 };
     const char *at = v[M_AT].given ? lua_tostring(L, v[M_AT].at) : NULL;
 
     if (at && v[M_FADE].i)
         return api_error(L, "music.play", "expected either `at` or `fade`, got both");
     for (int i = 0; at && i < 2; i++)
-        if (!strcmp(at, places[i]))
-            how.at = i ? MUSIC_AT_BAR : MUSIC_AT_BEAT;
-    if (at && !how.at)
+        if (!strcmp(at, boundaries[i]))
+            options.start_at = i ? MUSIC_AT_BAR : MUSIC_AT_BEAT;
+    if (at && !options.start_at)
         return api_error(L, "music.play", "at: expected \"beat\" or \"bar\", got \"%s\"", at);
-    sound_music(b, (int)v[M_NAME].i - 1, &how);
+    sound_start_music(b, (int)v[M_NAME].i - 1, &options);
     return 0;
 }
 
 static int music_volume(lua_State *L, struct board *b, struct api_value *v)
 {
-    const double was = (double)b->music.level / SEQ_FULL;
+    const double old_volume = (double)b->music.level / SEQ_FULL_VOLUME;
 
     if (v[VOL_SHARE].given)
-        sound_volume(b, (uint16_t)(v[VOL_SHARE].n * SEQ_FULL + 0.5), (int32_t)v[VOL_OVER].i);
-    lua_pushnumber(L, was);
+        sound_set_volume(b, (uint16_t)(v[VOL_SHARE].n * SEQ_FULL_VOLUME + 0.5), (int32_t)v[VOL_OVER].i);
+    lua_pushnumber(L, old_volume);
     return 1;
 }
 
 static int music_stop(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_music_stop(b, (int32_t)v[ARG_FADE].i);
+    sound_stop_music(b, (int32_t)v[ARG_FADE].i);
     return 0;
 }
 
 /* Reads the current piece into t; returns false if none plays. */
-static bool playing(const struct board *b, struct tune *t)
+static bool get_playing_tune(const struct board *b, struct tune *t)
 {
     if (!b->music.tune)
         return false;
-    *t = tune_of(b->cart.tune_data + cart_tune(&b->cart, b->music.tune - 1));
+    *t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, b->music.tune - 1));
     return true;
 }
 
@@ -145,7 +145,7 @@ static int music_bar(lua_State *L, struct board *b, struct api_value *v)
     struct tune t;
 
     (void)v;
-    lua_pushinteger(L, playing(b, &t) ? (lua_Integer)(seq_beats(&b->music) / (uint64_t)t.bar) : 0);
+    lua_pushinteger(L, get_playing_tune(b, &t) ? (lua_Integer)(seq_beats(&b->music) / (uint64_t)t.beats_per_bar) : 0);
     return 1;
 }
 
@@ -154,8 +154,8 @@ static int music_marker(lua_State *L, struct board *b, struct api_value *v)
     struct tune t;
 
     (void)v;
-    if (playing(b, &t) && b->music.mark)
-        lua_pushstring(L, tune_mark(&t, b->music.mark - 1));
+    if (get_playing_tune(b, &t) && b->music.mark)
+        lua_pushstring(L, tune_mark_name(&t, b->music.mark - 1));
     else
         lua_pushnil(L);
     return 1;
@@ -165,7 +165,7 @@ enum { BEAT_FRAMES = 360000 /* frames per beat at tempo 1, which is 0.01 beats p
 
 static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 {
-    const double tempo = b->music.tune ? b->music.tempo : NO_TEMPO;
+    const double tempo = b->music.tune ? b->music.tempo : DEFAULT_TEMPO;
 
     lua_pushinteger(L, (lua_Integer)(v[ARG_BEATS].n * BEAT_FRAMES / tempo + 0.5));
     return 1;
@@ -176,49 +176,49 @@ static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 /* Stack indices of the values of a waiting task. */
 enum { W_TUNE = 1, W_BEAT, W_MARK, W_MARKS, W_LEFT, W_ALL = W_LEFT };
 
-static int64_t waits_for(lua_State *L, int what)
+static int64_t wait_value(lua_State *L, int at)
 {
-    return lua_tointeger(L, what);
+    return lua_tointeger(L, at);
 }
 
 /* Returns whether the wait is over. Counts beats while the piece that played at the start still plays, otherwise
  * frames. */
-static bool has_come(lua_State *L, struct board *b)
+static bool wait_done(lua_State *L, struct board *b)
 {
     const struct seq *s = &b->music;
 
-    if (s->tune && s->tune == waits_for(L, W_TUNE)) {
-        if (waits_for(L, W_MARK))
-            return s->marks != (uint32_t)waits_for(L, W_MARKS) && s->mark == waits_for(L, W_MARK);
-        return (int64_t)seq_beats(s) >= waits_for(L, W_BEAT);
+    if (s->tune && s->tune == wait_value(L, W_TUNE)) {
+        if (wait_value(L, W_MARK))
+            return s->marks_passed != (uint32_t)wait_value(L, W_MARKS) && s->mark == wait_value(L, W_MARK);
+        return (int64_t)seq_beats(s) >= wait_value(L, W_BEAT);
     }
-    lua_pushinteger(L, waits_for(L, W_LEFT) - 1);
+    lua_pushinteger(L, wait_value(L, W_LEFT) - 1);
     lua_replace(L, W_LEFT);
-    return waits_for(L, W_MARK) || waits_for(L, W_LEFT) < 0;
+    return wait_value(L, W_MARK) || wait_value(L, W_LEFT) < 0;
 }
 
-static int wait_on(lua_State *L, int status, lua_KContext context)
+static int continue_wait(lua_State *L, int status, lua_KContext context)
 {
     struct board *b = vm_board(L);
 
     (void)status, (void)context;
-    if (has_come(L, b)) {
+    if (wait_done(L, b)) {
         lua_pushinteger(L, (lua_Integer)seq_beats(&b->music));
         return 1;
     }
     b->tasks.wait[b->tasks.current] = 1;
-    return lua_yieldk(L, 0, 0, wait_on);
+    return lua_yieldk(L, 0, 0, continue_wait);
 }
 
 /* Completes a music.wait at once while fast-forwarding to a practice mark. */
-static int pass_beats(lua_State *L, struct board *b)
+static int skip_wait(lua_State *L, struct board *b)
 {
     uint64_t work = 1;
 
     if (!b->music.tune)
-        vm_charge(L, sound_pass_wait(b, waits_for(L, W_LEFT)));
-    while (b->music.passes && b->music.tune && work > 0 && !has_come(L, b)) {
-        work = sound_pass_wait(b, 1);
+        vm_charge(L, sound_skip_wait(b, wait_value(L, W_LEFT)));
+    while (b->music.is_skipping && b->music.tune && work > 0 && !wait_done(L, b)) {
+        work = sound_skip_wait(b, 1);
         vm_charge(L, work);
     }
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music));
@@ -227,18 +227,18 @@ static int pass_beats(lua_State *L, struct board *b)
 
 /* Returns the number of the marker in the current piece, or 0 if no piece plays; raises an error if the piece has no
  * such marker. */
-static int marker_named(lua_State *L, struct board *b, const char *name)
+static int find_marker(lua_State *L, struct board *b, const char *name)
 {
     const char *found = NULL;
-    int best = EDIT_FAR;
+    int best_distance = EDIT_FAR;
     struct tune t;
 
-    if (!playing(b, &t))
+    if (!get_playing_tune(b, &t))
         return 0;
     for (int i = 0; i < t.marks; i++) {
-        if (!strcmp(tune_mark(&t, i), name))
+        if (!strcmp(tune_mark_name(&t, i), name))
             return i + 1;
-        api_suggest_nearer(name, tune_mark(&t, i), &best, &found);
+        api_suggest_nearer(name, tune_mark_name(&t, i), &best_distance, &found);
     }
     const char *tune = cart_tune_name(&b->cart, b->music.tune - 1);
     if (found)
@@ -248,53 +248,54 @@ static int marker_named(lua_State *L, struct board *b, const char *name)
 
 /* Returns whether the marker is still ahead. A marker before the start of the loop is passed only once; after the end
  * of the piece, no marker is ahead. */
-static bool will_come(lua_State *L, struct board *b, int mark)
+static bool is_marker_ahead(lua_State *L, struct board *b, int mark)
 {
     struct tune t;
     uint32_t work = 0;
-    const bool comes = playing(b, &t) && seq_comes(&b->music, &t, mark - 1, &work);
+    const bool is_ahead = get_playing_tune(b, &t) && seq_has_mark_ahead(&b->music, &t, mark - 1, &work);
 
     vm_charge(L, work);
-    return comes;
+    return is_ahead;
 }
 
 static int music_wait(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const struct api_param whole = { "n", A_INT, REQ, 1, 65536, "beats", NULL, NULL };
+    static const struct api_param count_param = { "n", A_INT, REQ, 1, 65536, "beats", NULL, NULL };
     struct api_value n = { .i = 1 };
     int mark = 0;
 
     if (v[ARG_N].given && lua_type(L, v[ARG_N].at) == LUA_TSTRING) {
-        mark = marker_named(L, b, lua_tostring(L, v[ARG_N].at));
+        mark = find_marker(L, b, lua_tostring(L, v[ARG_N].at));
         n.i = mark; /* 0 while nothing plays: no wait */
     } else if (v[ARG_N].given)
-        api_check(L, "music.wait", &whole, v[ARG_N].at, &n);
+        api_check(L, "music.wait", &count_param, v[ARG_N].at, &n);
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "music.wait", "only a task can wait; start one with task.go");
-    if (mark && !will_come(L, b, mark))
+    if (mark && !is_marker_ahead(L, b, mark))
         return music_beat(L, b, v);
-    const bool skipped = skips(b);
-    const int yields = skipped ? api_pass_wait(L, b) : 0;
+    const bool skipped = is_skipping(b);
+    const int yields = skipped ? api_count_skipped_wait(L, b) : 0;
     if (yields)
         return yields;
     lua_settop(L, 0);
     lua_pushinteger(L, b->music.tune);
     lua_pushinteger(L, (lua_Integer)seq_beats(&b->music) + n.i);
     lua_pushinteger(L, mark);
-    lua_pushinteger(L, b->music.marks);
-    lua_pushinteger(L, n.i * (BEAT_FRAMES / NO_TEMPO));
-    return skipped ? pass_beats(L, b) : wait_on(L, LUA_OK, 0);
+    lua_pushinteger(L, b->music.marks_passed);
+    lua_pushinteger(L, n.i * (BEAT_FRAMES / DEFAULT_TEMPO));
+    return skipped ? skip_wait(L, b) : continue_wait(L, LUA_OK, 0);
 }
 
 static const struct api_entry entries[] = {
-    { "sound.play", sound_play_run, PARAMS(play), 1, API_CHANGES, NULL,
+    { "sound.play", sound_play_run, PARAMS(sound_play_params), 1, API_CHANGES, NULL,
       HELP("plays a sound from rom.lua; plays nothing while a stage skips ahead to a practice mark") },
-    { "sound.stop", sound_stop_run, PARAMS(stop), 1, API_CHANGES, NULL, HELP("stops a sound, or all sounds") },
+    { "sound.stop", sound_stop_run, PARAMS(sound_stop_params), 1, API_CHANGES, NULL,
+      HELP("stops a sound, or all sounds") },
     { "music.play", music_play, PARAMS(music_play_params), 1, API_CHANGES, NULL,
       HELP("plays a piece of music from rom.lua instead of the current one") },
     { "music.stop", music_stop, PARAMS(music_stop_params), 0, API_CHANGES, NULL,
       HELP("stops the music, including pieces that were set aside") },
-    { "music.volume", music_volume, PARAMS(volume), 2, API_CHANGES, "number",
+    { "music.volume", music_volume, PARAMS(music_volume_params), 2, API_CHANGES, "number",
       HELP("changes the volume of all music and returns the previous one; each new game starts at 1") },
     { "music.name", music_name, NO_PARAMS, 0, 0, "name or nil", HELP("returns the name of the piece that is playing") },
     { "music.beat", music_beat, NO_PARAMS, 0, 0, "integer",
@@ -303,9 +304,9 @@ static const struct api_entry entries[] = {
       HELP("returns the number of bars since the piece started; 0 during the first bar") },
     { "music.marker", music_marker, NO_PARAMS, 0, 0, "name or nil",
       HELP("returns the name of the last marker the piece has passed") },
-    { "music.frames", music_frames, PARAMS(beats), 1, 0, "frames",
+    { "music.frames", music_frames, PARAMS(beats_req), 1, 0, "frames",
       HELP("converts beats to frames at the current tempo, or at 120 beats per minute if nothing is playing") },
-    { "music.wait", music_wait, PARAMS(until), 1, API_CHANGES, "integer",
+    { "music.wait", music_wait, PARAMS(music_wait_params), 1, API_CHANGES, "integer",
       HELP("waits for a beat or a marker and returns the number of the beat; doesn't wait for a marker that won't come "
            "again, or for any marker if nothing is playing") },
 };

@@ -28,7 +28,7 @@ enum {
 };
 
 const struct api_param api_emit_params[EMIT_PARAMS] = {
-    PARAM("pattern", A_EMIT, OPT, 0, 0, NULL, "one",
+    PARAM("pattern", A_EMIT_PATTERN, OPT, 0, 0, NULL, "one",
           "arrangement of the bullets, as in pattern.NAME; \"one\" fires a single bullet"),
     PARAM("n", A_INT, OPT, 0, 65535, "bullets", NULL,
           "number of bullets to fire; required unless `pattern` is \"one\""),
@@ -36,9 +36,10 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     PARAM("sweep", A_NUM, OPT, -32767, 32767, "degrees", NULL,
           "angle from the first to the last bullet of an arc, clockwise"),
     PARAM("speed_to", A_NUM, OPT, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of the last bullet of a stack"),
-    PARAM("width", A_NUM, OPT, -WORLD, WORLD, "px", NULL, "distance between the first and the last bullet of a line"),
+    PARAM("width", A_NUM, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
+          "distance between the first and the last bullet of a line"),
     PARAM("skip", A_SPAN, OPT, -65535, 65535, NULL, NULL, "range of bullets to skip; the first bullet is number 1"),
-    PARAM("fire", A_SHOOT, OPT, 0, 0, NULL, "bullet",
+    PARAM("fire", A_EMIT_FIRE, OPT, 0, 0, NULL, "bullet",
           "what to fire; shots belong to the owner of the shot that fires them"),
     PARAM("kind", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, "declared kind to fire"),
     PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,
@@ -52,14 +53,14 @@ const struct api_param api_emit_params[EMIT_PARAMS] = {
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "name of a group to put the bullets in"),
     PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL, "motion program that steers the bullets"),
     PARAM("delay", A_INT, OPT, 0, 1e9, "frames", "0", "frames the bullets wait in place before they fly"),
-    PARAM("around", A_THING, OPT, PLACES, 0, NULL, NULL,
+    PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL,
           "thing that the bullets circle in the `orbit` steps of their motion"),
 };
 
 /* The name of each pattern, and the argument that gives its size (-1: it has none). */
 static const struct {
     const char *name;
-    int size;
+    int size_param;
 } patterns[EMIT_PATTERNS] = {
     [EMIT_ONE] = { "one", -1 },      [EMIT_RING] = { "ring", -1 },           [EMIT_FAN] = { "fan", E_SPREAD },
     [EMIT_ARC] = { "arc", E_SWEEP }, [EMIT_STACK] = { "stack", E_SPEED_TO }, [EMIT_LINE] = { "line", E_WIDTH },
@@ -67,7 +68,7 @@ static const struct {
 
 /* Returns which number of an emit argument k sets, if the name of a declared value may replace the number; otherwise
  * EMIT_NUMBERS. */
-static enum emit_number number_of(int k)
+static enum emit_number find_emit_number(int k)
 {
     static const uint8_t numbers[EMIT_PARAMS] = {
         [E_N] = EMIT_NUMBER_N + 1,           [E_SPREAD] = EMIT_NUMBER_SIZE + 1, [E_SWEEP] = EMIT_NUMBER_SIZE + 1,
@@ -81,49 +82,49 @@ static enum emit_number number_of(int k)
 /* An emit being read. From stack index `first`: its arguments, then the values declared for what it fires. */
 struct reader {
     int step, first;
-    bool shots;
-    enum name_kind values;
+    bool fires_shots;
+    enum name_kind value_kind;
     struct api_value v[EMIT_PARAMS + MAX_VALUES];
     uint64_t named;
 };
 
 /* Raises the error for the unknown key on top of the stack. */
-static void unknown(lua_State *L, const struct reader *r, const struct api_fields *fields)
+static void raise_unknown_key(lua_State *L, const struct reader *r, const struct api_fields *fields)
 {
-    static const char *const places[] = { "x", "y", "from", "dx", "dy" };
+    static const char *const place_names[] = { "x", "y", "from", "dx", "dy" };
     const char *key = luakeys_text(L, -1);
-    char where[48];
+    char context[48];
 
-    for (size_t i = 0; key && i < sizeof places / sizeof *places; i++)
-        if (!strcmp(key, places[i]))
+    for (size_t i = 0; key && i < sizeof place_names / sizeof *place_names; i++)
+        if (!strcmp(key, place_names[i]))
             api_error(L, DEF, "step %d: emit: `%s` is not allowed (`emit` fires from the bullet's position)", r->step,
                       key);
     if (key && !strcmp(key, "each"))
         api_error(L, DEF, "step %d: emit: `each` is not allowed (a motion runs without Lua; use `motion`)", r->step);
-    snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
-    api_refuse_key(L, where, fields);
+    snprintf(context, sizeof context, "%s: step %d: emit", DEF, r->step);
+    api_raise_unknown_key(L, context, fields);
 }
 
 /* Spreads the arguments and values of the table at `at` over the stack. */
-static void spread(lua_State *L, struct reader *r, int at)
+static void push_settings(lua_State *L, struct reader *r, int at)
 {
-    const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->values };
+    const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->value_kind };
 
     luaL_checkstack(L, EMIT_PARAMS + MAX_VALUES + 16, NULL);
-    if (luakeys_push_stray(L, at, api_knows_field, &fields))
-        unknown(L, r, &fields);
+    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
+        raise_unknown_key(L, r, &fields);
     r->first = lua_gettop(L) + 1;
     for (int k = 0; k < EMIT_PARAMS; k++)
         lua_getfield(L, at, api_emit_params[k].name);
-    for (int k = 0; k < api_values(vm_board(L), r->values); k++)
-        lua_getfield(L, at, board_name(vm_board(L), r->values, k));
+    for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++)
+        lua_getfield(L, at, board_name(vm_board(L), r->value_kind, k));
 }
 
 /* Checks argument k against its parameter, or reads the name of a declared value given in its place. */
-static void check(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
+static void check_setting(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
 {
     const int at = r->first + k;
-    char where[48];
+    char context[48];
 
     r->v[k] = (struct api_value){ 0 };
     if (number != EMIT_NUMBERS && lua_type(L, at) == LUA_TSTRING) {
@@ -131,22 +132,22 @@ static void check(lua_State *L, struct reader *r, int k, const struct api_param 
         r->v[k].given = true;
         return;
     }
-    snprintf(where, sizeof where, "%s: step %d: emit", DEF, r->step);
-    api_check(L, where, p, at, &r->v[k]);
+    snprintf(context, sizeof context, "%s: step %d: emit", DEF, r->step);
+    api_check(L, context, p, at, &r->v[k]);
 }
 
-static void check_all(lua_State *L, struct reader *r)
+static void check_settings(lua_State *L, struct reader *r)
 {
     for (int k = 0; k < EMIT_PARAMS; k++) {
         struct api_param p = api_emit_params[k];
-        if (k == E_KIND && r->shots)
+        if (k == E_KIND && r->fires_shots)
             p.type = A_SHOT_KIND;
-        check(L, r, k, &p, (int)number_of(k));
+        check_setting(L, r, k, &p, (int)find_emit_number(k));
     }
-    for (int k = 0; k < api_values(vm_board(L), r->values); k++) {
-        struct api_param p = api_value_param(board_name(vm_board(L), r->values, k));
+    for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
+        struct api_param p = api_value_param(board_name(vm_board(L), r->value_kind, k));
         p.optional = OPT;
-        check(L, r, EMIT_PARAMS + k, &p, EMIT_NUMBER_VALUE + k);
+        check_setting(L, r, EMIT_PARAMS + k, &p, EMIT_NUMBER_VALUE + k);
     }
 }
 
@@ -156,17 +157,17 @@ static void check_pattern(lua_State *L, const struct reader *r, int pattern)
     const char *name = patterns[pattern].name;
 
     for (int k = E_SPREAD; k <= E_WIDTH; k++) {
-        if (r->v[k].given && k != patterns[pattern].size)
+        if (r->v[k].given && k != patterns[pattern].size_param)
             api_error(L, DEF, "step %d: emit: `%s` does not apply to pattern \"%s\"", r->step, api_emit_params[k].name,
                       name);
-        if (!r->v[k].given && k == patterns[pattern].size)
+        if (!r->v[k].given && k == patterns[pattern].size_param)
             api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `%s`", r->step, name, api_emit_params[k].name);
     }
     if (pattern == EMIT_ONE && r->v[E_N].given)
         api_error(L, DEF, "step %d: emit: `n` does not apply to pattern \"one\" (did you forget `pattern`?)", r->step);
     if (pattern != EMIT_ONE && !r->v[E_N].given)
         api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `n`", r->step, name);
-    if (r->shots && r->v[E_DELAY].given)
+    if (r->fires_shots && r->v[E_DELAY].given)
         api_error(L, DEF, "step %d: emit: `delay` does not apply to shots", r->step);
 }
 
@@ -181,13 +182,13 @@ static void read_skip(lua_State *L, const struct api_value *v, struct motion_emi
     lua_pop(L, 2);
 }
 
-static void fill(lua_State *L, const struct reader *r, struct motion_emit *e)
+static void fill_emit(lua_State *L, const struct reader *r, struct motion_emit *e)
 {
     const struct api_value *v = r->v;
-    const int pattern = (int)v[E_PATTERN].i, size = patterns[pattern].size;
+    const int pattern = (int)v[E_PATTERN].i, size = patterns[pattern].size_param;
 
     *e = (struct motion_emit){ .pattern = (uint8_t)pattern,
-                               .flags = (uint8_t)((r->shots ? EMIT_SHOTS : 0) | (v[E_AIM].i ? EMIT_AIM : 0) |
+                               .flags = (uint8_t)((r->fires_shots ? EMIT_SHOTS : 0) | (v[E_AIM].i ? EMIT_AIM : 0) |
                                                   (v[E_DIR].given ? EMIT_DIR : 0) | (v[E_BANK].given ? EMIT_BANK : 0)),
                                .bank = (uint8_t)v[E_BANK].i,
                                .kind = (uint16_t)v[E_KIND].i,
@@ -197,31 +198,31 @@ static void fill(lua_State *L, const struct reader *r, struct motion_emit *e)
                                .dir = v[E_DIR].n,
                                .speed = v[E_SPEED].n,
                                .size = size < 0 ? 0 : v[size].n,
-                               .around = v[E_AROUND].given ? v[E_AROUND].i : 0,
+                               .orbit_target = v[E_AROUND].given ? v[E_AROUND].i : 0,
                                .named = r->named };
     if (v[E_TAG].given)
-        e->tag = api_tag(L, DEF, v[E_TAG].at);
+        e->tag = api_intern_tag(L, DEF, v[E_TAG].at);
     read_skip(L, &v[E_SKIP], e);
-    for (int k = 0; k < api_values(vm_board(L), r->values); k++) {
+    for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
         if (v[EMIT_PARAMS + k].given)
-            e->flags |= (uint8_t)(EMIT_VALUES << k);
+            e->flags |= (uint8_t)(EMIT_VALUE << k);
         e->value[k] = v[EMIT_PARAMS + k].f;
     }
 }
 
-void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e)
+void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e)
 {
     struct reader r = { .step = step };
     const struct board *b = vm_board(L);
     const int top = lua_gettop(L);
 
-    r.shots = lua_getfield(L, at, "fire") == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
-    r.values = r.shots ? N_SHOT_VALUE : N_BULLET_VALUE;
-    spread(L, &r, at);
-    check_all(L, &r);
+    r.fires_shots = lua_getfield(L, at, "fire") == LUA_TSTRING && !strcmp(lua_tostring(L, -1), "shot");
+    r.value_kind = r.fires_shots ? N_SHOT_VALUE : N_BULLET_VALUE;
+    push_settings(L, &r, at);
+    check_settings(L, &r);
     check_pattern(L, &r, (int)r.v[E_PATTERN].i);
-    api_check_around(L, r.shots ? &b->shots : &b->bullets, DEF, &r.v[E_AROUND]);
-    fill(L, &r, e);
+    api_check_around(L, r.fires_shots ? &b->shots : &b->bullets, DEF, &r.v[E_AROUND]);
+    fill_emit(L, &r, e);
     lua_settop(L, top);
 }
 
@@ -230,27 +231,27 @@ void api_step_emit(lua_State *L, int step, int at, struct motion_emit *e)
 enum { W_X, W_Y, W_NEAR, W_TAG, W_LIMIT };
 
 const struct api_param api_await_params[AWAIT_PARAMS] = {
-    PARAM("x", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("x", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "the motion continues once the bullet reaches or crosses this vertical line"),
-    PARAM("y", A_FX, OPT, -WORLD, WORLD, "px", NULL,
+    PARAM("y", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "the motion continues once the bullet reaches or crosses this horizontal line"),
-    PARAM("near", A_FX, OPT, 0, WORLD, "px", NULL, "the motion continues once a target is nearer than this"),
+    PARAM("near", A_FX, OPT, 0, WORLD_EDGE, "px", NULL, "the motion continues once a target is nearer than this"),
     PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "the motion continues when group:signal() is called for this tag"),
     PARAM("limit", A_COUNT, OPT, 1, 1e9, "frames", "forever", "frames after which the motion continues anyway"),
 };
 
 static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y, NUMBER_SIZE, STEP_NUMBERS,
-                                                              NUMBER_OVER };
+                                                              NUMBER_DURATION };
 
 static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAMS])
 {
     static const struct api_fields fields = { api_await_params, AWAIT_PARAMS, NAME_LISTS };
     uint64_t named = 0;
-    char where[48];
+    char context[48];
 
-    snprintf(where, sizeof where, "%s: step %d: wait_for", DEF, step);
-    if (luakeys_push_stray(L, at, api_knows_field, &fields))
-        api_refuse_key(L, where, &fields);
+    snprintf(context, sizeof context, "%s: step %d: wait_for", DEF, step);
+    if (luakeys_push_unknown(L, at, api_knows_field, &fields))
+        api_raise_unknown_key(L, context, &fields);
     for (int k = 0; k < AWAIT_PARAMS; k++) {
         const struct api_param *p = &api_await_params[k];
         v[k] = (struct api_value){ 0 };
@@ -258,12 +259,12 @@ static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AW
             named |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = 1 };
         } else
-            api_check(L, where, p, lua_gettop(L), &v[k]);
+            api_check(L, context, p, lua_gettop(L), &v[k]);
     }
     return named;
 }
 
-void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
+void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
 {
     struct api_value v[AWAIT_PARAMS];
     const int top = lua_gettop(L);
@@ -274,20 +275,20 @@ void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
         n += v[k].given;
     if (n != 1)
         api_error(L, DEF, "step %d: wait_for: expected one of `x`, `y`, `near` and `tag`, got %d", step, n);
-    *s = (struct motion_step){ .does = DOES_AWAIT | (named ? DOES_NAMED : 0u),
-                               .over = UINT32_MAX,
-                               .how = (uint8_t)(v[W_X].given      ? HOW_X
-                                                : v[W_Y].given    ? HOW_Y
-                                                : v[W_NEAR].given ? HOW_NEAR
-                                                                  : HOW_SIGNAL),
+    *s = (struct motion_step){ .actions = DOES_AWAIT | (named ? DOES_NAMED : 0u),
+                               .duration = UINT32_MAX,
+                               .mode = (uint8_t)(v[W_X].given      ? MODE_X
+                                                 : v[W_Y].given    ? MODE_Y
+                                                 : v[W_NEAR].given ? MODE_NEAR
+                                                                   : MODE_SIGNAL),
                                .x = v[W_X].f,
                                .y = v[W_Y].f,
                                .size = v[W_NEAR].f,
                                .named = named };
     if (v[W_TAG].given)
-        s->count = api_tag(L, DEF, v[W_TAG].at);
+        s->count = api_intern_tag(L, DEF, v[W_TAG].at);
     if (v[W_LIMIT].given && v[W_LIMIT].i != LUA_MAXINTEGER)
-        s->over = (uint32_t)v[W_LIMIT].i;
+        s->duration = (uint32_t)v[W_LIMIT].i;
     lua_settop(L, top);
 }
 
@@ -295,7 +296,7 @@ void api_step_await(lua_State *L, int step, int at, struct motion_step *s)
 
 /* Pops the point on top of the stack and returns the point's position, rounded like that of an enemy on the route.
  * place_at is the stack index of path.place. */
-static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *y)
+static void pop_position(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *y)
 {
     lua_pushvalue(L, place_at);
     lua_insert(L, -2);
@@ -309,52 +310,52 @@ static void place(lua_State *L, int step, int place_at, bool mirror, fx *x, fx *
 }
 
 /* Pops the point on top of the stack and fills `leg` with the leg to it. Returns false if the leg takes no time. */
-static bool leg_to(lua_State *L, int step, int place_at, struct api_leg *at, struct motion_step *leg)
+static bool read_leg(lua_State *L, int step, int place_at, struct api_route_reader *reader, struct motion_step *leg)
 {
-    static const struct api_param ease = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };
+    static const struct api_param ease_param = { "ease", A_EASE, OPT, 0, 0, NULL, NULL, NULL };
     const int point = lua_gettop(L);
     struct api_value v = { 0 };
-    fx x = at->x, y = at->y;
+    fx x = reader->x, y = reader->y;
 
-    leg->does |= DOES_GO_TO;
-    leg->how = HOW_BY;
+    leg->actions |= DOES_GO_TO;
+    leg->mode = MODE_RELATIVE;
     if (lua_getfield(L, point, "wait") != LUA_TNIL)
-        leg->over = (uint32_t)lua_tointeger(L, -1);
+        leg->duration = (uint32_t)lua_tointeger(L, -1);
     else {
         lua_getfield(L, point, "over");
-        leg->over = (uint32_t)lua_tointeger(L, -1);
+        leg->duration = (uint32_t)lua_tointeger(L, -1);
         lua_getfield(L, point, "ease");
-        api_check(L, DEF, &ease, lua_gettop(L), &v);
-        leg->how |= (uint8_t)v.i;
+        api_check(L, DEF, &ease_param, lua_gettop(L), &v);
+        leg->mode |= (uint8_t)v.i;
         lua_pushvalue(L, point);
-        place(L, step, place_at, at->mirror, &x, &y);
+        pop_position(L, step, place_at, reader->mirrored, &x, &y);
     }
-    leg->x = x - at->x;
-    leg->y = y - at->y;
-    at->x = x;
-    at->y = y;
+    leg->x = x - reader->x;
+    leg->y = y - reader->y;
+    reader->x = x;
+    reader->y = y;
     lua_settop(L, point - 1);
-    return leg->over > 0;
+    return leg->duration > 0;
 }
 
-bool api_step_leg(lua_State *L, int step, struct api_leg *at, struct motion_step *leg)
+bool api_read_step_leg(lua_State *L, int step, struct api_route_reader *reader, struct motion_step *leg)
 {
     const int top = lua_gettop(L);
-    const uint32_t does = leg->does;
+    const uint32_t initial = leg->actions;
     char message[80];
 
     luaL_checkstack(L, 16, NULL);
     snprintf(message, sizeof message, "step %d: path: expected a route (from path.def)", step);
-    api_push_routes(L, DEF, at->route, message);
+    api_push_path_module(L, DEF, reader->route, message);
     lua_getfield(L, -1, "place");
-    if (!at->i) {
-        lua_rawgeti(L, at->route, at->i = 1);
-        place(L, step, top + 2, at->mirror, &at->x, &at->y);
+    if (!reader->i) {
+        lua_rawgeti(L, reader->route, reader->i = 1);
+        pop_position(L, step, top + 2, reader->mirrored, &reader->x, &reader->y);
     }
     bool found = false;
-    while (!found && lua_rawgeti(L, at->route, ++at->i) == LUA_TTABLE) {
-        leg->does = does;
-        found = leg_to(L, step, top + 2, at, leg);
+    while (!found && lua_rawgeti(L, reader->route, ++reader->i) == LUA_TTABLE) {
+        leg->actions = initial;
+        found = read_leg(L, step, top + 2, reader, leg);
     }
     lua_settop(L, top);
     return found;

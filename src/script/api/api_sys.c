@@ -10,7 +10,7 @@
 #include "api_parts.h"
 
 /* Parameter indices; ARG_: the only parameter of its entry. */
-enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_ON = 0, ARG_HOW = 0 };
+enum { ARG_NAME = 0, ARG_PLAYER = 0, ARG_KIND = 0, ARG_OWNER = 0, ARG_SCOPE = 0, ARG_KEEP = 0, ARG_HOW = 0 };
 enum { FAIL_ENTRY, FAIL_MESSAGE, FAIL_NAME };
 enum { NOTE_ENTRY, NOTE_NAME };
 enum { NEAR_WORD, NEAR_LIST };
@@ -25,46 +25,46 @@ enum { VALUE_PLAYER, VALUE_NAME, VALUE_OF_RUN };
 enum { RUN_NAME, RUN_VALUE };
 enum { CONTINUES_PLAYER, CONTINUES_N };
 
-static const struct api_param fail[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("message", A_ANY, REQ, 0, 0, NULL, NULL, ""), /* may quote a \0 */
-                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param note_place[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                               PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param sys_near[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                             PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param join[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param fail_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("message", A_ANY, REQ, 0, 0, NULL, NULL, ""), /* may quote a \0 */
+                                                PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param note_place_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                      PARAM("of", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_near_params[] = { PARAM("word", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                                    PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param join_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param name_req[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param pad_only[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param mark[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                         PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
-                                         PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
-static const struct api_param ship[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "") };
+static const struct api_param mark_params[] = { PARAM("kind", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("title", A_STR, OPT, 0, 0, NULL, NULL, ""),
+                                                PARAM("value", A_INT, OPT, INT32_MIN, INT32_MAX, NULL, NULL, "") };
+static const struct api_param kind_req[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNER_KINDS, 0, NULL, NULL, "") };
 static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 enum { BACK_FADE = 60 /* frames for music to fade out */ };
-static const struct api_param wipe[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
-static const struct api_param hold[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
-                                         PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param wipe_params[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param hold_params[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
+                                                PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
 
-static const struct api_param drops[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                          PARAM("drops", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param drop[] = { PARAM("list", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("x", A_FX, REQ, -WORLD, WORLD, "px", NULL, ""),
-                                         PARAM("y", A_FX, REQ, -WORLD, WORLD, "px", NULL, "") };
+static const struct api_param drops_params[] = { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                 PARAM("drops", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param drop_params[] = { PARAM("list", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, ""),
+                                                PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "") };
 
-static const struct api_param sys_value[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
-                                              PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                              PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_value_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                                     PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                     PARAM("run", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param any_name[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, "") };
-static const struct api_param run_set[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
+static const struct api_param run_set_params[] = { PARAM("name", A_ANY, REQ, 0, 0, NULL, NULL, ""),
+                                                   PARAM("value", A_ANY, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param list_only[] = { PARAM("list", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param scope_req[] = { PARAM("scope", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
-static const struct api_param continues[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
-                                              PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
+static const struct api_param continues_params[] = { PARAM("i", A_PAD, REQ, 0, 0, NULL, NULL, ""),
+                                                     PARAM("n", A_INT, OPT, 0, 99, NULL, NULL, "") };
 
 static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -79,14 +79,14 @@ static int sys_fail(lua_State *L, struct board *b, struct api_value *v)
 static int sys_note_place(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    api_note_place(L, lua_tostring(L, v[NOTE_ENTRY].at), lua_tostring(L, v[NOTE_NAME].at));
+    api_record_location(L, lua_tostring(L, v[NOTE_ENTRY].at), lua_tostring(L, v[NOTE_NAME].at));
     return 0;
 }
 
 static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    int best = EDIT_FAR;
-    lua_Integer found = 0, n = (lua_Integer)lua_rawlen(L, v[NEAR_LIST].at);
+    int best_distance = EDIT_FAR;
+    lua_Integer nearest = 0, n = (lua_Integer)lua_rawlen(L, v[NEAR_LIST].at);
 
     (void)b;
     if (lua_type(L, v[NEAR_WORD].at) != LUA_TSTRING)
@@ -94,15 +94,15 @@ static int sys_near_run(lua_State *L, struct board *b, struct api_value *v)
     for (lua_Integer i = 1; i <= n; i++) {
         if (lua_rawgeti(L, v[NEAR_LIST].at, i) == LUA_TSTRING) {
             int d = edit_distance(lua_tostring(L, v[NEAR_WORD].at), lua_tostring(L, -1));
-            if (d < best)
-                best = d, found = i;
+            if (d < best_distance)
+                best_distance = d, nearest = i;
         }
         lua_pop(L, 1);
     }
-    if (!found)
+    if (!nearest)
         lua_pushnil(L);
     else
-        lua_rawgeti(L, v[NEAR_LIST].at, found);
+        lua_rawgeti(L, v[NEAR_LIST].at, nearest);
     return 1;
 }
 
@@ -152,7 +152,7 @@ static int sys_drops(lua_State *L, struct board *b, struct api_value *v)
 static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
 {
     lua_pushvalue(L, v[DROP_LIST].at);
-    api_drop_list(L, b, v[DROP_X].f, v[DROP_Y].f);
+    api_drop_items(L, b, v[DROP_X].f, v[DROP_Y].f);
     return 0;
 }
 
@@ -165,15 +165,16 @@ static int sys_read(lua_State *L, struct board *b, struct api_value *v)
 
 enum { WORTH_THING, WORTH_PLAYER };
 
-static const struct api_param worth[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL, ""),
-                                          PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param worth_params[] = { PARAM("thing", A_THING, REQ, 1 << H_ENEMY | 1 << H_ITEM, 0, NULL, NULL,
+                                                       ""),
+                                                 PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
 /* An item's points depend on the player's position, so call this while the player is still where the item was taken. */
 static int sys_worth(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t i = handle_slot(v[WORTH_THING].i);
 
-    if (!board_there(b, v[WORTH_THING].i) || !v[WORTH_PLAYER].i)
+    if (!board_is_readable(b, v[WORTH_THING].i) || !v[WORTH_PLAYER].i)
         lua_pushinteger(L, 0);
     else if (handle_kind(v[WORTH_THING].i) == H_ENEMY)
         lua_pushinteger(L, b->enemy_kinds.score[b->enemies.kind[i]]);
@@ -198,12 +199,12 @@ static int sys_mark(lua_State *L, struct board *b, struct api_value *v)
     static const char *const kinds[MARKER_KINDS] = { "stage",  "point", "wave", "boss",  "phase", "death",
                                                      "clear",  "won",   "lost", "start", "ship",  "register",
                                                      "listed", "game",  "over", "row" };
-    const char *of = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
+    const char *parent = v[M_OF].given ? lua_tostring(L, v[M_OF].at) : "",
                *title = v[M_TITLE].given ? lua_tostring(L, v[M_TITLE].at) : "";
 
     for (int k = 0; k < MARKER_KINDS; k++)
         if (!strcmp(kinds[k], lua_tostring(L, v[M_KIND].at)))
-            return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[M_NAME].at), of, title,
+            return board_add_marker(b, (enum board_marker_kind)k, lua_tostring(L, v[M_NAME].at), parent, title,
                                     (int32_t)v[M_VALUE].i),
                    0;
     return api_error(L, "sys.mark", "unknown mark \"%s\"", lua_tostring(L, v[M_KIND].at));
@@ -214,12 +215,12 @@ static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
     (void)v;
-    b->output->out.menu = true;
+    b->output->out.menu_shown = true;
     return 0;
 }
 
 /* Stores { name, value } at place i of the list on top of the stack. */
-static void push_register(lua_State *L, const char *name, int32_t value, int i)
+static void set_register_entry(lua_State *L, const char *name, int32_t value, int i)
 {
     lua_createtable(L, 0, 2);
     lua_pushstring(L, name);
@@ -241,23 +242,23 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     lua_setfield(L, -2, "lives");
     lua_createtable(L, p->registers, 0);
     for (int i = 0; i < p->registers; i++)
-        push_register(L, p->reg[i].name, p->reg[i].value, i + 1);
+        set_register_entry(L, p->reg[i].name, p->reg[i].value, i + 1);
     lua_setfield(L, -2, "registers");
     return 2;
 }
 
 /* Appends the registers of a kind of ship, or of the run, to the list on top of the stack. */
-static void push_registers(lua_State *L, const struct board *b, int32_t kind, uint32_t first)
+static void append_registers(lua_State *L, const struct board *b, int32_t kind, uint32_t first)
 {
-    const char *names[PLAYER_REGISTERS];
-    const int n = api_player_registers(L, kind, names), had = (int)lua_rawlen(L, -1);
+    const char *names[PLAYER_MAX_REGISTERS];
+    const int n = api_player_register_names(L, kind, names), old_count = (int)lua_rawlen(L, -1);
 
     for (int i = 0; i < n; i++) {
         const struct register_rule rule = registers_rule(&b->registers, first + (uint32_t)i);
-        push_register(L, names[i], rule.start, had + i + 1);
-        lua_rawgeti(L, -1, had + i + 1);
-        api_register_show(L, kind, i);
-        lua_pushinteger(L, rule.most);
+        set_register_entry(L, names[i], rule.start, old_count + i + 1);
+        lua_rawgeti(L, -1, old_count + i + 1);
+        api_register_add_display(L, kind, i);
+        lua_pushinteger(L, rule.max_value);
         lua_setfield(L, -2, "max");
         lua_pushboolean(L, kind == RUN_REGISTERS);
         lua_setfield(L, -2, "run");
@@ -274,15 +275,15 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     lua_setfield(L, -2, "sprite");
     lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
     lua_setfield(L, -2, "speed");
-    lua_pushnumber(L, fx_to_double(b->player_kinds.focus[kind]));
+    lua_pushnumber(L, fx_to_double(b->player_kinds.focus_speed[kind]));
     lua_setfield(L, -2, "focus");
     lua_pushinteger(L, b->player_kinds.lives[kind]);
     lua_setfield(L, -2, "lives");
     lua_newtable(L);
-    push_registers(L, b, kind, b->player_kinds.first[kind]);
-    push_registers(L, b, RUN_REGISTERS, b->registers.first);
+    append_registers(L, b, kind, b->player_kinds.first_register[kind]);
+    append_registers(L, b, RUN_REGISTERS, b->registers.first_run_row);
     lua_setfield(L, -2, "registers");
-    api_player_needs(L, kind);
+    api_player_push_unlock(L, kind);
     lua_setfield(L, -2, "needs");
     return 1;
 }
@@ -294,13 +295,13 @@ static int sys_join(lua_State *L, struct board *b, struct api_value *v)
 
 /* Sets the register of that name, of player 1's ship or, if the ship has none, of the run, to the value of a practice
  * start. */
-static void fit_register(lua_State *L, struct board *b, const char *name, int32_t value)
+static void set_practice_register(lua_State *L, struct board *b, const char *name, int32_t value)
 {
-    int reg = api_player_register(L, b, 0, name);
+    int reg = api_find_player_register(L, b, 0, name);
 
     if (reg >= 0)
         board_set_register(b, 0, (uint32_t)reg, value);
-    else if ((reg = api_run_register(L, name)) >= 0)
+    else if ((reg = api_find_run_register(L, name)) >= 0)
         board_set_run_register(b, (uint32_t)reg, value);
 }
 
@@ -309,45 +310,45 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
 {
     const struct practice *practice = &b->start.practice;
 
-    registers_reset(&b->registers, b->registers.first, b->registers.count, 0);
-    b->core.since = b->core.clock;
+    registers_reset(&b->registers, b->registers.first_run_row, b->registers.n_run_rows, 0);
+    b->core.game_start = b->core.clock;
     if (b->voices.s.cap)
-        sound_game(b);
-    memset(b->core.continues, 0, sizeof b->core.continues);
-    memset(b->core.continued, 0, sizeof b->core.continued);
-    events_start(L, v[ARG_SCOPE].i);
+        sound_start_game(b);
+    memset(b->core.continues_left, 0, sizeof b->core.continues_left);
+    memset(b->core.continues_used, 0, sizeof b->core.continues_used);
+    events_call_start(L, v[ARG_SCOPE].i);
     if (practice->lives > 0)
         b->player.lives[0] = practice->lives - 1;
     for (int i = 0; i < practice->registers; i++)
-        fit_register(L, b, practice->reg[i].name, practice->reg[i].value);
+        set_practice_register(L, b, practice->reg[i].name, practice->reg[i].value);
     return 0;
 }
 
 static int sys_run_registers(lua_State *L, struct board *b, struct api_value *v)
 {
-    b->registers.first = b->registers.s.live;
-    b->registers.count = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[ARG_LIST].at);
+    b->registers.first_run_row = b->registers.s.live;
+    b->registers.n_run_rows = (uint32_t)api_registers_define(L, "game.def", RUN_REGISTERS, v[ARG_LIST].at);
     return 0;
 }
 
 /* Returns the number of the run's register named at stack index `at`, or -1. */
-static int run_register(lua_State *L, int at)
+static int find_run_register(lua_State *L, int at)
 {
-    return lua_type(L, at) == LUA_TSTRING ? api_run_register(L, lua_tostring(L, at)) : -1;
+    return lua_type(L, at) == LUA_TSTRING ? api_find_run_register(L, lua_tostring(L, at)) : -1;
 }
 
 /* Returns a property of the run, or nil if the name is unknown. */
 static int sys_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_type(L, v[ARG_NAME].at) == LUA_TSTRING ? lua_tostring(L, v[ARG_NAME].at) : "";
-    const int reg = run_register(L, v[ARG_NAME].at);
+    const int reg = find_run_register(L, v[ARG_NAME].at);
 
     if (reg >= 0)
-        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
+        lua_pushinteger(L, board_get_run_register(b, (uint32_t)reg));
     else if (!strcmp(name, "continues"))
-        lua_pushinteger(L, b->core.continued[0] + b->core.continued[1]);
+        lua_pushinteger(L, b->core.continues_used[0] + b->core.continues_used[1]);
     else if (!strcmp(name, "frames"))
-        lua_pushinteger(L, b->core.clock - b->core.since);
+        lua_pushinteger(L, b->core.clock - b->core.game_start);
     else
         lua_pushnil(L);
     return 1;
@@ -358,35 +359,35 @@ static int sys_value_run(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[VALUE_PLAYER].i - 1;
     const char *name = lua_tostring(L, v[VALUE_NAME].at);
-    const bool of_run = v[VALUE_OF_RUN].given && v[VALUE_OF_RUN].i;
-    const int reg = of_run ? run_register(L, v[VALUE_NAME].at) : api_player_register(L, b, p, name);
+    const bool is_run_register = v[VALUE_OF_RUN].given && v[VALUE_OF_RUN].i;
+    const int reg = is_run_register ? find_run_register(L, v[VALUE_NAME].at) : api_find_player_register(L, b, p, name);
 
-    if (reg < 0 || (!of_run && !b->player.in[p]))
+    if (reg < 0 || (!is_run_register && !b->player.in_game[p]))
         lua_pushnil(L);
-    else if (of_run)
-        lua_pushinteger(L, board_run_register(b, (uint32_t)reg));
+    else if (is_run_register)
+        lua_pushinteger(L, board_get_run_register(b, (uint32_t)reg));
     else
-        lua_pushinteger(L, board_register(b, p, (uint32_t)reg));
+        lua_pushinteger(L, board_get_register(b, p, (uint32_t)reg));
     return 1;
 }
 
 /* Sets a register of the run. Returns false if the run has no such register. */
 static int sys_run_set(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int reg = run_register(L, v[RUN_NAME].at);
-    const uint32_t row = b->registers.first + (uint32_t)reg;
+    const int reg = find_run_register(L, v[RUN_NAME].at);
+    const uint32_t row = b->registers.first_run_row + (uint32_t)reg;
 
     if (reg >= 0)
         registers_set(&b->registers, row, 0,
-                      api_register_value(L, "game", lua_tostring(L, v[RUN_NAME].at), row, v[RUN_VALUE].at));
+                      api_read_register_value(L, "game", lua_tostring(L, v[RUN_NAME].at), row, v[RUN_VALUE].at));
     lua_pushboolean(L, reg >= 0);
     return 1;
 }
 
 static int sys_run_names(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *names[PLAYER_REGISTERS];
-    const int n = api_player_registers(L, RUN_REGISTERS, names);
+    const char *names[PLAYER_MAX_REGISTERS];
+    const int n = api_player_register_names(L, RUN_REGISTERS, names);
 
     (void)b, (void)v;
     lua_createtable(L, n, 0);
@@ -405,11 +406,11 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
     if (p >= PADS) /* a dead handle */
         return 0;
     if (v[CONTINUES_N].given) {
-        b->core.continues[p] = (uint8_t)v[CONTINUES_N].i;
+        b->core.continues_left[p] = (uint8_t)v[CONTINUES_N].i;
         if (!v[CONTINUES_N].i)
-            events_game_over(b);
+            events_check_game_over(b);
     }
-    lua_pushinteger(L, b->core.continues[p]);
+    lua_pushinteger(L, b->core.continues_left[p]);
     return 1;
 }
 
@@ -417,13 +418,13 @@ static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
 
-    if (p >= PADS || b->player.in[p] || !b->core.continues[p])
+    if (p >= PADS || b->player.in_game[p] || !b->core.continues_left[p])
         return 0;
-    b->core.continues[p]--;
-    b->core.continued[p]++;
+    b->core.continues_left[p]--;
+    b->core.continues_used[p]++;
     api_player_enter(L, b, p, b->player.kind[p]);
-    b->player.score[p] = b->core.continued[p] < 9 ? b->core.continued[p] : 9;
-    board_event(b, EV_CONTINUE, board_handle(b, H_PLAYER, (int32_t)p), 0);
+    b->player.score[p] = b->core.continues_used[p] < 9 ? b->core.continues_used[p] : 9;
+    board_raise_event(b, EV_CONTINUE, board_handle(b, H_PLAYER, (int32_t)p), 0);
     return 0;
 }
 
@@ -433,9 +434,9 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
     if (!v[ARG_PLAYER].i)
         return 0;
     player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
-    options_drop_of(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
-    if (b->voices.s.cap && !b->player.in[0] && !b->player.in[1]) /* the game is over */
-        sound_music_stop(b, BACK_FADE);
+    options_drop_from(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
+    if (b->voices.s.cap && !b->player.in_game[0] && !b->player.in_game[1]) /* the game is over */
+        sound_stop_music(b, BACK_FADE);
     return 0;
 }
 
@@ -446,7 +447,7 @@ static void wipe_scenery(struct board *b)
 
     bg_clear(&b->bg, &b->bg_lines);
     bg_fade(&b->bg, 0);
-    screen_empty(&b->screen);
+    screen_reset(&b->screen);
     pal_stop(&b->pal);
     for (int i = 0; i < COLOURS; i++, p += 3)
         pal_set(&b->pal, i, (uint32_t)p[0] << 16 | (uint32_t)p[1] << 8 | p[2]);
@@ -468,14 +469,14 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
     EACH_LIVE (i, &b->items.s)
         slots_drop(&b->items.s, i);
     for (uint32_t p = 0; p < PADS; p++)
-        options_drop_of(&b->options, p, 0);
+        options_drop_from(&b->options, p, 0);
     EACH_LIVE (i, &b->sparks.s)
         slots_drop(&b->sparks.s, i);
     EACH_LIVE (i, &b->sprites.s)
         slots_drop(&b->sprites.s, i);
     EACH_LIVE (i, &b->lines.s)
         slots_drop(&b->lines.s, i);
-    if (!v[ARG_ON].i)
+    if (!v[ARG_KEEP].i)
         wipe_scenery(b);
     fix_clear(&b->fix, 0, 0, (int)b->fix.cols, (int)b->fix.rows);
     return 0;
@@ -487,7 +488,7 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
     for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
-        input_forget(&b->input, p, PRESS_PAUSE, PAD_ALL); /* left over from the previous screen */
+        input_drop_presses(&b->input, p, PRESS_PAUSE, PAD_ALL); /* left over from the previous screen */
     return 0;
 }
 
@@ -495,19 +496,19 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
 static int sys_scope(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, tasks_scope(b, 0, false));
+    lua_pushinteger(L, tasks_new_scope(b, 0, false));
     return 1;
 }
 
 static int sys_scene(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].i, true));
+    lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].i, true));
     return 1;
 }
 
 enum { SKIP_ON, SKIP_TASK };
-static const struct api_param skip[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
-                                         PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param skip_params[] = { PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, ""),
+                                                PARAM("task", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -521,18 +522,18 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
     if (v[SKIP_TASK].given)
         b->tasks.wait[i] = 0;
     else if (b->voices.s.cap)
-        sound_skip(b, v[SKIP_ON].i && !board_lists(b));
+        sound_set_skipping(b, v[SKIP_ON].i && !board_is_listing(b));
     return 0;
 }
 
-static const struct api_param turn_of[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
+static const struct api_param turn_params[] = { PARAM("task", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "") };
 
 static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "sys.turn", "only a task can run another task");
     if (board_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
-        tasks_turn(b, L, handle_slot(v[0].i));
+        tasks_run_turn(b, L, handle_slot(v[0].i));
     return 0;
 }
 
@@ -540,51 +541,51 @@ static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L, (void)v;
     for (int i = 0; i < COLOURS; i++)
-        if (b->pal.over[i])
+        if (b->pal.fade_frames[i])
             pal_set(&b->pal, i, b->pal.to[i]);
     return 0;
 }
 
 /* Sets which buttons are hidden from the game: 0 none, 1 those that fire, 2 all that control the ship. Presses of those
  * buttons from before the call, or made while they were hidden, are dropped. */
-static const struct api_param hold_players[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
+static const struct api_param hold_players_params[] = { PARAM("how", A_INT, REQ, 0, 2, NULL, NULL, "") };
 
 static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const uint8_t held[] = { 0, PLAYER_NO_FIRE, PLAYER_NO_FIRE | PLAYER_STANDS };
+    static const uint8_t hold_flags[] = { 0, PLAYER_NO_FIRE, PLAYER_NO_FIRE | PLAYER_NO_MOVE };
     struct player *p = &b->player;
 
     (void)L;
     for (uint32_t i = 0; i < PADS; i++) {
-        unsigned was = player_withheld(p, i);
-        if (p->in[i])
-            p->in[i] = PLAYER_IN | held[v[ARG_HOW].i];
-        input_forget(&b->input, i, PRESS_GAME, was | player_withheld(p, i));
+        unsigned withheld = player_ignored_buttons(p, i);
+        if (p->in_game[i])
+            p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[ARG_HOW].i];
+        input_drop_presses(&b->input, i, PRESS_GAME, withheld | player_ignored_buttons(p, i));
     }
     return 0;
 }
 
 enum { PAD_HOW, PAD_BUTTON, PAD_PLAYER };
-static const struct api_param sys_pad[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
-                                            PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_pad_params[] = { PARAM("how", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                   PARAM("button", A_BUTTON, REQ, 0, 0, NULL, NULL, ""),
+                                                   PARAM("p", A_PAD, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_pad_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const char *how = lua_tostring(L, v[PAD_HOW].at);
-    const uint16_t *pads = !strcmp(how, "down")      ? b->input.held
-                           : !strcmp(how, "pressed") ? b->input.pressed
-                                                     : b->input.repeated;
+    const char *state = lua_tostring(L, v[PAD_HOW].at);
+    const uint16_t *pads = !strcmp(state, "down")      ? b->input.held
+                           : !strcmp(state, "pressed") ? b->input.pressed
+                                                       : b->input.repeated;
 
     lua_pushboolean(L, v[PAD_PLAYER].i && pads[v[PAD_PLAYER].i - 1] >> v[PAD_BUTTON].i & 1);
     return 1;
 }
 
-static const struct api_param sys_size[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_size_params[] = { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct sprite *s = &b->pictures[v[ARG_NAME].i];
+    const struct sprite *s = &b->sprite_images[v[ARG_NAME].i];
 
     lua_pushinteger(L, s->w);
     lua_pushinteger(L, s->h);
@@ -594,66 +595,66 @@ static int sys_size_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { CUE_NAME, CUE_PAN };
-static const struct api_param cue[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
-                                        PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
+static const struct api_param cue_params[] = { PARAM("name", A_STR, REQ, 1, 32, NULL, NULL, ""),
+                                               PARAM("pan", A_NUM, OPT, -1, 1, NULL, "0", "") };
 
 /* Not folded: sounds are outside the state hash. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 {
     const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
-    const int16_t place = (int16_t)(v[CUE_PAN].n * TUNE_PAN);
+    const int16_t pan = (int16_t)(v[CUE_PAN].n * TUNE_PAN_CENTRE);
 
-    if (sound >= 0 && !tasks_skipping(&b->tasks))
-        sound_play(b, &(struct cue){ cart_sound(&b->cart, sound), 256, place, 0 });
+    if (sound >= 0 && !tasks_is_skipping(&b->tasks))
+        sound_play(b, &(struct cue){ cart_sound_place(&b->cart, sound), 256, pan, 0 });
     return 0;
 }
 
-enum { ON_NAME, ON_FADE, LEAST_FADE = 30 };
-static const struct api_param music_on[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
-                                             PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "") };
-static const struct api_param music_fight[] = { PARAM("name", A_TUNE, OPT, 0, 0, NULL, NULL, ""),
-                                                PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "") };
+enum { MUSIC_NAME, MUSIC_FADE, MIN_FADE = 30 };
+static const struct api_param music_on_params[] = { PARAM("name", A_TUNE, REQ, 0, 0, NULL, NULL, ""),
+                                                    PARAM("fade", A_INT, OPT, 0, 65535, "frames", NULL, "") };
+static const struct api_param music_fight_params[] = { PARAM("name", A_TUNE, OPT, 0, 0, NULL, NULL, ""),
+                                                       PARAM("fade", A_INT, REQ, 0, 65535, "frames", NULL, "") };
 
-static int32_t least_fade(const struct api_value *v)
+static int32_t clamp_fade(const struct api_value *v)
 {
-    return !v->given ? 0 : v->i < LEAST_FADE ? LEAST_FADE : (int32_t)v->i;
+    return !v->given ? 0 : v->i < MIN_FADE ? MIN_FADE : (int32_t)v->i;
 }
 
 static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct music_options how = { .fade = least_fade(&v[ON_FADE]), .suspend_current = true };
+    const struct music_options options = { .fade = clamp_fade(&v[MUSIC_FADE]), .suspend_current = true };
 
-    lua_pushboolean(L, sound_music(b, (int)v[ON_NAME].i - 1, &how));
+    lua_pushboolean(L, sound_start_music(b, (int)v[MUSIC_NAME].i - 1, &options));
     return 1;
 }
 
 static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_music_back(b, (int)v[ON_NAME].i - 1, v[ON_FADE].given ? (int32_t)v[ON_FADE].i : BACK_FADE);
+    sound_end_music(b, (int)v[MUSIC_NAME].i - 1, v[MUSIC_FADE].given ? (int32_t)v[MUSIC_FADE].i : BACK_FADE);
     return 0;
 }
 
-static const struct api_param music_clock[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
+static const struct api_param music_clock_params[] = { PARAM("n", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "") };
 
 static int sys_music_clock(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (b->music.passes)
-        vm_charge(L, sound_pass_clock(b, v[0].i));
+    if (b->music.is_skipping)
+        vm_charge(L, sound_skip_clock(b, v[0].i));
     return 0;
 }
 
 /* While music fast-forwards to a mark, applies all music changes of boss/fight.lua at once; otherwise does nothing. */
 static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 {
-    const struct music_options how = { .fade = least_fade(&v[ON_FADE]), .suspend_current = true };
+    const struct music_options options = { .fade = clamp_fade(&v[MUSIC_FADE]), .suspend_current = true };
 
-    if (!b->music.passes)
+    if (!b->music.is_skipping)
         return 0;
-    const bool on = v[ON_NAME].given && sound_music(b, (int)v[ON_NAME].i - 1, &how);
-    vm_charge(L, sound_pass_fight(b));
-    if (on)
-        sound_music_back(b, (int)v[ON_NAME].i - 1, BACK_FADE);
+    const bool switched = v[MUSIC_NAME].given && sound_start_music(b, (int)v[MUSIC_NAME].i - 1, &options);
+    vm_charge(L, sound_skip_fight(b));
+    if (switched)
+        sound_end_music(b, (int)v[MUSIC_NAME].i - 1, BACK_FADE);
     return 0;
 }
 
@@ -663,13 +664,13 @@ static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
     (void)v;
     lua_createtable(L, b->cart.tunes, 0);
     for (int i = 0; i < b->cart.tunes; i++) {
-        const struct tune t = tune_of(b->cart.tune_data + cart_tune(&b->cart, i));
+        const struct tune t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, i));
         lua_createtable(L, 0, 3);
         lua_pushstring(L, cart_tune_name(&b->cart, i));
         lua_setfield(L, -2, "name");
         lua_pushstring(L, tune_title(&t));
         lua_setfield(L, -2, "title");
-        lua_pushboolean(L, i < SEQ_HEARD && b->music.heard[i / 64] >> i % 64 & 1);
+        lua_pushboolean(L, i < SEQ_MAX_PIECES && b->music.started[i / 64] >> i % 64 & 1);
         lua_setfield(L, -2, "heard");
         lua_rawseti(L, -2, i + 1);
     }
@@ -679,7 +680,7 @@ static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
 static int sys_skipping(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushboolean(L, tasks_skipping(&b->tasks));
+    lua_pushboolean(L, tasks_is_skipping(&b->tasks));
     return 1;
 }
 
@@ -697,7 +698,7 @@ static int sys_task(lua_State *L, struct board *b, struct api_value *v)
 static int sys_pass(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    return api_pass_wait(L, b);
+    return api_count_skipped_wait(L, b);
 }
 
 static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
@@ -713,12 +714,12 @@ static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
 {
-    static const char *const words[] = { "bullet", "shot", "enemy", "player", "spark", "item" };
+    static const char *const kind_names[] = { "bullet", "shot", "enemy", "player", "spark", "item" };
     const struct slots *s[] = { &b->bullet_kinds.s, &b->shot_kinds.s,  &b->enemy_kinds.s,
                                 &b->player_kinds.s, &b->spark_kinds.s, &b->item_kinds.s };
 
     for (int k = 0; k < 6; k++) {
-        if (strcmp(words[k], lua_tostring(L, v[ARG_NAME].at)))
+        if (strcmp(kind_names[k], lua_tostring(L, v[ARG_NAME].at)))
             continue;
         lua_newtable(L);
         lua_Integer n = 0;
@@ -736,7 +737,7 @@ static int sys_kinds(lua_State *L, struct board *b, struct api_value *v)
 static int sys_players(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, b->cart.m.players);
+    lua_pushinteger(L, b->cart.manifest.players);
     return 1;
 }
 
@@ -744,8 +745,8 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     lua_newtable(L);
-    for (int i = 0; i < b->cart.m.n_difficulties; i++) {
-        lua_pushstring(L, b->cart.m.difficulties[i]);
+    for (int i = 0; i < b->cart.manifest.n_difficulties; i++) {
+        lua_pushstring(L, b->cart.manifest.difficulties[i]);
         lua_rawseti(L, -2, i + 1);
     }
     return 1;
@@ -753,18 +754,20 @@ static int sys_difficulties(lua_State *L, struct board *b, struct api_value *v)
 
 static int sys_on(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, api_off(&b->cart.m, lua_tostring(L, v[ARG_NAME].at)) == NULL);
+    lua_pushboolean(L, api_disabled_reason(&b->cart.manifest, lua_tostring(L, v[ARG_NAME].at)) == NULL);
     return 1;
 }
 
 /* The range is twice the world's, because a position may be up to WORLD px away from a thing anywhere in the world. */
-static const struct api_param sys_aim[] = { PARAM("x", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
-                                            PARAM("y", A_FX, REQ, -2 * WORLD, 2 * WORLD, "px", NULL, ""),
-                                            PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_aim_params[] = {
+    PARAM("x", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
+    PARAM("y", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
+    PARAM("shots", A_BOOL, REQ, 0, 0, NULL, NULL, "")
+};
 
 static int sys_aim_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushnumber(L, trig_to_degrees(api_aim(b, v[AIM_SHOTS].i, v[AIM_X].f, v[AIM_Y].f)));
+    lua_pushnumber(L, trig_to_degrees(api_aim_direction(b, v[AIM_SHOTS].i, v[AIM_X].f, v[AIM_Y].f)));
     return 1;
 }
 
@@ -776,45 +779,47 @@ static int sys_clock(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.fail", sys_fail, PARAMS(fail), 3, API_SYS, NULL,
+    { "sys.fail", sys_fail, PARAMS(fail_params), 3, API_SYS, NULL,
       HELP("raises an entry's error; of: the name under which sys.note_place recorded the line to report") },
-    { "sys.note_place", sys_note_place, PARAMS(note_place), 2, API_SYS, NULL,
+    { "sys.note_place", sys_note_place, PARAMS(note_place_params), 2, API_SYS, NULL,
       HELP("records the author's line that calls an entry, for an error found later") },
     { "sys.keys", sys_keys, PARAMS(list_only), 1, API_SYS, "list",
       HELP("returns all keys of a table, of any type, in order") },
-    { "sys.check_drops", sys_check_drops, PARAMS(drops), 2, API_SYS, NULL,
+    { "sys.check_drops", sys_check_drops, PARAMS(drops_params), 2, API_SYS, NULL,
       HELP("raises an error unless drops is a list of items") },
-    { "sys.near", sys_near_run, PARAMS(sys_near), 2, API_SYS, "word", HELP("returns the nearest word in a list") },
+    { "sys.near", sys_near_run, PARAMS(sys_near_params), 2, API_SYS, "word",
+      HELP("returns the nearest word in a list") },
     { "sys.loading", sys_loading, NO_PARAMS, 0, API_SYS, "boolean", HELP("returns true while scripts load") },
     { "sys.read", sys_read, PARAMS(name_req), 1, API_SYS, "any",
       HELP("runs a file of the library, such as \"screens/title\"") },
-    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_MORE | API_CHANGES, NULL, HELP("queues an event") },
-    { "sys.mark", sys_mark, PARAMS(mark), 5, API_SYS, NULL, HELP("marks a moment of the run for the cabinet") },
+    { "sys.emit", sys_emit, PARAMS(name_req), 1, API_SYS | API_VARARGS | API_CHANGES, NULL, HELP("queues an event") },
+    { "sys.mark", sys_mark, PARAMS(mark_params), 5, API_SYS, NULL, HELP("marks a moment of the run for the cabinet") },
     { "sys.tell_keys", sys_tell_keys, NO_PARAMS, 0, API_SYS, NULL,
       HELP("called in every frame of a menu: tells the cabinet to show new players the keys") },
     { "sys.practice", sys_practice, NO_PARAMS, 0, API_SYS, "mark, more",
       HELP("returns the practice start; more: lives, registers") },
-    { "sys.ship", sys_ship, PARAMS(ship), 1, API_SYS, "table",
+    { "sys.ship", sys_ship, PARAMS(kind_req), 1, API_SYS, "table",
       HELP("returns what the screens show for a player kind: picture, speed, lives, needs, registers, then the run's "
            "registers") },
-    { "sys.join", sys_join, PARAMS(join), 2, API_SYS | API_CHANGES, NULL, HELP("makes player i enter the game") },
+    { "sys.join", sys_join, PARAMS(join_params), 2, API_SYS | API_CHANGES, NULL,
+      HELP("makes player i enter the game") },
     { "sys.start", sys_start, PARAMS(scope_req), 1, API_SYS | API_CHANGES, NULL,
       HELP("starts a game in that scope; a practice start sets lives and registers") },
     { "sys.run_registers", sys_run_registers, PARAMS(list_only), 1, API_SYS | API_CHANGES, NULL,
       HELP("declares the run's registers") },
     { "sys.run", sys_run, PARAMS(any_name), 1, API_SYS, "number",
       HELP("returns a register of the run, continues or frames") },
-    { "sys.value", sys_value_run, PARAMS(sys_value), 3, API_SYS, "number",
+    { "sys.value", sys_value_run, PARAMS(sys_value_params), 3, API_SYS, "number",
       HELP("returns a register of player i, or of the run; nil if the player is out") },
-    { "sys.run_set", sys_run_set, PARAMS(run_set), 2, API_SYS | API_CHANGES, "boolean",
+    { "sys.run_set", sys_run_set, PARAMS(run_set_params), 2, API_SYS | API_CHANGES, "boolean",
       HELP("sets a register of the run") },
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("returns the names of the run's registers") },
-    { "sys.continues", sys_continues, PARAMS(continues), 2, API_SYS | API_CHANGES, "count",
+    { "sys.continues", sys_continues, PARAMS(continues_params), 2, API_SYS | API_CHANGES, "count",
       HELP("returns the number of continues player i has left; n sets it") },
     { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL,
       HELP("uses one of player i's continues") },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("makes player i leave the game") },
-    { "sys.wipe", sys_wipe, PARAMS(wipe), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.wipe", sys_wipe, PARAMS(wipe_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("empties the field and the screen; keep: leaves background and palette unchanged") },
     { "sys.freeze", sys_freeze, PARAMS(scope_opt), 1, API_SYS | API_CHANGES, NULL,
       HELP("freezes the board except for that scope's tasks; nil unfreezes it") },
@@ -822,22 +827,23 @@ static const struct api_entry entries[] = {
       HELP("returns a scope that the board owns") },
     { "sys.scene", sys_scene, PARAMS(owner_req), 1, API_SYS | API_CHANGES, "scope",
       HELP("returns a scope that, when it ends, removes everything spawned or put in it") },
-    { "sys.skip", sys_skip, PARAMS(skip), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.skip", sys_skip, PARAMS(skip_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("makes this task, or the given one, skip its waits from now on") },
-    { "sys.turn", sys_turn, PARAMS(turn_of), 1, API_SYS | API_CHANGES, NULL, HELP("runs a task's turn immediately") },
+    { "sys.turn", sys_turn, PARAMS(turn_params), 1, API_SYS | API_CHANGES, NULL,
+      HELP("runs a task's turn immediately") },
     { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
-    { "sys.hold_players", sys_hold_players, PARAMS(hold_players), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.hold_players", sys_hold_players, PARAMS(hold_players_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
            "ship") },
-    { "sys.pad", sys_pad_run, PARAMS(sys_pad), 3, API_SYS, "boolean",
+    { "sys.pad", sys_pad_run, PARAMS(sys_pad_params), 3, API_SYS, "boolean",
       HELP("returns the state of a button, even if it is hidden from the game") },
-    { "sys.size", sys_size_run, PARAMS(sys_size), 1, API_SYS, "w, h, x, y",
+    { "sys.size", sys_size_run, PARAMS(sys_size_params), 1, API_SYS, "w, h, x, y",
       HELP("returns a sprite's size and origin in px") },
     { "sys.skipping", sys_skipping, NO_PARAMS, 0, API_SYS, "boolean",
       HELP("returns true while the task skips its waits") },
     { "sys.pass", sys_pass, NO_PARAMS, 0, API_SYS, NULL, HELP("skips one wait in a task that skips its waits") },
     { "sys.task", sys_task, NO_PARAMS, 0, API_SYS, "task", HELP("returns the running task") },
-    { "sys.hold", sys_hold, PARAMS(hold), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.hold", sys_hold, PARAMS(hold_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("lets an enemy's hp reach 0 without killing it") },
     { "sys.kinds", sys_kinds, PARAMS(name_req), 1, API_SYS, "list", HELP("returns the declared names") },
     { "sys.players", sys_players, NO_PARAMS, 0, API_SYS, "count",
@@ -849,23 +855,24 @@ static const struct api_entry entries[] = {
     { "sys.volley", api_volley, PARAMS(name_req), 1, API_SYS, "function",
       HELP("returns a function that fires an entire pattern at once; it fires nothing and returns false if the loop in "
            "Lua must do it") },
-    { "sys.aim", sys_aim_run, PARAMS(sys_aim), 3, API_SYS, "degrees",
+    { "sys.aim", sys_aim_run, PARAMS(sys_aim_params), 3, API_SYS, "degrees",
       HELP("returns the direction in which `aim` points from x, y") },
-    { "sys.drops", sys_drops, PARAMS(drops), 2, API_SYS | API_CHANGES, "list",
+    { "sys.drops", sys_drops, PARAMS(drops_params), 2, API_SYS | API_CHANGES, "list",
       HELP("checks drops and returns them as a list") },
-    { "sys.drop", sys_drop, PARAMS(drop), 3, API_SYS | API_CHANGES, NULL,
+    { "sys.drop", sys_drop, PARAMS(drop_params), 3, API_SYS | API_CHANGES, NULL,
       HELP("drops the items of a list from sys.drops") },
-    { "sys.worth", sys_worth, PARAMS(worth), 2, API_SYS, "points",
+    { "sys.worth", sys_worth, PARAMS(worth_params), 2, API_SYS, "points",
       HELP("returns the points that a dead enemy or a taken item gave") },
-    { "sys.cue", sys_cue, PARAMS(cue), 2, API_SYS, NULL, HELP("plays the sound with that name, if the game has one") },
-    { "sys.music_on", sys_music_on, PARAMS(music_on), 2, API_SYS | API_CHANGES, "boolean",
+    { "sys.cue", sys_cue, PARAMS(cue_params), 2, API_SYS, NULL,
+      HELP("plays the sound with that name, if the game has one") },
+    { "sys.music_on", sys_music_on, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, "boolean",
       HELP(
           "sets the current music aside for that piece, after a fade; returns false if the piece is already playing") },
-    { "sys.music_back", sys_music_back, PARAMS(music_on), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.music_back", sys_music_back, PARAMS(music_on_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("ends that piece and resumes the music set aside") },
-    { "sys.music_clock", sys_music_clock, PARAMS(music_clock), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.music_clock", sys_music_clock, PARAMS(music_clock_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("advances the stage's clock by that many frames on the way to a mark") },
-    { "sys.music_fight", sys_music_fight, PARAMS(music_fight), 2, API_SYS | API_CHANGES, NULL,
+    { "sys.music_fight", sys_music_fight, PARAMS(music_fight_params), 2, API_SYS | API_CHANGES, NULL,
       HELP("notes that a fight with that music was skipped on the way to a mark") },
     { "sys.pieces", sys_pieces, NO_PARAMS, 0, API_SYS, "list", HELP("returns the pieces of music from rom.lua") },
     { "sys.clock", sys_clock, NO_PARAMS, 0, API_SYS, "frames", HELP("returns the game time") },

@@ -7,11 +7,11 @@
 #include "../../base/bytes.h"
 #include "api_parts.h"
 
-static const struct api_param sys_glyph[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
+static const struct api_param sys_glyph_params[] = { PARAM("code", A_INT, REQ, 0, 255, NULL, NULL, "") };
 
 static int sys_glyph_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, text_has(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
+    lua_pushboolean(L, text_has_glyph(&(struct font){ b->cart.glyphs, 32, b->cart.n_glyphs }, (uint32_t)v[0].i));
     return 1;
 }
 
@@ -34,38 +34,38 @@ static int sys_keep_text(lua_State *L, struct board *b, struct api_value *v)
     const struct fix *f = &b->fix;
     const size_t cells = (size_t)f->cols * f->rows;
     luaL_Buffer out;
-    char *to = luaL_buffinitsize(L, &out, text_bytes(f));
+    char *dst = luaL_buffinitsize(L, &out, text_bytes(f));
 
     (void)v;
     vm_charge(L, text_bytes(f) / 64);
-    memcpy(to, f->code, cells);
-    memcpy(to + cells, f->bank, cells);
+    memcpy(dst, f->code, cells);
+    memcpy(dst + cells, f->bank, cells);
     for (size_t i = 0; f->page && i < cells; i++) {
-        to[2 * cells + i] = (char)f->font[i];
-        bytes_put16((uint8_t *)to + 3 * cells + 2 * i, f->page[i]);
+        dst[2 * cells + i] = (char)f->font[i];
+        bytes_put16((uint8_t *)dst + 3 * cells + 2 * i, f->page[i]);
     }
     luaL_pushresultsize(&out, text_bytes(f));
     return 1;
 }
 
-static const struct api_param kept_text[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL,
-                                                    "") };
+static const struct api_param saved_text[] = { PARAM("kept", A_ANY, REQ, 0, 0, "what sys.keep_text returned", NULL,
+                                                     "") };
 
 static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
 {
     struct fix *f = &b->fix;
     const size_t cells = (size_t)f->cols * f->rows;
     size_t n = 0;
-    const char *from = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
+    const char *src = lua_type(L, v[0].at) == LUA_TSTRING ? lua_tolstring(L, v[0].at, &n) : NULL;
 
-    if (!from || n != text_bytes(f))
+    if (!src || n != text_bytes(f))
         return api_error(L, "sys.text_back", "expected a value from sys.keep_text");
     vm_charge(L, n / 64);
-    memcpy(f->code, from, cells);
-    memcpy(f->bank, from + cells, cells);
+    memcpy(f->code, src, cells);
+    memcpy(f->bank, src + cells, cells);
     for (size_t i = 0; f->page && i < cells; i++) {
-        f->font[i] = (uint8_t)from[2 * cells + i];
-        f->page[i] = bytes_get16((const uint8_t *)from + 3 * cells + 2 * i);
+        f->font[i] = (uint8_t)src[2 * cells + i];
+        f->page[i] = bytes_get16((const uint8_t *)src + 3 * cells + 2 * i);
     }
     return 0;
 }
@@ -73,7 +73,7 @@ static int sys_text_back(lua_State *L, struct board *b, struct api_value *v)
 /* Returns whether a rectangle of the screen, in px, overlaps the field. */
 static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
 {
-    const struct manifest *m = &b->cart.m;
+    const struct manifest *m = &b->cart.manifest;
     const int left = fx_floor(x) - m->field_x, top = fx_floor(y) - m->field_y;
 
     return left < m->field_w && left + w > 0 && top < m->field_h && top + h > 0;
@@ -82,7 +82,7 @@ static bool overlaps_field(const struct board *b, fx x, fx y, int w, int h)
 static bool sprite_covers(const struct board *b, uint32_t i)
 {
     const struct sprites *s = &b->sprites;
-    const struct sprite *p = &b->pictures[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
+    const struct sprite *p = &b->sprite_images[s->layer[i] < LAYER_PLATE ? s->sprite[i] : 0];
 
     if (s->layer[i] < LAYER_OVER || s->flags[i] & SPRITE_HIDDEN)
         return false;
@@ -101,7 +101,7 @@ static bool line_covers(const struct lines *l, const struct board *b, uint32_t i
 }
 
 /* Appends a handle to the list at stack index `list`. */
-static void append_thing(lua_State *L, int list, int64_t handle)
+static void append_handle(lua_State *L, int list, int64_t handle)
 {
     lua_pushinteger(L, handle);
     lua_rawseti(L, list, (lua_Integer)lua_rawlen(L, list) + 1);
@@ -116,14 +116,15 @@ static int sys_covers(lua_State *L, struct board *b, struct api_value *v)
     const int others = lua_gettop(L), plates = others - 1;
     EACH_LIVE (i, &b->sprites.s)
         if (sprite_covers(b, i))
-            append_thing(L, b->sprites.layer[i] < LAYER_PLATE ? others : plates, board_handle(b, H_SPRITE, (int32_t)i));
+            append_handle(L, b->sprites.layer[i] < LAYER_PLATE ? others : plates,
+                          board_handle(b, H_SPRITE, (int32_t)i));
     EACH_LIVE (i, &b->lines.s)
         if (line_covers(&b->lines, b, i))
-            append_thing(L, others, board_handle(b, H_LINE, (int32_t)i));
+            append_handle(L, others, board_handle(b, H_LINE, (int32_t)i));
     return 2;
 }
 
-static const struct api_param sys_cells[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
+static const struct api_param sys_cells_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, "") };
 
 static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
 {
@@ -137,8 +138,8 @@ static int sys_cells_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 enum { WRAP_TEXT, WRAP_WIDTH };
-static const struct api_param sys_wrap[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
-                                             PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
+static const struct api_param sys_wrap_params[] = { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL, ""),
+                                                    PARAM("width", A_INT, REQ, 1, MAX_TEXT, "cells", NULL, "") };
 
 /* Appends a word of at most `width` characters to the row on top of the stack. If the word does not fit, appends the
  * row to the list at `list` and starts the next row with the word. */
@@ -146,9 +147,9 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
 {
     size_t m;
     const char *row = lua_tolstring(L, -1, &m);
-    size_t cells = utf8_count(row, m, width + 1, NULL), more = utf8_count(word, n, width, NULL);
+    size_t row_cells = utf8_count(row, m, width + 1, NULL), word_cells = utf8_count(word, n, width, NULL);
 
-    if (m && cells + 1 + more <= width) {
+    if (m && row_cells + 1 + word_cells <= width) {
         lua_pushliteral(L, " ");
         lua_pushlstring(L, word, n);
         lua_concat(L, 3);
@@ -163,13 +164,13 @@ static void wrap_word(lua_State *L, int list, const char *word, size_t n, size_t
 
 /* Returns how many of the n bytes of a word fit in a row of `width` characters; one character fewer if the next row
  * would start with a closing character. */
-static size_t piece_of(const char *word, size_t n, size_t width)
+static size_t count_fitting_bytes(const char *word, size_t n, size_t width)
 {
     size_t bytes;
 
     utf8_count(word, n, width, &bytes);
     const char *next = word + bytes;
-    if (width > 1 && bytes < n && text_closes(utf8_next(&next, word + n)))
+    if (width > 1 && bytes < n && text_is_closing_punctuation(utf8_next(&next, word + n)))
         utf8_count(word, n, width - 1, &bytes);
     return bytes;
 }
@@ -191,11 +192,11 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
     }
     lua_pushliteral(L, "");
     for (; s < end; s++) {
-        size_t word = 0;
-        while (s + word < end && (s[word] == '\0' || strchr(blanks, s[word]) == NULL))
-            word++;
-        for (; word > 0; s += bytes, word -= bytes) {
-            bytes = piece_of(s, word, width);
+        size_t word_length = 0;
+        while (s + word_length < end && (s[word_length] == '\0' || strchr(blanks, s[word_length]) == NULL))
+            word_length++;
+        for (; word_length > 0; s += bytes, word_length -= bytes) {
+            bytes = count_fitting_bytes(s, word_length, width);
             wrap_word(L, list, s, bytes, width);
         }
     }
@@ -204,18 +205,18 @@ static int sys_wrap_run(lua_State *L, struct board *b, struct api_value *v)
 }
 
 static const struct api_entry entries[] = {
-    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph), 1, API_SYS, "boolean",
+    { "sys.glyph", sys_glyph_run, PARAMS(sys_glyph_params), 1, API_SYS, "boolean",
       HELP("returns true if the cells' font has a glyph for a character") },
     { "sys.glyphs", sys_glyphs, NO_PARAMS, 0, API_SYS, "count", HELP("returns the number of characters in the font") },
     { "sys.keep_text", sys_keep_text, NO_PARAMS, 0, API_SYS, "string", HELP("returns the contents of all cells") },
-    { "sys.text_back", sys_text_back, PARAMS(kept_text), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.text_back", sys_text_back, PARAMS(saved_text), 1, API_SYS | API_CHANGES, NULL,
       HELP("restores the contents of the cells") },
     { "sys.covers", sys_covers, NO_PARAMS, 0, API_SYS, "plates, others",
       HELP("returns two lists of what would be drawn over a window in the field: plates; and lines with the sprites in "
            "layer `over`") },
-    { "sys.cells", sys_cells_run, PARAMS(sys_cells), 1, API_SYS, "count",
+    { "sys.cells", sys_cells_run, PARAMS(sys_cells_params), 1, API_SYS, "count",
       HELP("returns the number of cells a text takes") },
-    { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap), 2, API_SYS, "list",
+    { "sys.wrap", sys_wrap_run, PARAMS(sys_wrap_params), 2, API_SYS, "list",
       HELP("breaks a text into rows of at most n characters; breaks only words that are longer than a row") },
 };
 const struct api_module api_sys_text = { entries, sizeof entries / sizeof *entries };

@@ -6,7 +6,7 @@
 #include <string.h>
 #include "../../base/edit.h"
 
-int api_count(const struct api_table *t)
+int api_count_entries(const struct api_table *t)
 {
     int n = 0;
 
@@ -34,11 +34,11 @@ const struct api_entry *api_find(const struct api_table *t, const char *name)
     return NULL;
 }
 
-const char *api_member(const struct api_entry *e, const char *of, char split)
+const char *api_member_name(const struct api_entry *e, const char *owner, char separator)
 {
-    size_t n = strlen(of);
+    size_t n = strlen(owner);
 
-    return !(e->flags & API_LUA) && !strncmp(e->name, of, n) && e->name[n] == split ? e->name + n + 1 : NULL;
+    return !(e->flags & API_LUA) && !strncmp(e->name, owner, n) && e->name[n] == separator ? e->name + n + 1 : NULL;
 }
 
 /* Returns the length of a name without its arguments. */
@@ -49,51 +49,51 @@ static size_t name_length(const char *name)
     return arguments ? (size_t)(arguments - name) : strlen(name);
 }
 
-enum { NEAR_CALLS = 3 };
+enum { MAX_NEAR_CALLS = 3 };
 
-/* The names nearest to a word, all at the same distance, up to NEAR_CALLS of them. */
+/* The names nearest to a word, all at the same distance, up to MAX_NEAR_CALLS of them. */
 struct near_calls {
-    const char *word, *found[NEAR_CALLS];
-    int best, n; /* n = NEAR_CALLS + 1: more than NEAR_CALLS */
+    const char *word, *names[MAX_NEAR_CALLS];
+    int best_distance, n; /* n = MAX_NEAR_CALLS + 1: more than MAX_NEAR_CALLS */
 };
 
 /* Adds `name` ("bullet.fire", "say" or "hud.centre(row, ...)") to c if no name so far is nearer. */
-static void near_call(struct near_calls *c, const char *name)
+static void consider_call(struct near_calls *c, const char *name)
 {
     char last[32];
-    const char *dot = strchr(name, '.'), *from = dot ? dot + 1 : name;
+    const char *dot = strchr(name, '.'), *member = dot ? dot + 1 : name;
 
-    snprintf(last, sizeof last, "%.*s", (int)name_length(from), from);
+    snprintf(last, sizeof last, "%.*s", (int)name_length(member), member);
     int d = edit_distance(c->word, last);
-    if (d < c->best) {
-        c->best = d;
+    if (d < c->best_distance) {
+        c->best_distance = d;
         c->n = 0;
     }
-    if (d != c->best || d == EDIT_FAR || c->n > NEAR_CALLS)
+    if (d != c->best_distance || d == EDIT_FAR || c->n > MAX_NEAR_CALLS)
         return;
-    if (c->n < NEAR_CALLS)
-        c->found[c->n] = name;
+    if (c->n < MAX_NEAR_CALLS)
+        c->names[c->n] = name;
     c->n++;
 }
 
 bool api_suggest_calls(const struct api_table *t, const char *name, char *out, size_t size)
 {
-    struct near_calls c = { .word = name, .best = EDIT_FAR };
+    struct near_calls c = { .word = name, .best_distance = EDIT_FAR };
     size_t n = 0;
 
-    for (int i = 0; i < api_count(t); i++)
+    for (int i = 0; i < api_count_entries(t); i++)
         if (!(api_entry(t, i)->flags & API_SYS))
-            near_call(&c, api_entry(t, i)->name);
-    for (int i = 0; i < t->plains; i++)
-        if (strchr(t->plain[i].name, '('))
-            near_call(&c, t->plain[i].name);
-    for (int i = 0; i < c.n && c.n <= NEAR_CALLS && n < size; i++)
+            consider_call(&c, api_entry(t, i)->name);
+    for (int i = 0; i < t->doc_name_count; i++)
+        if (strchr(t->doc_names[i].name, '('))
+            consider_call(&c, t->doc_names[i].name);
+    for (int i = 0; i < c.n && c.n <= MAX_NEAR_CALLS && n < size; i++)
         n += (size_t)snprintf(out + n, size - n, "%s%.*s", i ? i == c.n - 1 ? " or " : ", " : "",
-                              (int)name_length(c.found[i]), c.found[i]);
-    return c.n > 0 && c.n <= NEAR_CALLS;
+                              (int)name_length(c.names[i]), c.names[i]);
+    return c.n > 0 && c.n <= MAX_NEAR_CALLS;
 }
 
-bool api_ends(enum handle_kind kind)
+bool api_can_die(enum handle_kind kind)
 {
-    return !handle_kind_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
+    return !handle_kind_is_group(kind) && kind != H_MOTION && kind != H_LAYER && kind != H_PLANE;
 }

@@ -30,7 +30,7 @@ enum api_type {
     A_SPAN,        /* { first, last }: two integers from lo to hi, in order */
     A_ROUTE,       /* a route returned by path.def */
     A_THING,       /* a handle; `lo` is a mask of 1 << handle_kind */
-    A_HIT,         /* a hit shape; lo is an enum hit_whose */
+    A_HIT,         /* a hit shape; lo is an enum hit_owner */
     A_MOTION,      /* a motion, by handle or name */
     A_BULLET_KIND, /* declared names; A_BULLET_KIND + k is category k of enum name_kind */
     A_SHOT_KIND,
@@ -42,7 +42,7 @@ enum api_type {
     A_OPTION_KIND,
     A_SPRITE,
     A_BLEND, /* a name from rom.lua; i is its index + 1, or 0 if omitted */
-    A_FACE,  /* a font in rom.lua, encoded as A_BLEND */
+    A_FONT,  /* a font in rom.lua, encoded as A_BLEND */
     A_MAP,   /* a map in rom.lua, encoded as A_BLEND */
     A_SOUND, /* a sound or a piece of music in rom.lua, encoded as A_BLEND */
     A_TUNE,
@@ -53,12 +53,12 @@ enum api_type {
     A_SPARK_LAYER, /* i counts from LAYER_MIDDLE */
     A_DEPTH,       /* whether a background layer is behind or in front of all things */
     A_ALIGN,
-    A_FIRE,  /* what a pattern fires */
-    A_SHOOT, /* what the step emit fires */
-    A_MEET,  /* which of two colliding bullets are removed */
-    A_EMIT,  /* a pattern of the step emit */
-    A_DOWN,  /* how many bars of a cast must be emptied */
-    A_ASK,   /* a host screen */
+    A_FIRE,         /* what a pattern fires */
+    A_EMIT_FIRE,    /* what the step emit fires */
+    A_MEET,         /* which of two colliding bullets are removed */
+    A_EMIT_PATTERN, /* a pattern of the step emit */
+    A_DOWN,         /* how many bars of a cast must be emptied */
+    A_HOST_SCREEN,  /* a host screen */
 };
 
 enum { REQ = 0, OPT = 1 }; /* whether a parameter is required or optional */
@@ -92,7 +92,7 @@ enum {
     API_METHOD = 1 << 2,  /* the first argument is the thing before the colon */
     API_LUA = 1 << 3,     /* written in Lua (@std); the table only lists its arguments */
     API_SYS = 1 << 4,     /* only callable by @std */
-    API_MORE = 1 << 5,    /* any further arguments are passed on */
+    API_VARARGS = 1 << 5, /* any further arguments are passed on */
     API_FIRE = 1 << 6,    /* a pattern: also takes every argument of the entry for what it fires (FIRES_) */
     API_GLOBAL = 1 << 7,  /* is a global */
     API_VALUES = 1 << 8,  /* takes the values declared for what it creates; with API_FIRE, for what the pattern fires */
@@ -102,19 +102,19 @@ struct api_entry {
     const char *name;                                                      /* "bullet.fire", "bullet:aim", "wait" */
     int (*run)(struct lua_State *L, struct board *b, struct api_value *v); /* returns the number of results pushed */
     const struct api_param *params;
-    uint8_t count; /* number of params */
-    uint8_t plain; /* number of positional arguments; the others are named, in one table */
+    uint8_t count;            /* number of params */
+    uint8_t positional_count; /* number of positional arguments; the others are named, in one table */
     uint16_t flags;
     const char *returns; /* NULL: nothing */
     const char *help;    /* one sentence on what the entry does, in HELP() */
 };
 
-/* How a property can be used. PROP_LASTS: read-only; a player's can still be read after the player is out. */
-enum { PROP_READ = 0, PROP_WRITE = 1, PROP_LASTS = 2 };
+/* How a property can be used. PROP_PERSISTENT: read-only; a player's can still be read after the player is out. */
+enum { PROP_READ = 0, PROP_WRITE = 1, PROP_PERSISTENT = 2 };
 
 struct api_prop {
-    struct api_param value; /* name, type, range, unit, meaning */
-    int write;              /* PROP_READ, PROP_WRITE or PROP_LASTS */
+    struct api_param param; /* name, type, range, unit, meaning */
+    int access;             /* PROP_READ, PROP_WRITE or PROP_PERSISTENT */
 };
 
 /* The properties of a kind of handle. get pushes property p of a live thing; set writes property p. */
@@ -133,87 +133,88 @@ struct api_module {
 
 /* A documented name that is not an API function ("rom.title"), or a function of @std whose arguments are unchecked
  * ("hud.banner(lines, frames)"). */
-struct api_plain {
+struct api_doc_name {
     const char *name, *help;
 };
 
-/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire`. The pattern then also takes the
- * parameters of the entry of that index in `fire` of struct api_table. */
+/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire_entries`. The pattern then also takes the
+ * parameters of the entry of that index in `fire_entries` of struct api_table. */
 enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
 
 /* The whole API. The argument checks reach it through the board, which receives it at power-on (struct vm), not through
  * api_table: the table's entries need the checks, so a direct reference would be circular. */
 struct api_table {
     const struct api_module *const *modules;
-    int n;                                 /* number of modules */
-    const struct api_thing *const *things; /* by enum handle_kind; entry 0 is NULL */
-    const struct api_entry *const *fire;   /* by FIRES_ */
-    const struct api_plain *plain;
-    int plains;
+    int n;                                       /* number of modules */
+    const struct api_thing *const *things;       /* by enum handle_kind; entry 0 is NULL */
+    const struct api_entry *const *fire_entries; /* by FIRES_ */
+    const struct api_doc_name *doc_names;
+    int doc_name_count;
 };
 extern const struct api_table api_table;
 
 /* The words accepted for a sprite's `layer`, indexed by LAYER_. */
 extern const char *const api_layers[];
 
-/* api_count returns the number of entries, api_entry returns the i-th entry, and api_find returns the entry with that
- * name, or NULL. */
-int api_count(const struct api_table *t);
+/* api_count_entries returns the number of entries, api_entry returns the i-th entry, and api_find returns the entry
+ * with that name, or NULL. */
+int api_count_entries(const struct api_table *t);
 const struct api_entry *api_entry(const struct api_table *t, int i);
 const struct api_entry *api_find(const struct api_table *t, const char *name);
 
-/* If the entry's name starts with `of` and the character `split`, returns the rest ("bullet.fire", "bullet", '.':
- * "fire"). Otherwise, and for entries written in Lua, returns NULL. */
-const char *api_member(const struct api_entry *e, const char *of, char split);
+/* If the entry's name starts with `owner` and the character `separator`, returns the rest ("bullet.fire", "bullet",
+ * '.': "fire"). Otherwise, and for entries written in Lua, returns NULL. */
+const char *api_member_name(const struct api_entry *e, const char *owner, char separator);
 
 /* Returns the words that an argument of that type accepts and stores the number of words in *n. Returns NULL if the
  * type is not a word list. */
 const char *const *api_type_list(enum api_type type, int *n);
 
 /* Each kind of thing with its article, for use in a sentence: "a bullet", "an enemy". */
-extern const char *const api_thing_names[HANDLES];
+extern const char *const api_thing_names[HANDLE_KINDS];
 
-/* Considers a candidate as the suggestion for a misspelt word. *found is the best candidate so far, *best its edit
- * distance; on a tie, the first in byte order wins. Before the first call, *best is EDIT_FAR and *found is NULL. */
-void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found);
+/* Considers a candidate as the suggestion for a misspelt word. *found is the best candidate so far, *best_distance its
+ * edit distance; on a tie, the first in byte order wins. Before the first call, *best_distance is EDIT_FAR and *found
+ * is NULL. */
+void api_suggest_nearer(const char *word, const char *candidate, int *best_distance, const char **found);
 
 /* The owner of a hit shape; owners accept different shapes. */
-enum hit_whose { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* bullets and shots */, HIT_LASERS };
+enum hit_owner { HIT_PLAYERS, HIT_ENEMIES, HIT_BULLETS /* bullets and shots */, HIT_LASERS };
 
-/* The accepted shapes in words, by enum hit_whose. */
+/* The accepted shapes in words, by enum hit_owner. */
 extern const char *const api_hit_forms[];
 
 /* Returns whether things of that kind can die and therefore have the property `alive`. */
-bool api_ends(enum handle_kind kind);
+bool api_can_die(enum handle_kind kind);
 
 /* The message for a name reserved for a later feature. */
-#define NOT_YET "is reserved for a later version"
+#define RESERVED_MESSAGE "is reserved for a later version"
 
-/* Returns whether a name is reserved. how '.': as a field of the table `of` ("board"; "": the globals); '{': as an
- * argument of the function `of` ("bullet.fire"); ':': as a property or verb of the thing `of` ("bullet"). */
-bool api_reserved(const char *of, char how, const char *name);
+/* Returns whether a name is reserved. how '.': as a field of the table `owner` ("board"; "": the globals); '{': as an
+ * argument of the function `owner` ("bullet.fire"); ':': as a property or verb of the thing `owner` ("bullet"). */
+bool api_is_reserved(const char *owner, char separator, const char *name);
 
-/* If the table, thing or group of that name ("item", "items") is disabled, returns the text for the %s of API_OFF,
- * otherwise NULL. Some API tables belong to a chip that exists only if rom.lua gives it a capacity; games without the
- * chip have neither the table nor the methods of its things. */
-const char *api_off(const struct manifest *m, const char *name);
+/* If the table, thing or group of that name ("item", "items") is disabled, returns the text for the %s of
+ * API_DISABLED_FORMAT, otherwise NULL. Some API tables belong to a chip that exists only if rom.lua gives it a
+ * capacity; games without the chip have neither the table nor the methods of its things. */
+const char *api_disabled_reason(const struct manifest *m, const char *name);
 
-/* The error message for a disabled name; %s is the text returned by api_off. */
-#define API_OFF "%s in rom.lua"
+/* The error message for a disabled name; %s is the text returned by api_disabled_reason. */
+#define API_DISABLED_FORMAT "%s in rom.lua"
 
-/* Returns the reserved names of row i, separated by spaces, or NULL after the last row. *of and *how receive the row's
- * `of` and `how`, as in api_reserved. For tests. */
-const char *api_reserved_row(int i, const char **of, char *how);
+/* Returns the reserved names of row i, separated by spaces, or NULL after the last row. *owner and *separator receive
+ * the row's `owner` and `separator`, as in api_is_reserved. For tests. */
+const char *api_reserved_row(int i, const char **owner, char *separator);
 
 /* Returns the names that scripts see in a Lua library ("math"; "": the globals), separated by spaces, or NULL if the
  * library does not exist. */
 const char *api_library_names(const char *library);
 
-/* api_instead returns what to use instead of a standard Lua name that this board lacks (a field of library `space`, or
- * a global if space is NULL), or NULL for any other name. api_instead_field searches every library for the field `name`
- * and stores the library's name in *space. */
-const char *api_instead(const char *space, const char *name);
-const char *api_instead_field(const char *name, const char **space);
+/* api_replacement returns what to use instead of a standard Lua name that this board lacks (a field of library
+ * `library`, or a global if library is NULL), or NULL for any other name. api_find_replacement searches every library
+ * for the field `name` and stores the library's name in *library. */
+const char *api_replacement(const char *library, const char *name);
+const char *api_find_replacement(const char *name, const char **library);
 
 /* Writes to `out` the names of the callable functions whose last word is nearest to `name`, as in "bullet.fire or
  * shot.fire". Returns false if there are none, or more than three. */

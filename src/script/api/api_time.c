@@ -9,16 +9,16 @@
 enum { ARG_FRAMES = 0, ARG_OWNER = 0, ARG_TASK = 0, ARG_F = 0 };
 enum { OWN_OWNER, OWN_F };
 
-static const struct api_param frames[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
-                                                 "number of frames; 0 continues immediately") };
+static const struct api_param frames_req[] = { PARAM("n", A_COUNT, REQ, 0, 1e9, "frames", NULL,
+                                                     "number of frames; 0 continues immediately") };
 
-int api_pass_wait(lua_State *L, struct board *b)
+int api_count_skipped_wait(lua_State *L, struct board *b)
 {
-    const bool lists = board_lists(b), spent = lists && b->vm.work > b->vm.limit / 2;
+    const bool is_listing = board_is_listing(b), spent = is_listing && b->vm.work > b->vm.limit / 2;
 
-    if (!tasks_skipping(&b->tasks) || (++b->tasks.skipped <= MAX_SKIPS && !spent))
+    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped <= MAX_SKIPS && !spent))
         return 0;
-    if (!lists || !lua_isyieldable(L))
+    if (!is_listing || !lua_isyieldable(L))
         return api_error(L, "wait",
                          "more than %d waits while skipping to a mark (waiting for something that is skipped?)",
                          MAX_SKIPS);
@@ -35,9 +35,9 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
             L, "wait",
             "cannot wait inside a callback from C (bullet.each, table.sort, string.gsub, <close> and the like)");
     if (b->tasks.flags[b->tasks.current] & TASK_SKIPS) {
-        if (b->music.passes)
-            vm_charge(L, sound_pass_wait(b, v[ARG_FRAMES].i));
-        return api_pass_wait(L, b);
+        if (b->music.is_skipping)
+            vm_charge(L, sound_skip_wait(b, v[ARG_FRAMES].i));
+        return api_count_skipped_wait(L, b);
     }
     if (!v[ARG_FRAMES].i)
         return 0;
@@ -45,22 +45,22 @@ static int wait_run(lua_State *L, struct board *b, struct api_value *v)
     return lua_yield(L, 0);
 }
 
-static const struct api_param go[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                             "f(...): body of the task; called with the remaining arguments") };
-static const struct api_param own[] = {
-    PARAM("owner", A_THING, REQ, OWNERS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
+static const struct api_param go_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                    "f(...): body of the task; called with the remaining arguments") };
+static const struct api_param own_params[] = {
+    PARAM("owner", A_THING, REQ, OWNER_KINDS, 0, NULL, NULL, "thing or task whose end also ends the new task"),
     PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
           "f(owner, ...): body of the task; called with the owner and the remaining arguments")
 };
-static const struct api_param owner[] = { PARAM(
-    "owner", A_THING, OPT, OWNERS, 0, NULL, NULL,
+static const struct api_param owner_opt[] = { PARAM(
+    "owner", A_THING, OPT, OWNER_KINDS, 0, NULL, NULL,
     "thing or task whose end also ends the scope; defaults to the owner of the calling task") };
-static const struct api_param task[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
+static const struct api_param task_req[] = { PARAM("t", A_THING, REQ, 1 << H_TASK, 0, NULL, NULL, "task or scope") };
 
 static int task_go(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_pushinteger(L, tasks_start(b, L, tasks_owner(b), lua_gettop(L) - 1));
+    lua_pushinteger(L, tasks_start(b, L, tasks_current_owner(b), lua_gettop(L) - 1));
     return 1;
 }
 
@@ -79,7 +79,7 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_scope(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushinteger(L, tasks_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : tasks_owner(b), false));
+    lua_pushinteger(L, tasks_new_scope(b, v[ARG_OWNER].given ? v[ARG_OWNER].i : tasks_current_owner(b), false));
     return 1;
 }
 
@@ -103,108 +103,112 @@ static int task_alive(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static void get_none(lua_State *L, struct board *b, uint32_t slot, int p)
+static void get_nil(lua_State *L, struct board *b, uint32_t slot, int p)
 {
     (void)b, (void)slot, (void)p;
     lua_pushnil(L);
 }
 
-const struct api_thing api_task_thing = { "task", NULL, 0, get_none, NULL };
+const struct api_thing api_task_thing = { "task", NULL, 0, get_nil, NULL };
 
-static const struct api_param on_graze_f[] = { PARAM(
+static const struct api_param on_graze_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
-static const struct api_param on_hit_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                   "f(player, by): called with the player and the bullet or enemy that "
-                                                   "hit the player; set player.safe here to cancel the hit") };
-static const struct api_param on_death_f[] = { PARAM(
+static const struct api_param on_hit_params[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(player, by): called with the player and the bullet or enemy that "
+    "hit the player; set player.safe here to cancel the hit") };
+static const struct api_param on_death_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player): called with the player, who is still at the position of the death") };
-static const struct api_param on_game_over_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                         "f(): called without arguments") };
-static const struct api_param on_kill_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                    "f(enemy, player): called with the enemy, whose properties can "
-                                                    "still be read, and the player who killed it; player may be nil") };
-static const struct api_param on_leave_f[] = { PARAM(
+static const struct api_param on_game_over_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                              "f(): called without arguments") };
+static const struct api_param on_kill_params[] = { PARAM(
+    "f", A_FUNC, REQ, 0, 0, NULL, NULL,
+    "f(enemy, player): called with the enemy, whose properties can "
+    "still be read, and the player who killed it; player may be nil") };
+static const struct api_param on_leave_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(enemy): called with the enemy, whose properties can still be read") };
-static const struct api_param on_extend_f[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
-                                                      "f(player): called with the player") };
-static const struct api_param on_take_f[] = { PARAM(
+static const struct api_param on_extend_params[] = { PARAM("f", A_FUNC, REQ, 0, 0, NULL, NULL,
+                                                           "f(player): called with the player") };
+static const struct api_param on_take_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player, item): called with the player and the item, whose properties can still be read") };
-static const struct api_param on_bomb_f[] = { PARAM(
+static const struct api_param on_bomb_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player, late): called with the player; late is true if the bomb saved the player from a hit") };
-static const struct api_param on_continue_f[] = { PARAM(
+static const struct api_param on_continue_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(player): called with the player, whose score has just been reset to the number of continues used (at most 9)") };
-static const struct api_param on_start_f[] = { PARAM(
+static const struct api_param on_start_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(): called without arguments, before anything else in the game") };
-static const struct api_param on_phase_f[] = { PARAM(
+static const struct api_param on_phase_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(enemy, id, won, captured): called with the boss and the id of the phase; won is true if the phase was beaten, "
     "and captured is true if it was beaten without a death or a bomb") };
-static const struct api_param on_stage_f[] = { PARAM(
+static const struct api_param on_stage_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL,
     "f(name, state): called with the name of the stage; state is \"start\" or \"clear\"") };
 
-#define ON(name, index)                                                                                                \
+#define DEFINE_ON(name, index)                                                                                         \
     static int on_##name(lua_State *L, struct board *b, struct api_value *v)                                           \
     {                                                                                                                  \
         (void)b;                                                                                                       \
         lua_pushvalue(L, v[ARG_F].at);                                                                                 \
-        events_on(L, index);                                                                                           \
+        events_add_handler(L, index);                                                                                  \
         return 0;                                                                                                      \
     }
-ON(graze, EV_GRAZE)
-ON(hit, EV_HIT)
-ON(death, EV_DEATH)
-ON(game_over, EV_GAME_OVER)
-ON(kill, EV_KILL)
-ON(leave, EV_LEAVE)
-ON(extend, EV_EXTEND)
-ON(take, EV_TAKE)
-ON(bomb, EV_BOMB)
-ON(continue, EV_CONTINUE)
-ON(phase, EV_PHASE)
-ON(stage, EV_STAGE)
-ON(start, EV_START)
+DEFINE_ON(graze, EV_GRAZE)
+DEFINE_ON(hit, EV_HIT)
+DEFINE_ON(death, EV_DEATH)
+DEFINE_ON(game_over, EV_GAME_OVER)
+DEFINE_ON(kill, EV_KILL)
+DEFINE_ON(leave, EV_LEAVE)
+DEFINE_ON(extend, EV_EXTEND)
+DEFINE_ON(take, EV_TAKE)
+DEFINE_ON(bomb, EV_BOMB)
+DEFINE_ON(continue, EV_CONTINUE)
+DEFINE_ON(phase, EV_PHASE)
+DEFINE_ON(stage, EV_STAGE)
+DEFINE_ON(start, EV_START)
 
 #define ON_FLAGS (API_CHANGES | API_LOAD)
 static const struct api_entry entries[] = {
-    { "wait", wait_run, PARAMS(frames), 1, API_CHANGES | API_GLOBAL, NULL,
+    { "wait", wait_run, PARAMS(frames_req), 1, API_CHANGES | API_GLOBAL, NULL,
       HELP("pauses the task for a number of frames") },
-    { "task.go", task_go, PARAMS(go), 1, API_CHANGES | API_MORE, "task",
+    { "task.go", task_go, PARAMS(go_params), 1, API_CHANGES | API_VARARGS, "task",
       HELP("starts a task with the same owner as the calling task; both end with that owner") },
-    { "task.own", task_own, PARAMS(own), 2, API_CHANGES | API_MORE, "task",
+    { "task.own", task_own, PARAMS(own_params), 2, API_CHANGES | API_VARARGS, "task",
       HELP("starts a task that ends with the given owner") },
-    { "task.scope", task_scope, PARAMS(owner), 1, API_CHANGES, "scope",
+    { "task.scope", task_scope, PARAMS(owner_opt), 1, API_CHANGES, "scope",
       HELP("creates a scope to own tasks; stopping the scope stops all of its tasks") },
-    { "task.stop", task_stop, PARAMS(task), 1, API_CHANGES, NULL,
+    { "task.stop", task_stop, PARAMS(task_req), 1, API_CHANGES, NULL,
       HELP("stops a task or a scope, and everything it owns") },
-    { "task.alive", task_alive, PARAMS(task), 1, 0, "boolean", HELP("returns true while the task runs") },
-    { "on.graze", on_graze, PARAMS(on_graze_f), 1, ON_FLAGS, NULL,
+    { "task.alive", task_alive, PARAMS(task_req), 1, 0, "boolean", HELP("returns true while the task runs") },
+    { "on.graze", on_graze, PARAMS(on_graze_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player grazes a bullet") },
-    { "on.hit", on_hit, PARAMS(on_hit_f), 1, ON_FLAGS, NULL,
+    { "on.hit", on_hit, PARAMS(on_hit_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a bullet or an enemy hits a player who isn't safe") },
-    { "on.death", on_death, PARAMS(on_death_f), 1, ON_FLAGS, NULL,
+    { "on.death", on_death, PARAMS(on_death_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player loses a life") },
-    { "on.game_over", on_game_over, PARAMS(on_game_over_f), 1, ON_FLAGS, NULL,
+    { "on.game_over", on_game_over, PARAMS(on_game_over_params), 1, ON_FLAGS, NULL,
       HELP("calls a function when the last player is out") },
-    { "on.kill", on_kill, PARAMS(on_kill_f), 1, ON_FLAGS, NULL, HELP("calls a function each time an enemy is killed") },
-    { "on.leave", on_leave, PARAMS(on_leave_f), 1, ON_FLAGS, NULL,
+    { "on.kill", on_kill, PARAMS(on_kill_params), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time an enemy is killed") },
+    { "on.leave", on_leave, PARAMS(on_leave_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time an enemy leaves the field") },
-    { "on.extend", on_extend, PARAMS(on_extend_f), 1, ON_FLAGS, NULL,
+    { "on.extend", on_extend, PARAMS(on_extend_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time the score or an item gives a player an extra life") },
-    { "on.take", on_take, PARAMS(on_take_f), 1, ON_FLAGS, NULL,
+    { "on.take", on_take, PARAMS(on_take_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player takes an item") },
-    { "on.bomb", on_bomb, PARAMS(on_bomb_f), 1, ON_FLAGS, NULL, HELP("calls a function each time a player bombs") },
-    { "on.continue", on_continue, PARAMS(on_continue_f), 1, ON_FLAGS, NULL,
+    { "on.bomb", on_bomb, PARAMS(on_bomb_params), 1, ON_FLAGS, NULL,
+      HELP("calls a function each time a player bombs") },
+    { "on.continue", on_continue, PARAMS(on_continue_params), 1, ON_FLAGS, NULL,
       HELP("calls a function each time a player continues after losing the last life") },
-    { "on.start", on_start, PARAMS(on_start_f), 1, ON_FLAGS, NULL,
+    { "on.start", on_start, PARAMS(on_start_params), 1, ON_FLAGS, NULL,
       HELP("calls a function when a game or a practice attempt starts; use it to reset script variables") },
-    { "on.phase", on_phase, PARAMS(on_phase_f), 1, ON_FLAGS, NULL,
+    { "on.phase", on_phase, PARAMS(on_phase_params), 1, ON_FLAGS, NULL,
       HELP("calls a function at the end of each phase of a boss") },
-    { "on.stage", on_stage, PARAMS(on_stage_f), 1, ON_FLAGS, NULL,
+    { "on.stage", on_stage, PARAMS(on_stage_params), 1, ON_FLAGS, NULL,
       HELP("calls a function when a stage starts and when it is cleared") },
 };
 const struct api_module api_time = { entries, sizeof entries / sizeof *entries };

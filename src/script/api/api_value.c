@@ -7,39 +7,42 @@
 
 /* Kinds of entity that can have values, in the order of the lists from N_BULLET_VALUE. */
 enum { KINDS = 3 };
-static const char *const words[KINDS] = { "bullet", "shot", "enemy" };
-static const char *const makers[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
-static const enum handle_kind things[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
+static const char *const kind_names[KINDS] = { "bullet", "shot", "enemy" };
+static const char *const creators[KINDS] = { "bullet.fire", "shot.fire", "enemy.spawn" };
+static const enum handle_kind handle_kinds[KINDS] = { H_BULLET, H_SHOT, H_ENEMY };
 
-static bool is_word(const char *name)
+static bool is_identifier(const char *name)
 {
-    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
-    return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, letters);
+    return name[0] && !strchr("0123456789", name[0]) && strlen(name) == strspn(name, allowed);
 }
 
 /* Returns whether the name is already used: by a property or a verb of the thing, a reserved name, or an argument of
  * the function that creates the thing. */
-static bool taken(lua_State *L, int kind, const char *name)
+static bool is_taken(lua_State *L, int kind, const char *name)
 {
-    const struct api_entry *maker = api_find(api_of(L), makers[kind]);
-    const enum handle_kind also = kind == 0 ? H_GROUP : things[kind];
-    bool is = !strcmp(name, "alive") || api_reserved(words[kind], ':', name) || api_reserved(maker->name, '{', name);
+    const struct api_entry *creator = api_find(api_of(L), creators[kind]);
+    const enum handle_kind group = kind == 0 ? H_GROUP : handle_kinds[kind];
+    bool used = !strcmp(name, "alive") || api_is_reserved(kind_names[kind], ':', name) ||
+                api_is_reserved(creator->name, '{', name);
 
-    is |= api_property(api_of(L)->things[things[kind]], name) || api_property(api_of(L)->things[also], name);
-    for (int i = 0; i < maker->count; i++)
-        is |= !strcmp(maker->params[i].name, name);
-    for (int i = 0; kind == 0 && i < api_count(api_of(L)); i++) /* patterns pass on all arguments but their own */
+    used |= api_has_property(api_of(L)->things[handle_kinds[kind]], name) ||
+            api_has_property(api_of(L)->things[group], name);
+    for (int i = 0; i < creator->count; i++)
+        used |= !strcmp(creator->params[i].name, name);
+    for (int i = 0; kind == 0 && i < api_count_entries(api_of(L));
+         i++) /* patterns pass on all arguments but their own */
         for (int k = 0; api_entry(api_of(L), i)->flags & API_FIRE && k < api_entry(api_of(L), i)->count; k++)
-            is |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
-    is |= api_push_method(L, (int)things[kind], name);
+            used |= !strcmp(api_entry(api_of(L), i)->params[k].name, name);
+    used |= api_push_method(L, (int)handle_kinds[kind], name);
     lua_pop(L, 1);
-    return is;
+    return used;
 }
 
 enum { D_NAME, D_OF, D_START };
 
-static const struct api_param def[] = {
+static const struct api_param def_params[] = {
     PARAM("name", A_STR, REQ, 1, 31, NULL, NULL,
           "name of the value, used as a property of the thing and as an argument of the function that creates it"),
     PARAM("of", A_STR, OPT, 0, 0, NULL, NULL, "what the value belongs to: bullet, shot or enemy; defaults to bullet"),
@@ -49,56 +52,57 @@ static const struct api_param def[] = {
 
 static const char DEF[] = "value.def";
 
-static int read_kind(lua_State *L, const struct api_value *of)
+static int read_kind(lua_State *L, const struct api_value *owner)
 {
-    const char *word = of->given ? lua_tostring(L, of->at) : words[0];
+    const char *kind_name = owner->given ? lua_tostring(L, owner->at) : kind_names[0];
 
     for (int k = 0; k < KINDS; k++)
-        if (!strcmp(word, words[k]))
+        if (!strcmp(kind_name, kind_names[k]))
             return k;
-    return api_error(L, DEF, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", word);
+    return api_error(L, DEF, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", kind_name);
 }
 
 /* Raises an error if all columns enabled in rom.lua are in use. */
-static void check_room(lua_State *L, const struct board *b, int kind, const char *name)
+static void check_capacity(lua_State *L, const struct board *b, int kind, const char *name)
 {
-    const int32_t room[KINDS] = { b->cart.m.bullet_values, b->cart.m.shot_values, b->cart.m.enemy_values };
-    const int n = api_values(b, (enum name_kind)(N_BULLET_VALUE + kind));
+    const int32_t capacity[KINDS] = { b->cart.manifest.bullet_values, b->cart.manifest.shot_values,
+                                      b->cart.manifest.enemy_values };
+    const int n = api_value_count(b, (enum name_kind)(N_BULLET_VALUE + kind));
 
-    if (n < room[kind])
+    if (n < capacity[kind])
         return;
     if (n == MAX_VALUES)
         api_error(L, DEF, "\"%s\": too many values (at most %d for %s)", name, MAX_VALUES,
-                  api_thing_names[things[kind]]);
+                  api_thing_names[handle_kinds[kind]]);
     api_error(L, DEF, "\"%s\": too few value columns; set `values = { %s = %d }` in `board` in rom.lua", name,
-              words[kind], n + 1);
+              kind_names[kind], n + 1);
 }
 
 static int value_def(lua_State *L, struct board *b, struct api_value *v)
 {
     const char *name = lua_tostring(L, v[D_NAME].at);
     const int kind = read_kind(L, &v[D_OF]);
-    const enum name_kind names = (enum name_kind)(N_BULLET_VALUE + kind);
-    const int k = api_values(b, names);
+    const enum name_kind value_kind = (enum name_kind)(N_BULLET_VALUE + kind);
+    const int k = api_value_count(b, value_kind);
 
-    if (!is_word(name))
+    if (!is_identifier(name))
         api_error(L, DEF, "name: expected a word of letters, digits and _, got \"%s\"", name);
-    if (taken(L, kind, name))
+    if (is_taken(L, kind, name))
         api_error(L, DEF, "\"%s\" is already a property or a method of %s, or an argument of %s%s", name,
-                  api_thing_names[things[kind]], makers[kind], kind == 0 ? " or a pattern" : "");
-    if (api_names_find(L, names, name) != NO_SLOT)
+                  api_thing_names[handle_kinds[kind]], creators[kind], kind == 0 ? " or a pattern" : "");
+    if (api_names_find(L, value_kind, name) != NO_SLOT)
         api_error(L, DEF, "\"%s\" is already declared", name);
-    check_room(L, b, kind, name);
-    api_names_declare(L, names, DEF, name, k);
+    check_capacity(L, b, kind, name);
+    api_names_declare(L, value_kind, DEF, name, k);
     if (kind == 2)
-        b->enemies.value_start[k] = v[D_START].f;
+        b->enemies.initial_value[k] = v[D_START].f;
     else
-        (kind == 1 ? &b->shots : &b->bullets)->value_start[k] = v[D_START].f;
+        (kind == 1 ? &b->shots : &b->bullets)->initial_value[k] = v[D_START].f;
     return 0;
 }
 
 static const struct api_entry entries[] = {
-    { "value.def", value_def, PARAMS(def), 1, API_CHANGES | API_LOAD, NULL,
+    { "value.def", value_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,
       HELP("declares a number to store with each bullet, shot or enemy; needs `board = { values = { .. } }`") },
 };
 const struct api_module api_value = { entries, sizeof entries / sizeof *entries };

@@ -16,21 +16,21 @@
 #include "../lua/lualib.h"
 #include "../script.h"
 
-static const char chunk[] = "=console", place[] = "console:1: ";
+static const char chunk_name[] = "=console", line_prefix[] = "console:1: ";
 
 static void compile(lua_State *L, const char *line)
 {
-    const char *what, *text = lua_pushfstring(L, "return %s", line);
+    const char *message, *expression = lua_pushfstring(L, "return %s", line);
     int at;
 
-    if (!script_scan(line, strlen(line), &at, &what)) {
-        lua_pushstring(L, what);
+    if (!script_scan(line, strlen(line), &at, &message)) {
+        lua_pushstring(L, message);
         lua_error(L);
     }
-    int status = luaL_loadbufferx(L, text, strlen(text), chunk, "t");
+    int status = luaL_loadbufferx(L, expression, strlen(expression), chunk_name, "t");
     if (status == LUA_ERRSYNTAX) {
         lua_pop(L, 1);
-        status = luaL_loadbufferx(L, line, strlen(line), chunk, "t");
+        status = luaL_loadbufferx(L, line, strlen(line), chunk_name, "t");
     }
     lua_remove(L, -2);
     if (status != LUA_OK)
@@ -40,7 +40,7 @@ static void compile(lua_State *L, const char *line)
 /* ---- values as text ---- */
 
 /* Pushes "bullet 12" for a live handle, "no bullet" for a dead one. */
-static void push_thing(lua_State *L, int64_t h)
+static void push_thing_text(lua_State *L, int64_t h)
 {
     const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
 
@@ -51,53 +51,53 @@ static void push_thing(lua_State *L, int64_t h)
 }
 
 /* Pushes the value at idx as text. */
-static void push_words(lua_State *L, int idx)
+static void push_text(lua_State *L, int idx)
 {
-    if (lua_isinteger(L, idx) && handle_is(lua_tointeger(L, idx)))
-        push_thing(L, lua_tointeger(L, idx));
+    if (lua_isinteger(L, idx) && handle_is_well_formed(lua_tointeger(L, idx)))
+        push_thing_text(L, lua_tointeger(L, idx));
     else
         lualib_tolstring(L, idx, NULL);
 }
 
-enum { ENTRIES = 24 /* most entries of a table that are shown */ };
+enum { MAX_ENTRIES = 24 /* most entries of a table that are shown */ };
 
 /* Appends the entry whose key and value are on top of the stack to the text below them; pops the value. */
 static void append_entry(lua_State *L, lua_Integer n)
 {
     int key = lua_gettop(L) - 1, text = key - 1;
-    bool listed = lua_isinteger(L, key) && lua_tointeger(L, key) == n;
+    bool is_list_item = lua_isinteger(L, key) && lua_tointeger(L, key) == n;
 
     vm_charge(L, WORK_CALL);
     lua_pushvalue(L, text);
     lua_pushstring(L, n > 1 ? ", " : " ");
-    push_words(L, key);
+    push_text(L, key);
     lua_pushstring(L, " = ");
-    push_words(L, key + 1);
-    if (listed) {
+    push_text(L, key + 1);
+    if (is_list_item) {
         lua_replace(L, -3);
         lua_pop(L, 1);
     }
-    lua_concat(L, listed ? 3 : 5);
+    lua_concat(L, is_list_item ? 3 : 5);
     lua_replace(L, text);
     lua_pop(L, 1);
 }
 
 /* Pushes "{ 1, 2, x = 3 }" for the table at idx. */
-static void push_table(lua_State *L, int idx)
+static void push_table_text(lua_State *L, int idx)
 {
     lua_Integer n = 1;
 
-    api_fill(L, idx);
+    api_fill_table(L, idx);
     lua_pushliteral(L, "{");
     lua_pushnil(L);
-    for (int like; (like = luakeys_next(L, idx)) > 0; n++) {
-        if (n > ENTRIES) {
+    for (int key_count; (key_count = luakeys_next(L, idx)) > 0; n++) {
+        if (n > MAX_ENTRIES) {
             lua_pop(L, 1);
             lua_pushliteral(L, ", ...");
             lua_concat(L, 2);
             break;
         }
-        luakeys_push_value(L, idx, like);
+        luakeys_push_value(L, idx, key_count);
         append_entry(L, n);
     }
     lua_pushliteral(L, " }");
@@ -110,16 +110,16 @@ static bool is_plain_table(lua_State *L, int idx)
            luaL_getmetafield(L, idx, "__name") == LUA_TNIL;
 }
 
-static void put_words(lua_State *L, int idx)
+static void replace_with_text(lua_State *L, int idx)
 {
     int top = lua_gettop(L);
     bool plain = is_plain_table(L, idx);
 
     lua_settop(L, top);
     if (plain)
-        push_table(L, idx);
+        push_table_text(L, idx);
     else
-        push_words(L, idx);
+        push_text(L, idx);
     lua_replace(L, idx);
 }
 
@@ -130,7 +130,7 @@ static int run_line(lua_State *L)
     struct output *o = vm_board(L)->output;
 
     lua_settop(L, 0);
-    compile(L, o->line);
+    compile(L, o->eval_line);
     lua_call(L, 0, LUA_MULTRET);
     int n = lua_gettop(L);
     if (o->values) {
@@ -139,33 +139,33 @@ static int run_line(lua_State *L)
     }
     luaL_checkstack(L, 16, NULL);
     for (int i = 1; i <= n; i++)
-        put_words(L, i);
+        replace_with_text(L, i);
     return n ? vm_print(L) : 0;
 }
 
 /* Returns the message without the prefix "console:1: ", which is the same for every line. */
-static const char *without_place(const char *message)
+static const char *skip_prefix(const char *message)
 {
-    return strncmp(message, place, sizeof place - 1) ? message : message + sizeof place - 1;
+    return strncmp(message, line_prefix, sizeof line_prefix - 1) ? message : message + sizeof line_prefix - 1;
 }
 
-bool api_between(struct board *b, lua_CFunction f, uint64_t limit)
+bool api_run_between_frames(struct board *b, lua_CFunction f, uint64_t limit)
 {
     struct output *o = b->output;
-    struct board_out was = o->out;
+    struct board_out saved_out = o->out;
     struct host host;
 
     if (o->fault.kind != FAULT_NONE)
         return false;
     host_enter(&host);
     o->log_size = 0;
-    vm_begin(b, limit);
-    bool fine = vm_call(b, f) && vm_call(b, events_run);
+    vm_reset_work(b, limit);
+    bool ok = vm_call(b, f) && vm_call(b, events_run);
     b->vm.limit = WORK_LIMIT;
-    o->out = was;
+    o->out = saved_out;
     o->out.log_size = 0;
     host_leave(&host);
-    return fine;
+    return ok;
 }
 
 /* Implements board_eval_values; if `values` is NULL, prints the values as board_eval does. */
@@ -177,14 +177,14 @@ static bool eval(struct board *b, const char *line, struct values *values, char 
         snprintf(out, size, "%s", o->fault.message);
         return false;
     }
-    o->line = line;
+    o->eval_line = line;
     o->values = values;
-    bool fine = api_between(b, run_line, EVAL_LIMIT);
-    snprintf(out, size, "%.*s", fine ? (int)o->log_size : -1, fine ? o->log : without_place(o->fault.message));
-    o->line = NULL;
+    bool ok = api_run_between_frames(b, run_line, EVAL_LIMIT);
+    snprintf(out, size, "%.*s", ok ? (int)o->log_size : -1, ok ? o->log : skip_prefix(o->fault.message));
+    o->eval_line = NULL;
     o->values = NULL;
     o->log_size = 0;
-    return fine;
+    return ok;
 }
 
 bool board_eval(struct board *b, const char *line, char *out, size_t size)

@@ -11,7 +11,7 @@ struct board;
 
 enum {
     EVAL_LIMIT = 10000000, /* VM instructions a line may run, or the equivalent work in C */
-    EVAL_TEXT = 4200       /* buffer size in bytes for everything a line can print */
+    EVAL_TEXT_SIZE = 4200  /* buffer size in bytes for everything a line can print */
 };
 
 /* Runs `line` with the globals and rules of a game script, and no access to @std internals. The line is an expression

@@ -16,22 +16,22 @@
  * pcall, and its traceback. */
 static const char carrier_key, fault_key, trace_key;
 
-bool lualib_raised(lua_State *L, int idx)
+bool lualib_is_raised(lua_State *L, int idx)
 {
     if (lua_type(L, idx) != LUA_TUSERDATA || !lua_getmetatable(L, idx))
         return false;
     lua_rawgetp(L, LUA_REGISTRYINDEX, &carrier_key);
-    bool same = lua_rawequal(L, -1, -2);
+    bool is_carrier = lua_rawequal(L, -1, -2);
     lua_pop(L, 2);
-    return same;
+    return is_carrier;
 }
 
-void lualib_unwrap(lua_State *L, int idx)
+void lualib_push_unwrapped(lua_State *L, int idx)
 {
     lua_getiuservalue(L, idx, 1);
 }
 
-void lualib_trace(lua_State *L)
+void lualib_push_trace(lua_State *L)
 {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &trace_key);
 }
@@ -40,7 +40,7 @@ void lualib_trace(lua_State *L)
  * unchanged. */
 static int throw_value(lua_State *L)
 {
-    if (!lualib_raised(L, -1)) {
+    if (!lualib_is_raised(L, -1)) {
         lua_newuserdatauv(L, 0, 1);
         lua_insert(L, -2);
         lua_setiuservalue(L, -2, 1);
@@ -80,14 +80,14 @@ static int base_assert(lua_State *L)
 }
 
 /* The message handler of pcall: stores the first fault and its traceback while the stack still exists. */
-static int note_fault(lua_State *L)
+static int store_fault(lua_State *L)
 {
-    if (lualib_raised(L, 1) || lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL) {
+    if (lualib_is_raised(L, 1) || lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL) {
         lua_settop(L, 1);
         return 1;
     }
     lua_settop(L, 1);
-    vm_place(L);
+    vm_add_place(L);
     lua_pushvalue(L, 1);
     lua_rawsetp(L, LUA_REGISTRYINDEX, &fault_key);
     luaL_traceback(L, L, NULL, 1);
@@ -103,39 +103,39 @@ static int pcall_done(lua_State *L, int status, lua_KContext context)
     if (status == LUA_OK || status == LUA_YIELD)
         return lua_gettop(L) - 1;
     if (context == IN_TASK)
-        tasks_act_for_turn(vm_board(L));
+        tasks_restore_context(vm_board(L));
     if (lua_rawgetp(L, LUA_REGISTRYINDEX, &fault_key) != LUA_TNIL)
         return lua_error(L);
     lua_pop(L, 1);
-    if (!lualib_raised(L, -1))
+    if (!lualib_is_raised(L, -1))
         return lua_error(L);
     lua_pushboolean(L, 0);
-    lualib_unwrap(L, -2);
+    lualib_push_unwrapped(L, -2);
     return 2;
 }
 
-enum { A_PCALL = 20 /* work of a pcall that catches an error, charged for every pcall */ };
+enum { PCALL_WORK = 20 /* work of a pcall that catches an error, charged for every pcall */ };
 
 static int base_pcall(lua_State *L)
 {
     luaL_checkany(L, 1);
-    vm_charge(L, A_PCALL);
-    lua_pushcfunction(L, note_fault);
+    vm_charge(L, PCALL_WORK);
+    lua_pushcfunction(L, store_fault);
     lua_insert(L, 1);
     lua_pushboolean(L, 1);
     lua_insert(L, 2);
-    struct tasks_now was = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
+    struct tasks_context saved = { vm_board(L)->tasks.now_owner, vm_board(L)->tasks.now_scene };
     int status = lua_pcallk(L, lua_gettop(L) - 3, LUA_MULTRET, 1, IN_TASK, pcall_done);
-    tasks_act_for(vm_board(L), was); /* an error may have unwound an enemy's handler */
+    tasks_set_context(vm_board(L), saved); /* an error may have unwound an enemy's handler */
     return pcall_done(L, status, 0);
 }
 
 /* The __tostring of a carrier, which a __close handler may call: the text of the wrapped value. */
 static int carrier_tostring(lua_State *L)
 {
-    if (!lualib_raised(L, 1))
+    if (!lualib_is_raised(L, 1))
         return luaL_argerror(L, 1, "error expected");
-    lualib_unwrap(L, 1);
+    lualib_push_unwrapped(L, 1);
     lualib_tolstring(L, -1, NULL);
     return 1;
 }

@@ -15,22 +15,22 @@ static const char metatables_key; /* registry: metatables set with setmetatable,
 
 /* ---- metatables ---- */
 
-static void refuse_field(lua_State *L, int metatable, const char *name, const char *where)
+static void refuse_field(lua_State *L, int metatable, const char *name, const char *prefix)
 {
     lua_pushstring(L, name);
     if (lua_rawget(L, metatable) != LUA_TNIL)
-        luaL_error(L, "%s%s is not allowed in a metatable", where, name);
+        luaL_error(L, "%s%s is not allowed in a metatable", prefix, name);
     lua_pop(L, 1);
 }
 
 /* Only a function is allowed as __call, because Lua follows a chain of __call tables within one instruction, forever
  * if the chain is a loop. */
-static void refuse_call(lua_State *L, int metatable, const char *where)
+static void refuse_call(lua_State *L, int metatable, const char *prefix)
 {
     lua_pushliteral(L, "__call");
     int type = lua_rawget(L, metatable);
     if (type != LUA_TNIL && type != LUA_TFUNCTION)
-        luaL_error(L, "%s__call: expected a function, got a %s", where, lua_typename(L, type));
+        luaL_error(L, "%s__call: expected a function, got a %s", prefix, lua_typename(L, type));
     lua_pop(L, 1);
 }
 
@@ -129,13 +129,13 @@ static void read_pieces(lua_State *L)
 }
 
 /* Pushes nil and "CHUNK:LINE: what", as for a syntax error. Returns 2. */
-static int refuse_text(lua_State *L, const char *chunk, int line, const char *what)
+static int push_syntax_error(lua_State *L, const char *chunk, int line, const char *message)
 {
     lua_pushnil(L);
     if (*chunk == '@' || *chunk == '=')
-        lua_pushfstring(L, "%s:%d: %s", chunk + 1, line, what);
+        lua_pushfstring(L, "%s:%d: %s", chunk + 1, line, message);
     else
-        lua_pushfstring(L, "[string]:%d: %s", line, what);
+        lua_pushfstring(L, "[string]:%d: %s", line, message);
     return 2;
 }
 
@@ -143,22 +143,22 @@ static int refuse_text(lua_State *L, const char *chunk, int line, const char *wh
  * reader function. */
 static int base_load(lua_State *L)
 {
-    bool reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
-    const char *what;
+    bool is_reader = !lua_isstring(L, 1), has_env = !lua_isnone(L, 4);
+    const char *message;
     size_t n;
     int line;
 
     luaL_optstring(L, 3, NULL);
-    const char *chunk = luaL_optstring(L, 2, reader ? "=(load)" : lua_tostring(L, 1));
-    if (reader)
+    const char *chunk = luaL_optstring(L, 2, is_reader ? "=(load)" : lua_tostring(L, 1));
+    if (is_reader)
         luaL_checktype(L, 1, LUA_TFUNCTION);
     lua_settop(L, 4);
-    if (reader)
+    if (is_reader)
         read_pieces(L);
     const char *text = lua_tolstring(L, 1, &n);
     vm_charge(L, 1000 + n * 16);
-    if (!script_scan(text, n, &line, &what))
-        return refuse_text(L, chunk, line, what);
+    if (!script_scan(text, n, &line, &message))
+        return push_syntax_error(L, chunk, line, message);
     int status = luaL_loadbufferx(L, text, n, chunk, "t");
     if (status == LUA_ERRSYNTAX) {
         lua_pushnil(L);
@@ -179,7 +179,7 @@ static int base_load(lua_State *L)
 
 static const struct {
     const char *library, *names;
-} kept[] = {
+} retained[] = {
     { "", "_G _VERSION assert error getmetatable ipairs load math pairs pcall rawequal rawget rawlen rawset select "
           "setmetatable string table tonumber tostring type utf8 warn" },
     { "string", "byte char find format gmatch gsub len lower match rep reverse sub upper" },
@@ -189,33 +189,33 @@ static const struct {
     { "utf8", "char charpattern codepoint codes len offset" },
 };
 
-const char *lualib_names(const char *library)
+const char *lualib_retained_names(const char *library)
 {
-    for (size_t i = 0; i < sizeof kept / sizeof kept[0]; i++)
-        if (strcmp(kept[i].library, library) == 0)
-            return kept[i].names;
+    for (size_t i = 0; i < sizeof retained / sizeof retained[0]; i++)
+        if (strcmp(retained[i].library, library) == 0)
+            return retained[i].names;
     return NULL;
 }
 
 /* Calls a stock function whose work grows only with the length of the string in argument 1. */
-static int charged(lua_State *L)
+static int call_charged(lua_State *L)
 {
     if (lua_type(L, 1) == LUA_TSTRING)
         vm_charge(L, lua_rawlen(L, 1) / 4);
-    return luaparts_stock(L);
+    return luaparts_call_stock(L);
 }
 
 /* Calls a stock function whose work grows with its number of results. */
-static int charged_results(lua_State *L)
+static int call_charged_results(lua_State *L)
 {
-    int n = luaparts_stock(L);
+    int n = luaparts_call_stock(L);
 
     vm_charge(L, (unsigned)n / 4);
     return n;
 }
 
 /* Returns whether name is one of the words in list, which are separated by spaces. */
-static bool listed(const char *list, const char *name)
+static bool is_listed(const char *list, const char *name)
 {
     size_t n = strlen(name);
 
@@ -226,12 +226,12 @@ static bool listed(const char *list, const char *name)
 }
 
 /* Removes unlisted entries from the table on top. */
-static void keep(lua_State *L, const char *list)
+static void remove_unlisted(lua_State *L, const char *list)
 {
     lua_pushnil(L);
     while (lua_next(L, -2)) {
         lua_pop(L, 1);
-        if (lua_type(L, -1) == LUA_TSTRING && listed(list, lua_tostring(L, -1)))
+        if (lua_type(L, -1) == LUA_TSTRING && is_listed(list, lua_tostring(L, -1)))
             continue;
         lua_pushvalue(L, -1);
         lua_pushnil(L);
@@ -248,23 +248,23 @@ static void open_base(lua_State *L)
                                           { NULL, NULL } };
 
     lua_pushglobaltable(L);
-    keep(L, lualib_names(""));
+    remove_unlisted(L, lualib_retained_names(""));
     luaL_setfuncs(L, functions, 0);
     luaerror_open(L);
-    luaparts_wrap(L, "tonumber", charged);
+    luaparts_wrap(L, "tonumber", call_charged);
     lua_pop(L, 1);
 }
 
 static void open_string(lua_State *L)
 {
     lua_getglobal(L, "string");
-    keep(L, lualib_names("string"));
+    remove_unlisted(L, lualib_retained_names("string"));
     luapattern_open(L);
     luatext_open(L);
-    luaparts_wrap(L, "byte", charged_results);
-    luaparts_wrap(L, "lower", charged);
-    luaparts_wrap(L, "reverse", charged);
-    luaparts_wrap(L, "upper", charged);
+    luaparts_wrap(L, "byte", call_charged_results);
+    luaparts_wrap(L, "lower", call_charged);
+    luaparts_wrap(L, "reverse", call_charged);
+    luaparts_wrap(L, "upper", call_charged);
     lua_pop(L, 1);
 }
 
@@ -288,13 +288,13 @@ void lualib_open(lua_State *L)
     open_string(L);
     open_string_metatable(L);
     lua_getglobal(L, "table");
-    keep(L, lualib_names("table"));
+    remove_unlisted(L, lualib_retained_names("table"));
     luatable_open(L);
     lua_getglobal(L, "math");
-    keep(L, lualib_names("math"));
+    remove_unlisted(L, lualib_retained_names("math"));
     luamath_open(L);
     lua_getglobal(L, "utf8");
-    keep(L, lualib_names("utf8"));
+    remove_unlisted(L, lualib_retained_names("utf8"));
     luautf8_open(L);
     lua_pop(L, 3);
 }

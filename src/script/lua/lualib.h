@@ -26,25 +26,25 @@
 #include <stddef.h>
 
 /* Replaces and removes library functions. Call it once, right after opening the stock base, string, table, math and
- * utf8 libraries as globals. Removes every name that lualib_names does not list, including unknown globals, print and
- * require; the host provides its own print and require. */
+ * utf8 libraries as globals. Removes every name that lualib_retained_names does not list, including unknown globals,
+ * print and require; the host provides its own print and require. */
 void lualib_open(lua_State *L);
 
 /* Returns the names remaining in a library ("math"; "": the globals), separated by spaces, or NULL if it does not
  * exist. */
-const char *lualib_names(const char *library);
+const char *lualib_retained_names(const char *library);
 
 /* Pushes and returns the string that tostring and print show for the value at idx. Honours __tostring and __name. */
 const char *lualib_tolstring(lua_State *L, int idx, size_t *size);
 
-/* lualib_raised returns whether the value at idx was raised by error or assert. It is then a carrier (luaerror.c), and
- * lualib_unwrap pushes the script's value that it carries. */
-bool lualib_raised(lua_State *L, int idx);
-void lualib_unwrap(lua_State *L, int idx);
+/* lualib_is_raised returns whether the value at idx was raised by error or assert. It is then a carrier (luaerror.c),
+ * and lualib_push_unwrapped pushes the script's value that it carries. */
+bool lualib_is_raised(lua_State *L, int idx);
+void lualib_push_unwrapped(lua_State *L, int idx);
 
 /* Pushes the traceback, taken where the fault was raised, of the first fault that passed through a pcall, or nil if
  * there was none. */
-void lualib_trace(lua_State *L);
+void lualib_push_trace(lua_State *L);
 
 /* Raises an error if any metatable set with setmetatable has since gained a field that setmetatable refuses. Called
  * before each turn of the garbage collector. */
@@ -56,6 +56,6 @@ void lualib_seal(lua_State *L);
 
 /* Strips the names of locals from the Lua function on top; chunk is the chunk name it was loaded with. For the
  * standard library, whose faults are then reported without names of locals. */
-void lualib_drop_locals(lua_State *L, const char *chunk);
+void lualib_strip_locals(lua_State *L, const char *chunk);
 
 #endif

@@ -8,15 +8,15 @@
 #include "../../base/trig.h"
 #include "luaparts.h"
 
-static const double turn = 4294967296.0;                     /* 2^32: a full turn as an ang */
-static const double turn_per_radian = 683565275.57643158978; /* 2^32 / 2 pi */
-static const double radian_per_turn = 1.4629180792671596e-9; /* 2 pi / 2^32 */
+static const double ang_per_turn = 4294967296.0;             /* 2^32: a full turn as an ang */
+static const double ang_per_radian = 683565275.57643158978;  /* 2^32 / 2 pi */
+static const double radians_per_ang = 1.4629180792671596e-9; /* 2 pi / 2^32 */
 
 /* Sets *out to the ang nearest to x radians. Returns false for NaN and the infinities. The inner fmod avoids an
  * overflow; a double beyond 1e290 is too coarse to determine an angle anyway. */
 static bool to_angle(double x, ang *out)
 {
-    double t = fmod(fmod(x, 1e290) * turn_per_radian, turn);
+    double t = fmod(fmod(x, 1e290) * ang_per_radian, ang_per_turn);
 
     if (t != t)
         return false;
@@ -49,39 +49,39 @@ static int math_tan(lua_State *L)
 }
 
 /* Returns v * 2^by, rounded to nearest with ties to even, clamped to fx. */
-static fx scaled(double v, int by)
+static fx scale_to_fx(double v, int exponent)
 {
-    double s = rint(ldexp(v, by));
+    double s = rint(ldexp(v, exponent));
 
     return s >= FX_MAX ? FX_MAX : s <= FX_MIN ? FX_MIN : (fx)s;
 }
 
-static double direction(double y, double x)
+static double angle_radians(double y, double x)
 {
     int ey, ex;
 
     if (y != y || x != x)
         return NAN;
     if (y == 0 && x == 0)
-        return signbit(x) ? copysign(turn / 2 * radian_per_turn, y) : y;
+        return signbit(x) ? copysign(ang_per_turn / 2 * radians_per_ang, y) : y;
     if (isinf(y) || isinf(x)) {
         y = isinf(y) ? copysign(1, y) : copysign(0, y);
         x = isinf(x) ? copysign(1, x) : copysign(0, x);
     }
     frexp(y, &ey);
     frexp(x, &ex);
-    int by = 31 - (x == 0 || (y != 0 && ey > ex) ? ey : ex);
-    int32_t a = (int32_t)trig_atan2(scaled(y, by), scaled(x, by));
+    int exponent = 31 - (x == 0 || (y != 0 && ey > ex) ? ey : ex);
+    int32_t a = (int32_t)trig_atan2(scale_to_fx(y, exponent), scale_to_fx(x, exponent));
     if (a == INT32_MIN && !signbit(y)) /* half a turn takes the sign of y */
-        return turn / 2 * radian_per_turn;
-    return a ? a * radian_per_turn : copysign(0, y);
+        return ang_per_turn / 2 * radians_per_ang;
+    return a ? a * radians_per_ang : copysign(0, y);
 }
 
 static int math_atan(lua_State *L)
 {
     double y = luaL_checknumber(L, 1);
 
-    lua_pushnumber(L, direction(y, luaL_optnumber(L, 2, 1)));
+    lua_pushnumber(L, angle_radians(y, luaL_optnumber(L, 2, 1)));
     return 1;
 }
 
@@ -89,7 +89,7 @@ static int math_asin(lua_State *L)
 {
     double x = luaL_checknumber(L, 1);
 
-    lua_pushnumber(L, direction(x, sqrt((1 - x) * (1 + x))));
+    lua_pushnumber(L, angle_radians(x, sqrt((1 - x) * (1 + x))));
     return 1;
 }
 
@@ -97,7 +97,7 @@ static int math_acos(lua_State *L)
 {
     double x = luaL_checknumber(L, 1);
 
-    lua_pushnumber(L, direction(sqrt((1 - x) * (1 + x)), x));
+    lua_pushnumber(L, angle_radians(sqrt((1 - x) * (1 + x)), x));
     return 1;
 }
 

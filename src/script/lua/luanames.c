@@ -11,19 +11,22 @@
 #include <lauxlib.h>
 #include "lualib.h"
 
-enum { HEADER = 4 + 1 + 1 + 6 + 3 + 8 + 8, DEEP = 32 }; /* bytes of a dump's header; nesting depth of functions */
+enum {
+    HEADER_BYTES = 4 + 1 + 1 + 6 + 3 + 8 + 8,
+    MAX_NESTING = 32
+}; /* bytes of a dump's header; nesting depth of functions */
 
 /* A dump that is read and rewritten in place. */
 struct dump {
     unsigned char *at, *end, *to; /* read position and end; write position */
-    bool wrong;
+    bool is_malformed;
 };
 
 /* Copies n bytes to the output. */
-static void keep(struct dump *d, size_t n)
+static void copy_bytes(struct dump *d, size_t n)
 {
     if (n > (size_t)(d->end - d->at)) {
-        d->wrong = true;
+        d->is_malformed = true;
         d->at = d->end;
         return;
     }
@@ -33,106 +36,107 @@ static void keep(struct dump *d, size_t n)
 }
 
 /* Copies and returns a number, stored as 7 bits per byte, most significant first; bit 7 marks its last byte. */
-static size_t number(struct dump *d)
+static size_t copy_number(struct dump *d)
 {
     size_t n = 0;
 
     while (d->at < d->end && n < SIZE_MAX >> 7) {
         unsigned char c = *d->at;
-        keep(d, 1);
+        copy_bytes(d, 1);
         n = n << 7 | (c & 127u);
         if (c & 128)
             return n;
     }
-    d->wrong = true;
+    d->is_malformed = true;
     return 0;
 }
 
-static void text(struct dump *d)
+static void copy_string(struct dump *d)
 {
-    size_t n = number(d); /* length + 1; 0: no string */
+    size_t n = copy_number(d); /* length + 1; 0: no string */
 
-    keep(d, n ? n - 1 : 0);
+    copy_bytes(d, n ? n - 1 : 0);
 }
 
-static void constant(struct dump *d)
+static void copy_constant(struct dump *d)
 {
-    enum { INTEGER = 3, FLOAT = 19, SHORT = 4, LONG = 20 };
+    enum { INTEGER = 3, FLOAT = 19, SHORT_STRING = 4, LONG_STRING = 20 };
     int type = d->at < d->end ? *d->at : 0;
 
-    keep(d, 1);
+    copy_bytes(d, 1);
     if (type == INTEGER || type == FLOAT)
-        keep(d, 8);
-    else if (type == SHORT || type == LONG)
-        text(d);
+        copy_bytes(d, 8);
+    else if (type == SHORT_STRING || type == LONG_STRING)
+        copy_string(d);
 }
 
 /* Replaces the list of locals by an empty one. */
-static void locals(struct dump *d)
+static void strip_locals(struct dump *d)
 {
     unsigned char *list = d->to;
-    size_t n = number(d);
+    size_t n = copy_number(d);
 
-    for (size_t i = 0; i < n && !d->wrong; i++) {
-        text(d);
-        number(d);
-        number(d);
+    for (size_t i = 0; i < n && !d->is_malformed; i++) {
+        copy_string(d);
+        copy_number(d);
+        copy_number(d);
     }
     d->to = list;
     *d->to++ = 128; /* encodes the number 0: no locals */
 }
 
-static void function(struct dump *d, int deep)
+static void copy_function(struct dump *d, int depth)
 {
-    text(d);
-    number(d);
-    number(d);
-    keep(d, 3);
-    keep(d, 4 * number(d)); /* code */
-    for (size_t i = number(d); i > 0 && !d->wrong; i--)
-        constant(d);
-    keep(d, 3 * number(d)); /* upvalues */
-    d->wrong = d->wrong || deep == DEEP;
-    for (size_t i = number(d); i > 0 && !d->wrong; i--)
-        function(d, deep + 1);
-    keep(d, number(d)); /* lines */
-    for (size_t i = 2 * number(d); i > 0 && !d->wrong; i--)
-        number(d);
-    locals(d);
-    for (size_t i = number(d); i > 0 && !d->wrong; i--)
-        text(d); /* names of upvalues */
+    copy_string(d);
+    copy_number(d);
+    copy_number(d);
+    copy_bytes(d, 3);
+    copy_bytes(d, 4 * copy_number(d)); /* code */
+    for (size_t i = copy_number(d); i > 0 && !d->is_malformed; i--)
+        copy_constant(d);
+    copy_bytes(d, 3 * copy_number(d)); /* upvalues */
+    d->is_malformed = d->is_malformed || depth == MAX_NESTING;
+    for (size_t i = copy_number(d); i > 0 && !d->is_malformed; i--)
+        copy_function(d, depth + 1);
+    copy_bytes(d, copy_number(d)); /* lines */
+    for (size_t i = 2 * copy_number(d); i > 0 && !d->is_malformed; i--)
+        copy_number(d);
+    strip_locals(d);
+    for (size_t i = copy_number(d); i > 0 && !d->is_malformed; i--)
+        copy_string(d); /* names of upvalues */
 }
 
 /* A buffer for a dump. lua_dump needs the function on top of the stack, so the buffer is only initialized when the
  * first bytes arrive. */
-struct collected {
+struct dump_buffer {
     luaL_Buffer b;
-    bool begun;
+    bool is_started;
 };
 
-static int collect(lua_State *L, const void *bytes, size_t n, void *to)
+static int collect(lua_State *L, const void *bytes, size_t n, void *context)
 {
-    struct collected *c = to;
+    struct dump_buffer *c = context;
 
-    if (!c->begun)
+    if (!c->is_started)
         luaL_buffinit(L, &c->b);
-    c->begun = true;
+    c->is_started = true;
     luaL_addlstring(&c->b, bytes, n);
     return 0;
 }
 
-void lualib_drop_locals(lua_State *L, const char *chunk)
+void lualib_strip_locals(lua_State *L, const char *chunk)
 {
     const int f = lua_gettop(L);
-    struct collected c = { .begun = false };
+    struct dump_buffer c = { .is_started = false };
 
     luaL_checkstack(L, 8, NULL);
     lua_dump(L, collect, &c, 0);
     unsigned char *bytes = (unsigned char *)luaL_buffaddr(&c.b);
     struct dump d = { bytes, bytes + luaL_bufflen(&c.b), bytes, false };
-    keep(&d, HEADER + 1);
-    function(&d, 0);
-    if (!d.wrong && d.at == d.end && luaL_loadbufferx(L, (char *)bytes, (size_t)(d.to - bytes), chunk, "b") == LUA_OK)
+    copy_bytes(&d, HEADER_BYTES + 1);
+    copy_function(&d, 0);
+    if (!d.is_malformed && d.at == d.end &&
+        luaL_loadbufferx(L, (char *)bytes, (size_t)(d.to - bytes), chunk, "b") == LUA_OK)
         lua_replace(L, f);
     lua_settop(L, f);
 }

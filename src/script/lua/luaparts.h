@@ -24,7 +24,7 @@ int luatext_tostring(lua_State *L);
 /* Pushes the number at idx as a string; NaN as "nan". */
 void luatext_push_number(lua_State *L, int idx);
 
-/* Replaces the stock function `name` in the table on top by f, which calls the original with luaparts_stock. */
+/* Replaces the stock function `name` in the table on top by f, which calls the original with luaparts_call_stock. */
 static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f)
 {
     lua_getfield(L, -1, name);
@@ -33,7 +33,7 @@ static inline void luaparts_wrap(lua_State *L, const char *name, lua_CFunction f
 }
 
 /* Calls the stock function in upvalue 1 with the running function's stack. Returns its number of results. */
-static inline int luaparts_stock(lua_State *L)
+static inline int luaparts_call_stock(lua_State *L)
 {
     return lua_tocfunction(L, lua_upvalueindex(1))(L);
 }

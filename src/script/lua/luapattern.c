@@ -17,8 +17,8 @@
 #include "../vm.h"
 
 enum {
-    CAPTURES = 32,
-    FEW_OPS = 32,         /* a pattern with more is compiled into Lua memory */
+    MAX_CAPTURES = 32,
+    STACK_OPS = 32,       /* a pattern with more is compiled into Lua memory */
     CHARGE_EVERY = 16384, /* work between two calls of vm_charge */
     ESCAPE = '%'
 };
@@ -27,14 +27,14 @@ enum op_kind {
     OP_END,  /* a: number of captures in the pattern */
     OP_CHAR, /* the character a */
     OP_ANY,
-    OP_SET,      /* a character in set */
-    OP_OPEN,     /* capture a starts */
-    OP_CLOSE,    /* capture a ends */
-    OP_HERE,     /* capture a is the current position */
-    OP_BACK,     /* the same text as capture a */
-    OP_BALANCE,  /* %b: from character a to the matching b */
-    OP_FRONTIER, /* the previous character is not in set, the next one is */
-    OP_LAST      /* the subject's end */
+    OP_SET,        /* a character in set */
+    OP_OPEN,       /* capture a starts */
+    OP_CLOSE,      /* capture a ends */
+    OP_POSITION,   /* capture a is the current position */
+    OP_BACKREF,    /* the same text as capture a */
+    OP_BALANCE,    /* %b: from character a to the matching b */
+    OP_FRONTIER,   /* the previous character is not in set, the next one is */
+    OP_SUBJECT_END /* the subject's end */
 };
 
 struct op {
@@ -43,22 +43,22 @@ struct op {
     uint8_t a, b;
     int retry; /* index of the nearest repeated op before this one, or -1 */
     uint64_t set[4];
-    const char *now, *low; /* while matching: how far a repeated op got, and how far back a greedy one may go */
+    const char *current, *low; /* while matching: how far a repeated op got, and how far back a greedy one may go */
 };
 
 struct capture {
     const char *at;
     size_t size;
-    bool here; /* a position, not a string */
+    bool is_position; /* a position, not a string */
 };
 
 struct matcher {
     lua_State *L;
     struct op *ops;
-    const char *from, *to; /* the subject */
-    uint64_t work;         /* not yet charged */
-    int captures;
-    struct capture capture[CAPTURES];
+    const char *subject, *subject_end; /* the subject */
+    uint64_t work;                     /* not yet charged */
+    int capture_count;
+    struct capture capture[MAX_CAPTURES];
 };
 
 /* ---- compiling ---- */
@@ -67,16 +67,16 @@ struct compiler {
     lua_State *L;
     const char *p, *end;
     struct op *ops;
-    int count, last_repeat, captures;
-    bool open[CAPTURES];
+    int op_count, last_repeat, capture_count;
+    bool open[MAX_CAPTURES];
 };
 
-static void put(uint64_t set[4], unsigned c)
+static void set_add(uint64_t set[4], unsigned c)
 {
     set[c >> 6] |= (uint64_t)1 << (c & 63);
 }
 
-static bool in(const uint64_t set[4], unsigned char c)
+static bool set_has(const uint64_t set[4], unsigned char c)
 {
     return set[c >> 6] >> (c & 63) & 1;
 }
@@ -100,7 +100,7 @@ static const struct {
 };
 
 /* Adds the characters that % followed by c matches: a class, its complement for an upper-case letter, or c itself. */
-static void put_escape(uint64_t set[4], unsigned char c)
+static void set_add_escape(uint64_t set[4], unsigned char c)
 {
     for (size_t i = 0; i < sizeof classes / sizeof *classes; i++)
         if (classes[i].letter == (c | 0x20)) {
@@ -111,12 +111,12 @@ static void put_escape(uint64_t set[4], unsigned char c)
             set[3] |= flip;
             return;
         }
-    put(set, c);
+    set_add(set, c);
 }
 
 /* Returns the position after the ] that closes the set whose [ is before p. A ] at the start of the set is an
  * ordinary character. */
-static const char *set_end(struct compiler *c, const char *p)
+static const char *find_set_end(struct compiler *c, const char *p)
 {
     if (p < c->end && *p == '^')
         p++;
@@ -132,18 +132,18 @@ static const char *set_end(struct compiler *c, const char *p)
 /* Parses a set into `set`, which must be empty; c->p is after the [. */
 static void read_set(struct compiler *c, uint64_t set[4])
 {
-    const char *end = set_end(c, c->p), *last = end - 1, *p = c->p;
+    const char *end = find_set_end(c, c->p), *last = end - 1, *p = c->p;
     bool complement = *p == '^';
 
     for (p += complement; p < last; p++) {
         if (*p == ESCAPE) {
-            put_escape(set, (unsigned char)*++p);
+            set_add_escape(set, (unsigned char)*++p);
         } else if (p + 2 < last && p[1] == '-') {
             for (unsigned ch = (unsigned char)p[0]; ch <= (unsigned char)p[2]; ch++)
-                put(set, ch);
+                set_add(set, ch);
             p += 2;
         } else {
-            put(set, (unsigned char)*p);
+            set_add(set, (unsigned char)*p);
         }
     }
     for (int i = 0; complement && i < 4; i++)
@@ -153,7 +153,7 @@ static void read_set(struct compiler *c, uint64_t set[4])
 
 static struct op *emit(struct compiler *c, enum op_kind kind, unsigned a)
 {
-    struct op *op = &c->ops[c->count++];
+    struct op *op = &c->ops[c->op_count++];
 
     *op = (struct op){ .kind = (uint8_t)kind, .a = (uint8_t)a, .retry = c->last_repeat };
     return op;
@@ -161,18 +161,18 @@ static struct op *emit(struct compiler *c, enum op_kind kind, unsigned a)
 
 static void read_open(struct compiler *c)
 {
-    bool here = c->p < c->end && *c->p == ')';
+    bool is_position = c->p < c->end && *c->p == ')';
 
-    if (c->captures == CAPTURES)
+    if (c->capture_count == MAX_CAPTURES)
         luaL_error(c->L, "too many captures");
-    emit(c, here ? OP_HERE : OP_OPEN, (unsigned)c->captures);
-    c->open[c->captures++] = !here;
-    c->p += here;
+    emit(c, is_position ? OP_POSITION : OP_OPEN, (unsigned)c->capture_count);
+    c->open[c->capture_count++] = !is_position;
+    c->p += is_position;
 }
 
 static void read_close(struct compiler *c)
 {
-    for (int i = c->captures - 1; i >= 0; i--)
+    for (int i = c->capture_count - 1; i >= 0; i--)
         if (c->open[i]) {
             c->open[i] = false;
             emit(c, OP_CLOSE, (unsigned)i);
@@ -182,13 +182,13 @@ static void read_close(struct compiler *c)
 }
 
 /* In the next three functions, c->p is at the character after the %. */
-static void read_back(struct compiler *c)
+static void read_backref(struct compiler *c)
 {
     int i = *c->p++ - '1';
 
-    if (i < 0 || i >= c->captures || c->open[i])
+    if (i < 0 || i >= c->capture_count || c->open[i])
         luaL_error(c->L, "invalid capture index %%%d in pattern", i + 1);
-    emit(c, OP_BACK, (unsigned)i);
+    emit(c, OP_BACKREF, (unsigned)i);
 }
 
 static void read_balance(struct compiler *c)
@@ -211,7 +211,7 @@ static void read_repeat(struct compiler *c, struct op *op)
     if (c->p == c->end || !*c->p || !strchr("*+-?", *c->p))
         return;
     op->repeat = (uint8_t)*c->p++;
-    c->last_repeat = c->count - 1;
+    c->last_repeat = c->op_count - 1;
 }
 
 /* Compiles an item, i.e. a single character or class, and its repetition, if any. `first` is the item's first character
@@ -228,7 +228,7 @@ static void read_single(struct compiler *c, char first)
         op->a = e;
         if ((e >= 'A' && e <= 'Z') || (e >= 'a' && e <= 'z')) {
             op->kind = OP_SET;
-            put_escape(op->set, e);
+            set_add_escape(op->set, e);
         }
     }
     read_repeat(c, op);
@@ -243,7 +243,7 @@ static void read_escape(struct compiler *c)
     else if (*c->p == 'f')
         read_frontier(c);
     else if (*c->p >= '0' && *c->p <= '9')
-        read_back(c);
+        read_backref(c);
     else
         read_single(c, ESCAPE);
 }
@@ -269,21 +269,21 @@ static int compile(lua_State *L, struct op *ops, const char *p, const char *end)
             break;
         default:
             if (ch == '$' && c.p == end)
-                emit(&c, OP_LAST, 0);
+                emit(&c, OP_SUBJECT_END, 0);
             else
                 read_single(&c, ch);
         }
     }
-    for (int i = 0; i < c.captures; i++)
+    for (int i = 0; i < c.capture_count; i++)
         if (c.open[i])
             luaL_error(L, "unfinished capture");
-    emit(&c, OP_END, (unsigned)c.captures);
-    return c.captures;
+    emit(&c, OP_END, (unsigned)c.capture_count);
+    return c.capture_count;
 }
 
 /* ---- matching ---- */
 
-static void settle(struct matcher *m)
+static void charge_pending(struct matcher *m)
 {
     uint64_t work = m->work;
 
@@ -295,61 +295,61 @@ static void charge(struct matcher *m, size_t work)
 {
     m->work += work;
     if (m->work >= CHARGE_EVERY)
-        settle(m);
+        charge_pending(m);
 }
 
-static bool one(const struct op *op, char c)
+static bool matches_char(const struct op *op, char c)
 {
     switch (op->kind) {
     case OP_CHAR:
         return (unsigned char)c == op->a;
     case OP_SET:
-        return in(op->set, (unsigned char)c);
+        return set_has(op->set, (unsigned char)c);
     default:
         return true;
     }
 }
 
 /* Returns the end of the longest run at s of characters that op matches. */
-static const char *run_length(struct matcher *m, const struct op *op, const char *s)
+static const char *find_run_end(struct matcher *m, const struct op *op, const char *s)
 {
     const char *e = s;
 
     if (op->kind == OP_ANY)
-        e = m->to;
+        e = m->subject_end;
     else
-        while (e < m->to && one(op, *e))
+        while (e < m->subject_end && matches_char(op, *e))
             e++;
     charge(m, (size_t)(e - s));
     return e;
 }
 
 /* Makes the first try of a repeated op at s. Returns where the next op continues, or NULL. */
-static const char *begin(struct matcher *m, struct op *op, const char *s)
+static const char *begin_repeat(struct matcher *m, struct op *op, const char *s)
 {
     switch (op->repeat) {
     case '-':
-        op->now = s;
+        op->current = s;
         break;
     case '?':
         op->low = s;
-        op->now = s < m->to && one(op, *s) ? s + 1 : s;
+        op->current = s < m->subject_end && matches_char(op, *s) ? s + 1 : s;
         break;
     default:
         op->low = op->repeat == '+' ? s + 1 : s;
-        op->now = run_length(m, op, s);
-        if (op->now < op->low)
+        op->current = find_run_end(m, op, s);
+        if (op->current < op->low)
             return NULL;
     }
-    return op->now;
+    return op->current;
 }
 
 /* Makes the next try of a repeated op. Returns where the next op continues, or NULL. */
-static const char *again(const struct matcher *m, struct op *op)
+static const char *retry_repeat(const struct matcher *m, struct op *op)
 {
     if (op->repeat == '-')
-        return op->now < m->to && one(op, *op->now) ? ++op->now : NULL;
-    return op->now > op->low ? --op->now : NULL;
+        return op->current < m->subject_end && matches_char(op, *op->current) ? ++op->current : NULL;
+    return op->current > op->low ? --op->current : NULL;
 }
 
 static const char *match_balance(struct matcher *m, const struct op *op, const char *s)
@@ -357,9 +357,9 @@ static const char *match_balance(struct matcher *m, const struct op *op, const c
     const char *start = s;
     size_t depth = 1;
 
-    if (s == m->to || (unsigned char)*s != op->a)
+    if (s == m->subject_end || (unsigned char)*s != op->a)
         return NULL;
-    while (++s < m->to) {
+    while (++s < m->subject_end) {
         if ((unsigned char)*s == op->b) {
             if (--depth == 0)
                 break;
@@ -368,14 +368,14 @@ static const char *match_balance(struct matcher *m, const struct op *op, const c
         }
     }
     charge(m, (size_t)(s - start));
-    return s < m->to ? s + 1 : NULL;
+    return s < m->subject_end ? s + 1 : NULL;
 }
 
-static const char *match_back(struct matcher *m, const struct op *op, const char *s)
+static const char *match_backref(struct matcher *m, const struct op *op, const char *s)
 {
     const struct capture *c = &m->capture[op->a];
 
-    if (c->here || (size_t)(m->to - s) < c->size || memcmp(s, c->at, c->size))
+    if (c->is_position || (size_t)(m->subject_end - s) < c->size || memcmp(s, c->at, c->size))
         return NULL;
     charge(m, c->size / 8);
     return s + c->size;
@@ -383,36 +383,36 @@ static const char *match_back(struct matcher *m, const struct op *op, const char
 
 static const char *match_frontier(const struct matcher *m, const struct op *op, const char *s)
 {
-    char before = s > m->from ? s[-1] : '\0', here = s < m->to ? *s : '\0';
+    char before = s > m->subject ? s[-1] : '\0', here = s < m->subject_end ? *s : '\0';
 
-    return !in(op->set, (unsigned char)before) && in(op->set, (unsigned char)here) ? s : NULL;
+    return !set_has(op->set, (unsigned char)before) && set_has(op->set, (unsigned char)here) ? s : NULL;
 }
 
 /* Tries op, which must not be a repeated one, at s. Returns where the next op continues, or NULL. */
 static const char *match_op(struct matcher *m, const struct op *op, const char *s)
 {
-    struct capture *c = &m->capture[op->a & (CAPTURES - 1)];
+    struct capture *c = &m->capture[op->a & (MAX_CAPTURES - 1)];
 
     switch ((enum op_kind)op->kind) {
     case OP_CHAR:
     case OP_ANY:
     case OP_SET:
-        return s < m->to && one(op, *s) ? s + 1 : NULL;
+        return s < m->subject_end && matches_char(op, *s) ? s + 1 : NULL;
     case OP_OPEN:
-    case OP_HERE:
-        *c = (struct capture){ s, 0, op->kind == OP_HERE };
+    case OP_POSITION:
+        *c = (struct capture){ s, 0, op->kind == OP_POSITION };
         return s;
     case OP_CLOSE:
         c->size = (size_t)(s - c->at);
         return s;
-    case OP_BACK:
-        return match_back(m, op, s);
+    case OP_BACKREF:
+        return match_backref(m, op, s);
     case OP_BALANCE:
         return match_balance(m, op, s);
     case OP_FRONTIER:
         return match_frontier(m, op, s);
-    case OP_LAST:
-        return s == m->to ? s : NULL;
+    case OP_SUBJECT_END:
+        return s == m->subject_end ? s : NULL;
     case OP_END:
         break;
     }
@@ -427,10 +427,10 @@ static const char *match_at(struct matcher *m, const char *s)
 
     while (ops[i].kind != OP_END) {
         charge(m, 1);
-        const char *next = ops[i].repeat ? begin(m, &ops[i], s) : match_op(m, &ops[i], s);
+        const char *next = ops[i].repeat ? begin_repeat(m, &ops[i], s) : match_op(m, &ops[i], s);
         for (int r = ops[i].retry; !next && r >= 0; r = ops[r].retry) {
             charge(m, 1);
-            next = again(m, &ops[r]);
+            next = retry_repeat(m, &ops[r]);
             i = r;
         }
         if (!next)
@@ -442,25 +442,25 @@ static const char *match_at(struct matcher *m, const char *s)
 }
 
 /* Returns the next position at or after s where a match can start, or NULL. */
-static const char *candidate(struct matcher *m, const char *s)
+static const char *find_candidate(struct matcher *m, const char *s)
 {
     const struct op *first = m->ops;
 
     if (first->kind != OP_CHAR || (first->repeat && first->repeat != '+'))
         return s;
-    const char *found = s < m->to ? memchr(s, first->a, (size_t)(m->to - s)) : NULL;
-    charge(m, (size_t)((found ? found : m->to) - s) / 8);
+    const char *found = s < m->subject_end ? memchr(s, first->a, (size_t)(m->subject_end - s)) : NULL;
+    charge(m, (size_t)((found ? found : m->subject_end) - s) / 8);
     return found;
 }
 
 /* Finds the first match at or after *s and sets *s to its start. Returns its end, or NULL. */
 static const char *search(struct matcher *m, const char **s)
 {
-    while ((*s = candidate(m, *s)) != NULL) {
+    while ((*s = find_candidate(m, *s)) != NULL) {
         const char *e = match_at(m, *s);
         if (e)
             return e;
-        if (*s == m->to)
+        if (*s == m->subject_end)
             return NULL;
         ++*s;
     }
@@ -472,18 +472,18 @@ static void push_capture(const struct matcher *m, int i, const char *s, const ch
 {
     const struct capture *c = &m->capture[i];
 
-    if (i == 0 && m->captures == 0)
+    if (i == 0 && m->capture_count == 0)
         lua_pushlstring(m->L, s, (size_t)(e - s));
-    else if (c->here)
-        lua_pushinteger(m->L, c->at - m->from + 1);
+    else if (c->is_position)
+        lua_pushinteger(m->L, c->at - m->subject + 1);
     else
         lua_pushlstring(m->L, c->at, c->size);
 }
 
-/* Pushes all captures or, if there are none and `whole` is set, the whole match. Returns the number of values. */
-static int push_captures(const struct matcher *m, const char *s, const char *e, bool whole)
+/* Pushes all captures or, if there are none and `allow_whole` is set, the whole match. Returns the number of values. */
+static int push_captures(const struct matcher *m, const char *s, const char *e, bool allow_whole)
 {
-    int n = m->captures == 0 && whole ? 1 : m->captures;
+    int n = m->capture_count == 0 && allow_whole ? 1 : m->capture_count;
 
     luaL_checkstack(m->L, n, "too many captures");
     for (int i = 0; i < n; i++)
@@ -491,23 +491,23 @@ static int push_captures(const struct matcher *m, const char *s, const char *e, 
     return n;
 }
 
-static void start(struct matcher *m, lua_State *L, struct op *ops, const char *s, size_t n)
+static void init_matcher(struct matcher *m, lua_State *L, struct op *ops, const char *s, size_t n)
 {
     m->L = L;
     m->ops = ops;
-    m->from = s;
-    m->to = s + n;
+    m->subject = s;
+    m->subject_end = s + n;
     m->work = 16; /* the call itself */
-    m->captures = 0;
+    m->capture_count = 0;
 }
 
-/* Returns space for the ops of a pattern of n bytes: `few`, or a userdata that it pushes. */
-static struct op *room(lua_State *L, struct op *few, size_t n)
+/* Returns space for the ops of a pattern of n bytes: `stack_ops`, or a userdata that it pushes. */
+static struct op *reserve_ops(lua_State *L, struct op *stack_ops, size_t n)
 {
-    if (n < FEW_OPS)
-        return few;
+    if (n < STACK_OPS)
+        return stack_ops;
     vm_charge(L, n);
-    return lua_newuserdatauv(L, (n + 1) * sizeof *few, 0);
+    return lua_newuserdatauv(L, (n + 1) * sizeof *stack_ops, 0);
 }
 
 /* ---- find and match ---- */
@@ -547,28 +547,28 @@ static const char *find_plain(lua_State *L, const char *s, size_t n, const char 
     return found;
 }
 
-static int find_by_pattern(lua_State *L, const char *s, size_t n, size_t init, bool find)
+static int find_by_pattern(lua_State *L, const char *s, size_t n, size_t init, bool is_find)
 {
     size_t pn;
     const char *p = luaL_checklstring(L, 2, &pn), *at = s + init, *e;
-    bool anchor = pn && *p == '^';
-    struct op few[FEW_OPS];
+    bool is_anchored = pn && *p == '^';
+    struct op stack_ops[STACK_OPS];
     struct matcher m;
 
-    start(&m, L, room(L, few, pn), s, n);
-    m.captures = compile(L, m.ops, p + anchor, p + pn);
-    e = anchor ? match_at(&m, at) : search(&m, &at);
-    settle(&m);
+    init_matcher(&m, L, reserve_ops(L, stack_ops, pn), s, n);
+    m.capture_count = compile(L, m.ops, p + is_anchored, p + pn);
+    e = is_anchored ? match_at(&m, at) : search(&m, &at);
+    charge_pending(&m);
     if (!e)
         return lua_pushnil(L), 1;
-    if (!find)
+    if (!is_find)
         return push_captures(&m, at, e, true);
     lua_pushinteger(L, at - s + 1);
     lua_pushinteger(L, e - s);
     return 2 + push_captures(&m, at, e, false);
 }
 
-static int find_or_match(lua_State *L, bool find)
+static int find_or_match(lua_State *L, bool is_find)
 {
     size_t n, pn;
     const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn);
@@ -577,8 +577,8 @@ static int find_or_match(lua_State *L, bool find)
     init -= init > 0;
     if (init > n)
         return lua_pushnil(L), 1;
-    if (!find || !(lua_toboolean(L, 4) || is_plain(p, pn)))
-        return find_by_pattern(L, s, n, init, find);
+    if (!is_find || !(lua_toboolean(L, 4) || is_plain(p, pn)))
+        return find_by_pattern(L, s, n, init, is_find);
     const char *at = find_plain(L, s + init, n - init, p, pn);
     if (!at)
         return lua_pushnil(L), 1;
@@ -600,9 +600,9 @@ static int string_match(lua_State *L)
 /* ---- gmatch ---- */
 
 /* The state of gmatch's iterator, its upvalue 2; upvalue 1 is the subject. */
-struct walk {
+struct gmatch_state {
     size_t next, last; /* offsets where to continue and of the end of the last match; NOWHERE: none */
-    int captures;
+    int capture_count;
     struct op ops[];
 };
 
@@ -612,20 +612,20 @@ static int next_match(lua_State *L)
 {
     size_t n;
     const char *s = lua_tolstring(L, lua_upvalueindex(1), &n);
-    struct walk *w = lua_touserdata(L, lua_upvalueindex(2));
+    struct gmatch_state *w = lua_touserdata(L, lua_upvalueindex(2));
     struct matcher m;
 
     if (w->next > n)
         return 0;
-    start(&m, L, w->ops, s, n);
-    m.captures = w->captures;
+    init_matcher(&m, L, w->ops, s, n);
+    m.capture_count = w->capture_count;
     const char *at = s + w->next, *e;
     while ((e = search(&m, &at)) != NULL && (size_t)(e - s) == w->last)
-        if (at++ == m.to) {
+        if (at++ == m.subject_end) {
             e = NULL;
             break;
         }
-    settle(&m);
+    charge_pending(&m);
     w->next = w->last = e ? (size_t)(e - s) : NOWHERE;
     return e ? push_captures(&m, at, e, true) : 0;
 }
@@ -638,10 +638,10 @@ static int string_gmatch(lua_State *L)
     size_t init = luaparts_position(luaL_optinteger(L, 3, 1), n);
 
     lua_pushvalue(L, 1);
-    struct walk *w = lua_newuserdatauv(L, sizeof *w + (pn + 1) * sizeof *w->ops, 0);
+    struct gmatch_state *w = lua_newuserdatauv(L, sizeof *w + (pn + 1) * sizeof *w->ops, 0);
     w->next = init - (init > 0);
     w->last = NOWHERE;
-    w->captures = compile(L, w->ops, p, p + pn);
+    w->capture_count = compile(L, w->ops, p, p + pn);
     lua_pushcclosure(L, next_match, 2);
     return 1;
 }
@@ -649,7 +649,7 @@ static int string_gmatch(lua_State *L)
 /* ---- gsub ---- */
 
 /* Adds the replacement string in argument 3, with its %0 to %9 and %% expanded. */
-static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
+static void expand_replacement(struct matcher *m, luaL_Buffer *out, const char *s, const char *e)
 {
     size_t n;
     const char *p = lua_tolstring(m->L, 3, &n), *end = p + n;
@@ -663,7 +663,7 @@ static void add_text(struct matcher *m, luaL_Buffer *out, const char *s, const c
             luaL_addlstring(out, s, (size_t)(e - s));
         } else if (q < end && *q >= '1' && *q <= '9') {
             int i = *q - '1';
-            if (i >= m->captures && i > 0)
+            if (i >= m->capture_count && i > 0)
                 luaL_error(m->L, "invalid capture index %%%d in replacement string", i + 1);
             push_capture(m, i, s, e);
             luaL_addvalue(out);
@@ -689,7 +689,7 @@ static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, 
         lua_gettable(L, 3);
         break;
     default:
-        add_text(m, out, s, e);
+        expand_replacement(m, out, s, e);
         return true;
     }
     if (!lua_toboolean(L, -1)) {
@@ -707,18 +707,18 @@ static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, 
     return true;
 }
 
-enum { A_MATCH = 4 /* work per replaced match */ };
+enum { MATCH_WORK = 4 /* work per replaced match */ };
 
 /* Replaces up to max matches. Writes the result to out except for the rest of the subject, which starts at *rest.
  * Returns the number of matches. */
-static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **rest, bool anchor, lua_Integer max,
+static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **tail, bool is_anchored, lua_Integer max,
                               bool *changed)
 {
-    const char *s = m->from, *last = NULL, *e;
+    const char *s = m->subject, *last = NULL, *e;
     lua_Integer n = 0;
 
     while (n < max) {
-        const char *next = anchor ? s : candidate(m, s);
+        const char *next = is_anchored ? s : find_candidate(m, s);
         if (!next)
             break;
         luaL_addlstring(out, s, (size_t)(next - s));
@@ -726,29 +726,29 @@ static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **
         e = match_at(m, s);
         if (e && e != last) {
             n++;
-            charge(m, A_MATCH);
+            charge(m, MATCH_WORK);
             *changed |= add_replacement(m, out, s, e);
             s = last = e;
-        } else if (s < m->to) {
+        } else if (s < m->subject_end) {
             luaL_addchar(out, *s++);
         } else {
             break;
         }
-        if (anchor)
+        if (is_anchored)
             break;
     }
-    *rest = s;
+    *tail = s;
     return n;
 }
 
 static int string_gsub(lua_State *L)
 {
     size_t n, pn;
-    const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn), *rest;
+    const char *s = luaL_checklstring(L, 1, &n), *p = luaL_checklstring(L, 2, &pn), *tail;
     int type = lua_type(L, 3);
     lua_Integer max = luaL_optinteger(L, 4, (lua_Integer)n + 1);
-    bool anchor = pn && *p == '^', changed = false;
-    struct op few[FEW_OPS];
+    bool is_anchored = pn && *p == '^', changed = false;
+    struct op stack_ops[STACK_OPS];
     struct matcher m;
     luaL_Buffer out;
 
@@ -758,13 +758,13 @@ static int string_gsub(lua_State *L)
         luatext_push_number(L, 3);
         lua_replace(L, 3);
     }
-    start(&m, L, room(L, few, pn), s, n);
-    m.captures = compile(L, m.ops, p + anchor, p + pn);
+    init_matcher(&m, L, reserve_ops(L, stack_ops, pn), s, n);
+    m.capture_count = compile(L, m.ops, p + is_anchored, p + pn);
     luaL_buffinit(L, &out);
-    lua_Integer count = substitute(&m, &out, &rest, anchor, max, &changed);
-    settle(&m);
+    lua_Integer count = substitute(&m, &out, &tail, is_anchored, max, &changed);
+    charge_pending(&m);
     if (changed) {
-        luaL_addlstring(&out, rest, (size_t)(m.to - rest));
+        luaL_addlstring(&out, tail, (size_t)(m.subject_end - tail));
         luaL_pushresult(&out);
     } else {
         lua_pushvalue(L, 1);

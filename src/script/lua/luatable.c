@@ -16,7 +16,7 @@
 #include "../luakeys.h"
 #include "../vm.h"
 
-enum { FEW = 48, RUN = 6, CHARGE_EVERY = 16384 };
+enum { STACK_ENTRIES = 48, RUN_LENGTH = 6, CHARGE_EVERY = 16384 };
 
 /* ---- sorting ---- */
 
@@ -37,8 +37,8 @@ static const size_t NUMBER_KEY = SIZE_MAX;
 struct sorter {
     lua_State *L;
     enum order order;
-    int items; /* BY_LUA and BY_FUNCTION: stack index of the copy of the values */
-    int function;
+    int values_index; /* BY_LUA and BY_FUNCTION: stack index of the copy of the values */
+    int function_index;
     uint64_t work;
 };
 
@@ -53,25 +53,25 @@ static bool text_before(struct sorter *s, const struct entry *a, const struct en
 
 static bool lua_before(const struct sorter *s, const struct entry *a, const struct entry *b)
 {
-    bool before;
+    bool is_before;
 
     if (s->order == BY_FUNCTION)
-        lua_pushvalue(s->L, s->function);
-    lua_rawgeti(s->L, s->items, (lua_Integer)a->at + 1);
-    lua_rawgeti(s->L, s->items, (lua_Integer)b->at + 1);
+        lua_pushvalue(s->L, s->function_index);
+    lua_rawgeti(s->L, s->values_index, (lua_Integer)a->at + 1);
+    lua_rawgeti(s->L, s->values_index, (lua_Integer)b->at + 1);
     if (s->order == BY_FUNCTION) {
         lua_call(s->L, 2, 1);
-        before = lua_toboolean(s->L, -1);
+        is_before = lua_toboolean(s->L, -1);
         lua_pop(s->L, 1);
-        return before;
+        return is_before;
     }
-    before = lua_compare(s->L, -2, -1, LUA_OPLT);
+    is_before = lua_compare(s->L, -2, -1, LUA_OPLT);
     lua_pop(s->L, 2);
-    return before;
+    return is_before;
 }
 
 /* Charges the work so far, except when sorting keys: the number of comparisons then depends on Lua's hash order, so
- * push_sorted charges an upper bound in advance. */
+ * push_sorted_keys charges an upper bound in advance. */
 static void charge(struct sorter *s)
 {
     if (s->order != BY_KEY)
@@ -130,9 +130,9 @@ static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
 {
     struct entry *from = e, *to = e + n, *swap;
 
-    for (size_t i = 0; i < n; i += RUN)
-        sort_run(s, from + i, n - i < RUN ? n - i : RUN);
-    for (size_t width = RUN; width < n; width *= 2) {
+    for (size_t i = 0; i < n; i += RUN_LENGTH)
+        sort_run(s, from + i, n - i < RUN_LENGTH ? n - i : RUN_LENGTH);
+    for (size_t width = RUN_LENGTH; width < n; width *= 2) {
         for (size_t i = 0; i < n; i += 2 * width) {
             size_t count = n - i < 2 * width ? n - i : 2 * width;
             merge(s, to + i, from + i, width < count ? width : count, count);
@@ -144,10 +144,10 @@ static struct entry *sort(struct sorter *s, struct entry *e, size_t n)
     return from;
 }
 
-/* Returns space for n entries and n of scratch: `few`, or a userdata that it pushes. */
-static struct entry *room(lua_State *L, struct entry *few, size_t n)
+/* Returns space for n entries and n of scratch: `stack_entries`, or a userdata that it pushes. */
+static struct entry *reserve_entries(lua_State *L, struct entry *stack_entries, size_t n)
 {
-    return n <= FEW ? few : lua_newuserdatauv(L, 2 * n * sizeof *few, 0);
+    return n <= STACK_ENTRIES ? stack_entries : lua_newuserdatauv(L, 2 * n * sizeof *stack_entries, 0);
 }
 
 /* Returns the order in which C can compare all of t[1..n], or BY_LUA if there is none. */
@@ -183,23 +183,27 @@ static struct entry entry_of(lua_State *L, enum order order, uint32_t i)
     return e;
 }
 
-static void sort_table(lua_State *L, lua_Integer n, bool function)
+static void sort_table(lua_State *L, lua_Integer n, bool has_function)
 {
-    struct entry few[2 * FEW], *e = room(L, few, (size_t)n);
-    bool plain = !function && !lua_getmetatable(L, 1);
-    struct sorter s = { .L = L, .order = function ? BY_FUNCTION : plain ? order_of(L, n) : BY_LUA, .function = 2 };
+    struct entry stack_entries[2 * STACK_ENTRIES], *e = reserve_entries(L, stack_entries, (size_t)n);
+    bool is_plain = !has_function && !lua_getmetatable(L, 1);
+    struct sorter s = { .L = L,
+                        .order = has_function ? BY_FUNCTION
+                                 : is_plain   ? order_of(L, n)
+                                              : BY_LUA,
+                        .function_index = 2 };
 
     lua_createtable(L, (int)n, 0);
-    s.items = lua_gettop(L);
+    s.values_index = lua_gettop(L);
     for (lua_Integer i = 0; i < n; i++) {
         lua_geti(L, 1, i + 1);
         e[i] = entry_of(L, s.order, (uint32_t)i);
-        lua_rawseti(L, s.items, i + 1);
+        lua_rawseti(L, s.values_index, i + 1);
     }
     e = sort(&s, e, (size_t)n);
     for (lua_Integer i = 0; i < n; i++)
         if (e[i].at != i) {
-            lua_rawgeti(L, s.items, (lua_Integer)e[i].at + 1);
+            lua_rawgeti(L, s.values_index, (lua_Integer)e[i].at + 1);
             lua_seti(L, 1, i + 1);
         }
 }
@@ -208,22 +212,22 @@ static int table_sort(lua_State *L)
 {
     luaL_checktype(L, 1, LUA_TTABLE);
     lua_Integer n = luaL_len(L, 1);
-    bool function = !lua_isnoneornil(L, 2);
+    bool has_function = !lua_isnoneornil(L, 2);
 
     if (n < 2)
         return 0;
     luaL_argcheck(L, n < INT_MAX, 1, "array too big");
-    if (function)
+    if (has_function)
         luaL_checktype(L, 2, LUA_TFUNCTION);
     lua_settop(L, 2);
     vm_charge(L, (uint64_t)n * 4);
-    sort_table(L, n, function);
+    sort_table(L, n, has_function);
     return 0;
 }
 
 /* ---- the other functions of table ---- */
 
-static lua_Integer length(lua_State *L)
+static lua_Integer checked_length(lua_State *L)
 {
     luaL_checktype(L, 1, LUA_TTABLE);
     return luaL_len(L, 1);
@@ -231,7 +235,7 @@ static lua_Integer length(lua_State *L)
 
 static int table_insert(lua_State *L)
 {
-    lua_Integer end = (lua_Integer)((lua_Unsigned)length(L) + 1), at = end;
+    lua_Integer end = (lua_Integer)((lua_Unsigned)checked_length(L) + 1), at = end;
 
     switch (lua_gettop(L)) {
     case 2:
@@ -255,7 +259,7 @@ static int table_insert(lua_State *L)
 
 static int table_remove(lua_State *L)
 {
-    lua_Integer size = length(L), at = luaL_optinteger(L, 2, size);
+    lua_Integer size = checked_length(L), at = luaL_optinteger(L, 2, size);
 
     if (at != size)
         luaL_argcheck(L, (lua_Unsigned)at - 1u <= (lua_Unsigned)size, 2, "position out of bounds");
@@ -274,24 +278,24 @@ static int table_remove(lua_State *L)
 static int table_move(lua_State *L)
 {
     lua_Integer from = luaL_checkinteger(L, 2), last = luaL_checkinteger(L, 3), to = luaL_checkinteger(L, 4);
-    int into = lua_isnoneornil(L, 5) ? 1 : 5;
+    int dest_index = lua_isnoneornil(L, 5) ? 1 : 5;
 
-    if (into == 1 || lua_type(L, 1) != LUA_TSTRING) /* a string can be read through its __index */
+    if (dest_index == 1 || lua_type(L, 1) != LUA_TSTRING) /* a string can be read through its __index */
         luaL_checktype(L, 1, LUA_TTABLE);
-    luaL_checktype(L, into, LUA_TTABLE);
+    luaL_checktype(L, dest_index, LUA_TTABLE);
     if (last >= from) {
         luaL_argcheck(L, from > 0 || last < LUA_MAXINTEGER + from, 3, "too many elements to move");
         lua_Integer n = last - from + 1;
         luaL_argcheck(L, to <= LUA_MAXINTEGER - n + 1, 4, "destination wrap around");
         vm_charge(L, (uint64_t)n);
-        bool upwards = to > last || to <= from || (into != 1 && !lua_compare(L, 1, into, LUA_OPEQ));
+        bool upwards = to > last || to <= from || (dest_index != 1 && !lua_compare(L, 1, dest_index, LUA_OPEQ));
         for (lua_Integer k = 0; k < n; k++) {
             lua_Integer i = upwards ? k : n - 1 - k;
             lua_geti(L, 1, from + i);
-            lua_seti(L, into, to + i);
+            lua_seti(L, dest_index, to + i);
         }
     }
-    lua_pushvalue(L, into);
+    lua_pushvalue(L, dest_index);
     return 1;
 }
 
@@ -311,11 +315,11 @@ static size_t add_field(lua_State *L, luaL_Buffer *out, lua_Integer i)
     return n;
 }
 
-enum { A_FIELD = 25 /* work of a float field, charged for every field */ };
+enum { FIELD_WORK = 25 /* work of a float field, charged for every field */ };
 
 static int table_concat(lua_State *L)
 {
-    lua_Integer size = length(L);
+    lua_Integer size = checked_length(L);
     size_t sep_n;
     const char *sep = luaL_optlstring(L, 2, "", &sep_n);
     lua_Integer i = luaL_optinteger(L, 3, 1), last = luaL_optinteger(L, 4, size);
@@ -324,7 +328,7 @@ static int table_concat(lua_State *L)
 
     luaL_buffinit(L, &out);
     for (; i <= last; i++) {
-        work += A_FIELD + (add_field(L, &out, i) + sep_n) / 8;
+        work += FIELD_WORK + (add_field(L, &out, i) + sep_n) / 8;
         if (work >= CHARGE_EVERY) {
             vm_charge(L, work);
             work = 0;
@@ -367,21 +371,21 @@ void luatable_open(lua_State *L)
 /* ---- pairs ---- */
 
 /* The result of a walk over the keys. */
-struct keys {
-    size_t n, bytes; /* n: number of keys; bytes: length of all string keys */
-    bool texts;      /* whether there is a string key */
-    bool ascending;  /* whether the integer keys were visited in ascending order */
+struct key_scan {
+    size_t n, bytes;  /* n: number of keys; bytes: length of all string keys */
+    bool has_strings; /* whether there is a string key */
+    bool ascending;   /* whether the integer keys were visited in ascending order */
     lua_Integer first, last;
-    const char *refused; /* alphabetically first type among the keys that have no order; NULL: none */
+    const char *unordered_type; /* alphabetically first type among the keys that have no order; NULL: none */
 };
 
-static void note_key(lua_State *L, struct keys *k, struct entry *e)
+static void record_key(lua_State *L, struct key_scan *k, struct entry *e)
 {
     int type = lua_type(L, -1);
 
     e->at = 0;
     if (type == LUA_TSTRING) {
-        k->texts = true;
+        k->has_strings = true;
         e->v.s = lua_tolstring(L, -1, &e->n);
         k->bytes += e->n;
     } else if (lua_isinteger(L, -1)) {
@@ -394,22 +398,22 @@ static void note_key(lua_State *L, struct keys *k, struct entry *e)
             k->last = e->v.i;
     } else {
         const char *kind = type == LUA_TNUMBER ? "float" : lua_typename(L, type);
-        if (!k->refused || strcmp(kind, k->refused) < 0)
-            k->refused = kind;
+        if (!k->unordered_type || strcmp(kind, k->unordered_type) < 0)
+            k->unordered_type = kind;
     }
     k->n++;
 }
 
-/* Walks the keys of the table at stack index 1 and stores the entries of the first `room` keys in e. */
-static struct keys walk(lua_State *L, struct entry *e, size_t room)
+/* Walks the keys of the table at stack index 1 and stores the entries of the first `reserve_entries` keys in e. */
+static struct key_scan scan_keys(lua_State *L, struct entry *e, size_t capacity)
 {
-    struct keys k = { .ascending = true };
+    struct key_scan k = { .ascending = true };
     struct entry unused;
 
     lua_pushnil(L);
     while (lua_next(L, 1)) {
         lua_pop(L, 1);
-        note_key(L, &k, k.n < room ? &e[k.n] : &unused);
+        record_key(L, &k, k.n < capacity ? &e[k.n] : &unused);
     }
     return k;
 }
@@ -455,21 +459,21 @@ static int next_nothing(lua_State *L)
 
 /* Returns an upper bound on the work of sorting the keys: three comparisons per key for the short runs, and one per key
  * for each pass of merges. */
-static uint64_t sort_work(const struct keys *k)
+static uint64_t sort_work(const struct key_scan *k)
 {
     uint64_t comparisons = 3;
 
-    for (size_t width = RUN; width < k->n; width *= 2)
+    for (size_t width = RUN_LENGTH; width < k->n; width *= 2)
         comparisons++;
     return comparisons * (k->n + k->bytes / 16);
 }
 
-static void push_sorted(lua_State *L, struct keys k, struct entry *e)
+static void push_sorted_keys(lua_State *L, struct key_scan k, struct entry *e)
 {
     struct sorter s = { .L = L, .order = BY_KEY };
 
     luaL_argcheck(L, k.n < INT_MAX / 2, 1, "table too big");
-    if (k.texts || !k.ascending) {
+    if (k.has_strings || !k.ascending) {
         vm_charge(L, sort_work(&k));
         e = sort(&s, e, k.n);
     }
@@ -485,22 +489,22 @@ static void push_sorted(lua_State *L, struct keys k, struct entry *e)
 
 static void push_iterator(lua_State *L)
 {
-    struct entry few[2 * FEW], *e;
-    struct keys k = walk(L, few, FEW);
+    struct entry stack_entries[2 * STACK_ENTRIES], *e;
+    struct key_scan k = scan_keys(L, stack_entries, STACK_ENTRIES);
 
     vm_charge(L, 8 + k.n * 3);
-    if (k.refused)
-        luaL_error(L, "pairs: keys of type %s have no fixed order", k.refused);
+    if (k.unordered_type)
+        luaL_error(L, "pairs: keys of type %s have no fixed order", k.unordered_type);
     if (k.n == 0) {
         lua_pushcfunction(L, next_nothing);
-    } else if (!k.texts && k.first == 1 && (lua_Unsigned)k.last == k.n) {
+    } else if (!k.has_strings && k.first == 1 && (lua_Unsigned)k.last == k.n) {
         lua_pushinteger(L, k.last);
         lua_pushcclosure(L, next_item, 1);
     } else {
-        e = room(L, few, k.n);
-        if (e != few)
-            walk(L, e, k.n);
-        push_sorted(L, k, e);
+        e = reserve_entries(L, stack_entries, k.n);
+        if (e != stack_entries)
+            scan_keys(L, e, k.n);
+        push_sorted_keys(L, k, e);
         lua_pushinteger(L, 0);
         lua_pushcclosure(L, next_key, 2);
     }
@@ -513,7 +517,7 @@ int luatable_pairs(lua_State *L)
     if (luaL_getmetafield(L, 1, "__pairs") != LUA_TNIL)
         return luaL_error(L, "pairs: __pairs is not supported");
     if (lua_getmetatable(L, 1))
-        api_fill(L, 1);
+        api_fill_table(L, 1);
     lua_settop(L, 1);
     push_iterator(L);
     lua_pushvalue(L, 1);

@@ -33,7 +33,7 @@ void luatext_push_number(lua_State *L, int idx)
 }
 
 /* Pushes the text of a value without __tostring: its __name or type, without its address. */
-static void push_kind(lua_State *L, int idx)
+static void push_type_name(lua_State *L, int idx)
 {
     int type = luaL_getmetafield(L, idx, "__name");
 
@@ -59,7 +59,7 @@ const char *lualib_tolstring(lua_State *L, int idx, size_t *size)
     } else if (type == LUA_TNIL || type == LUA_TBOOLEAN || type == LUA_TSTRING) {
         luaL_tolstring(L, idx, NULL);
     } else {
-        push_kind(L, idx);
+        push_type_name(L, idx);
     }
     return lua_tolstring(L, -1, size);
 }
@@ -85,7 +85,7 @@ static int string_rep(lua_State *L)
     if (n + sep_n > MAX_REP || count > (lua_Integer)(MAX_REP / (n + sep_n)))
         return luaL_error(L, "resulting string too large");
     vm_charge(L, (uint64_t)count * (1 + (n + sep_n) / 8));
-    return luaparts_stock(L);
+    return luaparts_call_stock(L);
 }
 
 /* ---- string.format ---- */
@@ -98,14 +98,15 @@ struct spec {
 
 /* Returns the flags that a conversion accepts, and '.' if it accepts a precision; or NULL if there is no such
  * conversion. */
-static const char *allowed(char letter)
+static const char *accepted_flags(char letter)
 {
-    static const char *const kinds[][2] = { { "c", "-" },  { "di", "-+ 0." },     { "u", "-0." }, { "oxX", "-#0." },
-                                            { "s", "-." }, { "eEfgG", "-+ #0." }, { "q", "" } };
+    static const char *const conversions[][2] = { { "c", "-" },      { "di", "-+ 0." }, { "u", "-0." },
+                                                  { "oxX", "-#0." }, { "s", "-." },     { "eEfgG", "-+ #0." },
+                                                  { "q", "" } };
 
-    for (size_t i = 0; letter && i < sizeof kinds / sizeof *kinds; i++)
-        if (strchr(kinds[i][0], letter))
-            return kinds[i][1];
+    for (size_t i = 0; letter && i < sizeof conversions / sizeof *conversions; i++)
+        if (strchr(conversions[i][0], letter))
+            return conversions[i][1];
     return NULL;
 }
 
@@ -129,11 +130,11 @@ static struct spec read_spec(lua_State *L, const char *p)
 
     f.dot = skip_number(f.width);
     f.letter = *f.dot == '.' ? skip_number(f.dot + 1) : f.dot;
-    const char *takes = allowed(*f.letter);
+    const char *accepted = accepted_flags(*f.letter);
     if (*f.letter == 'q' && f.letter > p)
         luaL_error(L, "specifier '%%q' cannot have modifiers");
-    if (!takes || f.letter - p >= MAX_CONVERSION || strspn(p, takes) < (size_t)(f.width - p) ||
-        (f.letter > f.dot && !strchr(takes, '.'))) {
+    if (!accepted || f.letter - p >= MAX_CONVERSION || strspn(p, accepted) < (size_t)(f.width - p) ||
+        (f.letter > f.dot && !strchr(accepted, '.'))) {
         lua_pushlstring(L, p, (size_t)(f.letter - p) + 1);
         luaL_error(L, "invalid conversion '%%%s' to 'format'", lua_tostring(L, -1));
     }
@@ -153,12 +154,12 @@ static void add_spec(luaL_Buffer *out, const struct spec *f, bool as_text)
 }
 
 /* Pushes the text of a NaN or an infinity. */
-static void push_odd(lua_State *L, const struct spec *f, lua_Number v)
+static void push_non_finite(lua_State *L, const struct spec *f, lua_Number v)
 {
     const char *sign = v < 0 ? "-" : has_flag(f, '+') ? "+" : has_flag(f, ' ') ? " " : "";
-    bool capital = *f->letter < 'a';
+    bool is_upper = *f->letter < 'a';
 
-    lua_pushfstring(L, "%s%s", sign, v != v ? capital ? "NAN" : "nan" : capital ? "INF" : "inf");
+    lua_pushfstring(L, "%s%s", sign, v != v ? is_upper ? "NAN" : "nan" : is_upper ? "INF" : "inf");
 }
 
 /* Pushes an integral float as a decimal Lua literal; the stock function would write a hexadecimal one. */
@@ -173,23 +174,23 @@ static void push_literal(lua_State *L, int arg, lua_Number v)
 
 /* Charges for an argument, and replaces it by its text if the stock function would write a different one. Returns
  * whether the argument is now such a text, which must be written with %s instead of f's conversion. */
-static bool prepare(lua_State *L, const struct spec *f, int arg)
+static bool prepare_argument(lua_State *L, const struct spec *f, int arg)
 {
     bool is_text = lua_type(L, arg) == LUA_TSTRING;
     bool is_float = lua_type(L, arg) == LUA_TNUMBER && !lua_isinteger(L, arg);
-    bool number = strchr("eEfgG", *f->letter) != NULL;
+    bool formats_float = strchr("eEfgG", *f->letter) != NULL;
     lua_Number v = lua_tonumber(L, arg); /* 0 if it is not a number, which the stock function refuses */
     size_t n = is_text ? (size_t)lua_rawlen(L, arg) : 0;
 
-    vm_charge(L, number ? 800 : 16 + (*f->letter == 'q' ? n / 2 : 0));
+    vm_charge(L, formats_float ? 800 : 16 + (*f->letter == 'q' ? n / 2 : 0));
     if (*f->letter == 's') {
         if (!is_text)
             lualib_tolstring(L, arg, &n), lua_replace(L, arg);
         vm_charge(L, n / 8);
         return false;
     }
-    if (number && !(fabs(v) <= DBL_MAX))
-        push_odd(L, f, v);
+    if (formats_float && !(fabs(v) <= DBL_MAX))
+        push_non_finite(L, f, v);
     else if (*f->letter == 'q' && is_float && fabs(v) <= DBL_MAX)
         push_literal(L, arg, v);
     else
@@ -217,13 +218,13 @@ static int string_format(lua_State *L)
         if (++arg > top)
             return luaL_argerror(L, arg, "no value");
         struct spec f = read_spec(L, p);
-        add_spec(&out, &f, prepare(L, &f, arg));
+        add_spec(&out, &f, prepare_argument(L, &f, arg));
         p = f.letter + 1;
     }
     luaL_addlstring(&out, p, (size_t)(end - p));
     luaL_pushresult(&out);
     lua_replace(L, 1);
-    return luaparts_stock(L);
+    return luaparts_call_stock(L);
 }
 
 void luatext_open(lua_State *L)

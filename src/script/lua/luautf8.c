@@ -9,12 +9,12 @@
 static int utf8_char(lua_State *L)
 {
     vm_charge(L, (uint64_t)lua_gettop(L));
-    return luaparts_stock(L);
+    return luaparts_call_stock(L);
 }
 
 static int utf8_codepoint(lua_State *L)
 {
-    int n = luaparts_stock(L);
+    int n = luaparts_call_stock(L);
 
     vm_charge(L, (uint64_t)n);
     return n;
@@ -23,7 +23,7 @@ static int utf8_codepoint(lua_State *L)
 /* The stock function leaves the number of characters on top, or the position of the first invalid byte. */
 static int utf8_len(lua_State *L)
 {
-    int n = luaparts_stock(L);
+    int n = luaparts_call_stock(L);
 
     vm_charge(L, (uint64_t)lua_tointeger(L, -1));
     return n;
@@ -33,11 +33,11 @@ static int utf8_offset(lua_State *L)
 {
     size_t n;
     luaL_checklstring(L, 1, &n);
-    lua_Integer by = luaL_checkinteger(L, 2), from = luaL_optinteger(L, 3, by >= 0 ? 1 : (lua_Integer)n + 1);
+    lua_Integer count = luaL_checkinteger(L, 2), from = luaL_optinteger(L, 3, count >= 0 ? 1 : (lua_Integer)n + 1);
 
     lua_settop(L, 2);
     lua_pushinteger(L, from);
-    luaparts_stock(L);
+    luaparts_call_stock(L);
     /* A nil result becomes 0, the position before the string. */
     size_t at = (size_t)lua_tointeger(L, -1), start = luaparts_position(from, n);
     vm_charge(L, at > start ? at - start : start - at);
@@ -55,20 +55,20 @@ static int next_code(lua_State *L)
 {
     size_t n;
     const char *s = luaL_checklstring(L, 1, &n);
-    lua_Unsigned was = (lua_Unsigned)lua_tointeger(L, 2), at = was, last;
+    lua_Unsigned previous = (lua_Unsigned)lua_tointeger(L, 2), at = previous, last;
 
     while (at < n && is_continuation(s[at]))
         at++;
     for (last = at + 1; last < n && is_continuation(s[last]); last++)
         ;
-    vm_charge(L, last - was);
+    vm_charge(L, last - previous);
     if (at >= n)
         return 0;
     lua_settop(L, 1);
     lua_pushinteger(L, (lua_Integer)at + 1);
     lua_pushinteger(L, (lua_Integer)last);
     lua_pushvalue(L, lua_upvalueindex(2));
-    luaparts_stock(L); /* decodes [at, last]: more than one code, i.e. a surplus continuation byte, is an error */
+    luaparts_call_stock(L); /* decodes [at, last]: more than one code, i.e. a surplus continuation byte, is an error */
     lua_replace(L, 3);
     lua_settop(L, 3);
     return 2;
