@@ -147,6 +147,7 @@ for what; do
     web)
         have clang || need clang
         have wasm-ld || need lld
+        have zopfli || need zopfli
         header wasm32-wasi/stdio.h || need wasi-libc
         ls /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a >/dev/null 2>&1 ||
             need libclang-rt-14-dev-wasm32

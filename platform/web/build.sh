@@ -11,8 +11,8 @@ here=platform/web
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-packed() { # FILE: base64 of it, or of its gzip
-    gzip -9nc "$1" >"$scratch/gz"
+packed() { # FILE: base64 of it, or of its gzip, as small as zopfli makes it
+    zopfli --gzip -c "$1" >"$scratch/gz"
     if [ "$(wc -c <"$scratch/gz")" -lt "$(wc -c <"$1")" ]; then base64 -w 0 "$scratch/gz"; else base64 -w 0 "$1"; fi
 }
 # fill MARK FILE: standard input with that file in place of each @MARK@; nothing in the file is looked at
@@ -44,4 +44,4 @@ fill STYLE "$here/player.css" <"$here/page.html" | fill CORE_VERSION "$scratch/v
     fill CORE "$scratch/core" >"$scratch/page"
 mkdir -p "$(dirname "$out")"
 cp "$scratch/page" "$out"
-echo "core $(wc -c <"$core") bytes, $(gzip -9nc "$core" | wc -c) gzipped; $out $(wc -c <"$out")"
+echo "core $(wc -c <"$core") bytes, $(wc -c <"$scratch/gz") gzipped; $out $(wc -c <"$out")"
