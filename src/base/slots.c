@@ -5,21 +5,16 @@
 #include <assert.h>
 #include <string.h>
 #include "hash.h"
+#include "int.h"
 
 enum {
     MAX_COLUMNS = 64,   /* maximum number of columns of a chip */
-    ALIGN = 64,         /* a cache line, so that columns do not share one */
     LONG_SECTION = 1024 /* sections of a snapshot with at least this many bytes are aligned */
 };
 
 static uint32_t round_to_blocks(uint32_t n)
 {
     return (n + SLOTS_BLOCK - 1) / SLOTS_BLOCK * SLOTS_BLOCK;
-}
-
-static uint64_t align_up(uint64_t n)
-{
-    return (n + ALIGN - 1) / ALIGN * ALIGN;
 }
 
 /* Returns the number of values in a column with that many slots. If the column has values per block, `slots` must be a
@@ -42,10 +37,10 @@ uint64_t slots_size(const struct chip *chip, uint32_t cap, uint32_t groups)
     if (!cap)
         return 0;
     if (!chip->is_list)
-        size = align_up(capacity / 8) + align_up(capacity * 4);
+        size = int_align(capacity / 8) + int_align(capacity * 4);
     for (int i = 0; i < chip->count; i++)
         if (!chip->columns[i].is_register && slots_has_column(&chip->columns[i], groups))
-            size += align_up(value_count(&chip->columns[i], capacity) * chip->columns[i].width);
+            size += int_align(value_count(&chip->columns[i], capacity) * chip->columns[i].width);
     return size;
 }
 
@@ -53,7 +48,7 @@ static void *carve(uint8_t **next, uint64_t bytes)
 {
     void *at = *next;
 
-    *next += align_up(bytes);
+    *next += int_align(bytes);
     return at;
 }
 
@@ -377,14 +372,14 @@ static size_t copy_columns(const struct chip *chip, const void *self, uint8_t *s
             piece.n = (size_t)value_count(c, chip->is_list ? s->live : s->top) * c->width;
         }
         if (piece.n >= LONG_SECTION)
-            at = (size_t)align_up(at);
+            at = (size_t)int_align(at);
         if (save && piece.n)
             memcpy(save + at, piece.p, piece.n);
         if (restore && piece.n)
             memcpy(piece.p, restore + at, piece.n);
         at += piece.n;
     }
-    return (size_t)align_up(at);
+    return (size_t)int_align(at);
 }
 
 size_t slots_save(const struct chip *chip, const void *self, uint8_t *buf)

@@ -125,6 +125,8 @@ struct chip {
     bool unhashed; /* hashed in reports but not in the combined hash, as no script can read the chip */
 };
 
+#define CHIP_COLUMNS(table) .columns = (table), .count = (int)(sizeof(table) / sizeof *(table))
+
 enum { SLOTS_BLOCK = 64, RETIRED_GENERATION = (1 << 30) - 1, NO_SLOT = -1 };
 
 /* Returns the bytes of RAM that a chip of this capacity with these groups of columns occupies. */

@@ -19,15 +19,10 @@
 #include "../script/vm.h"
 #include "../base/host.h"
 
-enum { RAM_ALIGN = 64 };
+enum { RAM_ALIGN = 64 /* as int_align */ };
 #ifndef MAX_RAM /* bytes; tests lower it */
 #define MAX_RAM (1ull << 30)
 #endif
-
-static uint64_t align_up(uint64_t n)
-{
-    return (n + RAM_ALIGN - 1) / RAM_ALIGN * RAM_ALIGN;
-}
 
 /* Returns the most events a frame may raise. A bullet may graze or hit both players, be blocked and, if bullets can
  * meet, meet another one. A shot hits one entity or, if shots can pierce, up to MAX_PIERCED_TARGETS. An enemy may touch
@@ -49,14 +44,14 @@ static uint32_t fired_capacity(const struct manifest *m)
 uint64_t board_ram_needed(const struct cart *cart)
 {
     const struct part_capacities capacities = parts_capacities(&cart->manifest);
-    uint64_t sum = align_up(sizeof(struct board)) + align_up(sizeof(struct output));
+    uint64_t sum = int_align(sizeof(struct board)) + int_align(sizeof(struct output));
 
     for (int i = 0; i < PARTS; i++)
         sum += slots_size(machine_parts[i].chip, capacities.slots[i], capacities.groups[i]);
-    sum += align_up((uint64_t)cart->sprites * sizeof(struct sprite));
-    sum += align_up(events_size((uint32_t)event_capacity(&cart->manifest)));
-    sum += align_up(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
-    return sum + align_up((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
+    sum += int_align((uint64_t)cart->count[CART_SPRITES] * sizeof(struct sprite));
+    sum += int_align(events_size((uint32_t)event_capacity(&cart->manifest)));
+    sum += int_align(fired_capacity(&cart->manifest) * sizeof(struct ml_fired_bullet));
+    return sum + int_align((uint64_t)cart->manifest.lua_kib * 1024) + RAM_ALIGN;
 }
 
 /* Opens the cart and sets *size as board_size does. Returns false with one sentence in err if it fails. */
@@ -95,7 +90,7 @@ static void set_up(struct board *b)
     b->keep_box = (struct box){ px_to_fx(-m->margin), px_to_fx(-m->margin), px_to_fx(m->field_w + m->margin),
                                 px_to_fx(m->field_h + m->margin) };
     b->area = (struct box){ px_to_fx(8), px_to_fx(8), px_to_fx(m->field_w - 8), px_to_fx(m->field_h - 8) };
-    for (int i = 0; i < b->cart.sprites; i++)
+    for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
     rng_seed(&r, b->start.seed);
     memcpy(b->core.random, r.s, sizeof r.s);
@@ -141,11 +136,11 @@ static void set_up(struct board *b)
  */
 static void lay_out(struct board *b)
 {
-    uint8_t *next = b->ram + align_up(sizeof *b);
+    uint8_t *next = b->ram + int_align(sizeof *b);
     const struct part_capacities capacities = parts_capacities(&b->cart.manifest);
 
     b->output = (struct output *)next;
-    next += align_up(sizeof *b->output);
+    next += int_align(sizeof *b->output);
     for (int i = 0; i < PARTS; i++) {
         uint8_t *first = next;
         slots_layout(machine_parts[i].chip, part_of(b, i), capacities.slots[i], capacities.groups[i], &next);
@@ -153,11 +148,11 @@ static void lay_out(struct board *b)
             memset(first, 0, (size_t)(next - first));
     }
     b->sprite_images = (struct sprite *)next;
-    next += align_up((uint64_t)b->cart.sprites * sizeof(struct sprite));
+    next += int_align((uint64_t)b->cart.count[CART_SPRITES] * sizeof(struct sprite));
     events_init(&b->events, (uint32_t)event_capacity(&b->cart.manifest), next);
-    next += align_up(events_size(b->events.cap));
+    next += int_align(events_size(b->events.cap));
     b->ml_fresh = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
-    next += align_up(b->ml_fresh.cap * sizeof(struct ml_fired_bullet));
+    next += int_align(b->ml_fresh.cap * sizeof(struct ml_fired_bullet));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
@@ -599,7 +594,7 @@ const char *board_part_name(const struct board *b, int i)
 
 size_t board_snapshot_size(const struct board *b)
 {
-    size_t n = (size_t)(align_up(sizeof *b) + align_up(heap_save(b->vm.heap, NULL)));
+    size_t n = (size_t)(int_align(sizeof *b) + int_align(heap_save(b->vm.heap, NULL)));
 
     for (int i = 0; i < PARTS; i++)
         n += slots_save(machine_parts[i].chip, part_of(b, i), NULL);
@@ -611,8 +606,8 @@ void board_save(const struct board *b, void *buf)
     uint8_t *p = buf;
 
     memcpy(p, b, sizeof *b);
-    p += align_up(sizeof *b);
-    p += align_up(heap_save(b->vm.heap, p));
+    p += int_align(sizeof *b);
+    p += int_align(heap_save(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_save(machine_parts[i].chip, part_of(b, i), p);
 }
@@ -623,11 +618,11 @@ void board_restore(struct board *b, const void *buf)
     const uint8_t *p = buf;
 
     memcpy(b, p, sizeof *b);
-    p += align_up(sizeof *b);
-    p += align_up(heap_restore(b->vm.heap, p));
+    p += int_align(sizeof *b);
+    p += int_align(heap_restore(b->vm.heap, p));
     for (int i = 0; i < PARTS; i++)
         p += slots_restore(machine_parts[i].chip, part_of(b, i), p);
-    for (int i = 0; i < b->cart.sprites; i++)
+    for (int i = 0; i < b->cart.count[CART_SPRITES]; i++)
         cart_sprite(&b->cart, i, &b->sprite_images[i]);
     memset(b->output, 0, sizeof *b->output);
 }

@@ -60,11 +60,11 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
     if (!board_has_sound(b) || slot >= CUES)
         return false;
     *out = (struct board_cue){ 0 };
-    while (sound < b->cart.sounds && cart_sound_place(&b->cart, sound) != c->tune[slot])
+    while (sound < b->cart.count[CART_SOUNDS] && cart_place(&b->cart, CART_SOUNDS, sound) != c->tune[slot])
         sound++;
-    if (c->tune[slot] == 0 || sound == b->cart.sounds)
+    if (c->tune[slot] == 0 || sound == b->cart.count[CART_SOUNDS])
         return true;
-    out->name = cart_sound_name(&b->cart, sound);
+    out->name = cart_name(&b->cart, CART_SOUNDS, sound);
     out->start_frame = c->born[slot];
     out->is_first_track = c->track[slot] == 0;
     out->ends_next = track_ends_next(b, slot);
@@ -73,15 +73,10 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
 
 const char *board_music_name(const struct board *b)
 {
-    return b->music.tune ? cart_tune_name(&b->cart, b->music.tune - 1) : "";
+    return b->music.tune ? cart_name(&b->cart, CART_TUNES, b->music.tune - 1) : "";
 }
 
 /* ---- boxes ---- */
-
-static size_t align_up(size_t n)
-{
-    return (n + 63) / 64 * 64;
-}
 
 static const struct {
     const struct chip *chip;
@@ -95,7 +90,7 @@ enum { JUKEBOX_PARTS = sizeof jukebox_parts / sizeof *jukebox_parts };
 
 size_t board_jukebox_size(void)
 {
-    size_t n = align_up(sizeof(struct board));
+    size_t n = (size_t)int_align(sizeof(struct board));
 
     for (int i = 0; i < JUKEBOX_PARTS; i++)
         n += (size_t)slots_size(jukebox_parts[i].chip, jukebox_parts[i].cap, 0);
@@ -105,7 +100,7 @@ size_t board_jukebox_size(void)
 struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, size_t err_size)
 {
     struct board *b = ram;
-    uint8_t *next = (uint8_t *)ram + align_up(sizeof *b);
+    uint8_t *next = (uint8_t *)ram + (size_t)int_align(sizeof *b);
 
     memset(ram, 0, board_jukebox_size());
     if (!cart_open(&b->cart, rom, err, err_size))
@@ -121,10 +116,10 @@ struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, si
 
 bool board_jukebox_play(struct board *b, const char *name)
 {
-    const int sound = cart_find_sound(&b->cart, name), tune = cart_find_tune(&b->cart, name);
+    const int sound = cart_find(&b->cart, CART_SOUNDS, name), tune = cart_find(&b->cart, CART_TUNES, name);
 
     if (sound >= 0)
-        sound_play(b, &(struct cue){ cart_sound_place(&b->cart, sound), 256, 0, 0 });
+        sound_play(b, &(struct cue){ cart_place(&b->cart, CART_SOUNDS, sound), 256, 0, 0 });
     else if (tune >= 0)
         sound_start_music(b, tune, &(struct music_options){ .restart = true });
     return sound >= 0 || tune >= 0;
@@ -148,16 +143,17 @@ bool board_jukebox_tick(struct board *b)
 
 bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out)
 {
-    const bool is_music = n >= b->cart.sounds;
-    const int i = is_music ? n - b->cart.sounds : n;
+    const bool is_music = n >= b->cart.count[CART_SOUNDS];
+    const enum cart_folder folder = is_music ? CART_TUNES : CART_SOUNDS;
+    const int i = is_music ? n - b->cart.count[CART_SOUNDS] : n;
     struct lump l;
 
-    if (is_music && i >= b->cart.tunes)
+    if (i >= b->cart.count[folder])
         return false;
-    rom_lump(b->cart.rom, (is_music ? b->cart.first_tune : b->cart.first_sound) + i, &l);
+    rom_lump(b->cart.rom, b->cart.first[folder] + i, &l);
     const struct tune t = tune_of(l.data);
     const size_t bytes = l.size + cart_wave_size(&b->cart, is_music ? i : -1);
-    *out = (struct board_tune){ is_music ? cart_tune_name(&b->cart, i) : cart_sound_name(&b->cart, i),
+    *out = (struct board_tune){ cart_name(&b->cart, folder, i),
                                 tune_title(&t),
                                 is_music,
                                 tune_is_recording(&t),

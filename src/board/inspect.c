@@ -257,7 +257,7 @@ static void ship_kinds(const struct board *b, void (*visit)(void *context, const
                                                          .y0 = -r,
                                                          .x1 = r,
                                                          .y1 = r,
-                                                         .sprite = cart_sprite_name(&b->cart, k->sprite[i]) });
+                                                         .sprite = cart_name(&b->cart, CART_SPRITES, k->sprite[i]) });
     }
 }
 
@@ -266,7 +266,7 @@ static const char *ramp_name(const struct board *b, uint16_t flags)
 {
     const int blend = (flags & KIND_BLEND) / KIND_BLEND_ONE;
 
-    return blend && b->cart.main_look.mix[blend - 1] != BLIT_TABLE ? cart_blend_name(&b->cart, blend - 1) : NULL;
+    return blend && b->cart.main_look.mix[blend - 1] != BLIT_TABLE ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL;
 }
 
 void inspect_kinds(const struct board *b, void (*visit)(void *context, const struct inspect_kind_shape *kind),
@@ -298,7 +298,7 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
             kind.entity = types[type].entity;
             kind.name = name;
             kind.turns = types[type].flags && types[type].flags[i] & KIND_TURNS;
-            kind.sprite = cart_sprite_name(&b->cart, types[type].sprite[i]);
+            kind.sprite = cart_name(&b->cart, CART_SPRITES, types[type].sprite[i]);
             kind.bank = types[type].bank[i] & 15;
             kind.ramp = types[type].flags ? ramp_name(b, types[type].flags[i]) : NULL;
             visit(context, &kind);

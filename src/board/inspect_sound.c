@@ -20,16 +20,16 @@ static const char *inst_source_name(const struct board *b, uint32_t inst)
     const struct cart *c = &b->cart;
     const char *name = "";
 
-    for (int i = 0; i < c->sounds && cart_sound_place(c, i) <= inst; i++)
-        name = cart_sound_name(c, i);
-    for (int i = 0; i < c->tunes && cart_tune_place(c, i) <= inst; i++)
-        name = cart_tune_name(c, i);
+    for (int i = 0; i < c->count[CART_SOUNDS] && cart_place(c, CART_SOUNDS, i) <= inst; i++)
+        name = cart_name(c, CART_SOUNDS, i);
+    for (int i = 0; i < c->count[CART_TUNES] && cart_place(c, CART_TUNES, i) <= inst; i++)
+        name = cart_name(c, CART_TUNES, i);
     return name;
 }
 
 static const char *music_name(const struct board *b, uint16_t index)
 {
-    return index ? cart_tune_name(&b->cart, index - 1) : "";
+    return index ? cart_name(&b->cart, CART_TUNES, index - 1) : "";
 }
 
 void inspect_voice(const struct board *b, int i, struct inspect_voice *out)
@@ -77,7 +77,7 @@ void inspect_music(const struct board *b, struct inspect_music *out)
     *out = (struct inspect_music){ .name = "", .title = "", .mark = "", .next = "" };
     if (!board_has_sound(b) || !s->tune)
         return;
-    const struct tune t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, s->tune - 1));
+    const struct tune t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, s->tune - 1));
     out->name = music_name(b, s->tune);
     out->title = tune_title(&t);
     out->mark = s->mark ? tune_mark_name(&t, s->mark - 1) : "";

@@ -17,9 +17,9 @@ static const struct column shade_columns[] = {
     DERIVED(bg_shades, table, "computed from the ROM's palette and the plane's fog"),
 };
 
-const struct chip bg_chip = { "bg", columns, sizeof columns / sizeof *columns, true, false };
-const struct chip bg_lines_chip = { "bg_lines", line_columns, 1, true, false };
-const struct chip bg_shades_chip = { "bg_shades", shade_columns, 1, true, false };
+const struct chip bg_chip = { .name = "bg", CHIP_COLUMNS(columns), .is_list = true };
+const struct chip bg_lines_chip = { .name = "bg_lines", CHIP_COLUMNS(line_columns), .is_list = true };
+const struct chip bg_shades_chip = { .name = "bg_shades", CHIP_COLUMNS(shade_columns), .is_list = true };
 
 static const ang up = 0xc0000000u;
 

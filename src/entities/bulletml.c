@@ -75,8 +75,7 @@ static const struct column param_columns[] = {
     COLUMNS(ml_params, value, ML_VALUES),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip ml_roots_chip = { "bulletml", root_columns, COUNT(root_columns), false, false };
-const struct chip ml_runners_chip = { "ml_runners", runner_columns, COUNT(runner_columns), false, false };
-const struct chip ml_frames_chip = { "ml_frames", frame_columns, COUNT(frame_columns), false, false };
-const struct chip ml_params_chip = { "ml_params", param_columns, COUNT(param_columns), false, false };
+const struct chip ml_roots_chip = { .name = "bulletml", CHIP_COLUMNS(root_columns) };
+const struct chip ml_runners_chip = { .name = "ml_runners", CHIP_COLUMNS(runner_columns) };
+const struct chip ml_frames_chip = { .name = "ml_frames", CHIP_COLUMNS(frame_columns) };
+const struct chip ml_params_chip = { .name = "ml_params", CHIP_COLUMNS(param_columns) };

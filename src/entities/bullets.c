@@ -89,12 +89,11 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, kind_counts, "the address of the kinds' column `live`, computed from the address of RAM"),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip bullets_chip = { "bullets", columns, COUNT(columns), false, false };
-const struct chip shots_chip = { "shots", columns, COUNT(columns), false, false };
-const struct chip laser_heads_chip = { "laser_heads", columns, COUNT(columns), false, false };
-const struct chip bullet_kinds_chip = { "bullet_kinds", kind_columns, COUNT(kind_columns), true, false };
-const struct chip shot_kinds_chip = { "shot_kinds", kind_columns, COUNT(kind_columns), true, false };
+const struct chip bullets_chip = { .name = "bullets", CHIP_COLUMNS(columns) };
+const struct chip shots_chip = { .name = "shots", CHIP_COLUMNS(columns) };
+const struct chip laser_heads_chip = { .name = "laser_heads", CHIP_COLUMNS(columns) };
+const struct chip bullet_kinds_chip = { .name = "bullet_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
+const struct chip shot_kinds_chip = { .name = "shot_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 /* Parks a dead slot at (0, 0), which is inside every keep box, so the slot never counts as having left the field. */
 static void park(struct bullets *b, uint32_t i)

@@ -62,9 +62,8 @@ static const struct column columns[] = {
     GROUP_DERIVED(enemies, move_begun, GROUP_BODIES, "rewritten by every move"),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip enemies_chip = { "enemies", columns, COUNT(columns), false, false };
-const struct chip enemy_kinds_chip = { "enemy_kinds", kind_columns, COUNT(kind_columns), true, false };
+const struct chip enemies_chip = { .name = "enemies", CHIP_COLUMNS(columns) };
+const struct chip enemy_kinds_chip = { .name = "enemy_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 static void park(struct enemies *e, uint32_t i)
 {
@@ -206,20 +205,12 @@ void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duratio
     begin_move(e, i, x, y, duration, ease);
 }
 
-static fx shift_in_world(fx at, fx delta)
-{
-    const fx edge = (fx)WORLD_EDGE << 16;
-    fx to = fx_add(at, delta);
-
-    return to > edge ? edge : to < -edge ? -edge : to;
-}
-
 void enemies_move_by(struct enemies *e, uint32_t i, fx dx, fx dy, uint32_t duration, enum ease ease)
 {
     const bool is_relative = is_part(e, i);
 
     enemies_halt(e, i);
-    begin_move(e, i, is_relative ? dx : shift_in_world(e->x[i], dx), is_relative ? dy : shift_in_world(e->y[i], dy),
+    begin_move(e, i, is_relative ? dx : motion_shift(e->x[i], dx), is_relative ? dy : motion_shift(e->y[i], dy),
                duration, ease);
 }
 
@@ -235,22 +226,22 @@ void enemies_set_position(struct enemies *e, uint32_t i, fx x, fx y)
 
 void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
 {
-    e->x[i] = shift_in_world(e->x[i], dx);
-    e->y[i] = shift_in_world(e->y[i], dy);
+    e->x[i] = motion_shift(e->x[i], dx);
+    e->y[i] = motion_shift(e->y[i], dy);
     if (is_part(e, i)) {
-        e->dx[i] = shift_in_world(e->dx[i], dx);
-        e->dy[i] = shift_in_world(e->dy[i], dy);
+        e->dx[i] = motion_shift(e->dx[i], dx);
+        e->dy[i] = motion_shift(e->dy[i], dy);
     }
     if (e->lead && e->lead[i]) {
-        e->cx[i] = shift_in_world(e->cx[i], dx);
-        e->cy[i] = shift_in_world(e->cy[i], dy);
+        e->cx[i] = motion_shift(e->cx[i], dx);
+        e->cy[i] = motion_shift(e->cy[i], dy);
     }
     if (!e->move_duration[i])
         return;
-    e->x0[i] = shift_in_world(e->x0[i], dx);
-    e->y0[i] = shift_in_world(e->y0[i], dy);
-    e->x1[i] = shift_in_world(e->x1[i], dx);
-    e->y1[i] = shift_in_world(e->y1[i], dy);
+    e->x0[i] = motion_shift(e->x0[i], dx);
+    e->y0[i] = motion_shift(e->y0[i], dy);
+    e->x1[i] = motion_shift(e->x1[i], dx);
+    e->y1[i] = motion_shift(e->y1[i], dy);
 }
 
 static bool is_far(fx a, fx b)
@@ -347,8 +338,8 @@ void enemies_attach(struct enemies *e, uint32_t i, uint32_t body, fx dx, fx dy, 
     e->dx[i] = dx;
     e->dy[i] = dy;
     e->share[i] = share;
-    e->x[i] = e->prev_x[i] = shift_in_world(e->x[body], dx);
-    e->y[i] = e->prev_y[i] = shift_in_world(e->y[body], dy);
+    e->x[i] = e->prev_x[i] = motion_shift(e->x[body], dx);
+    e->y[i] = e->prev_y[i] = motion_shift(e->y[body], dy);
 }
 
 int enemies_depth(const struct enemies *e, uint32_t i)
@@ -411,7 +402,7 @@ void enemies_start_wandering(struct enemies *e, uint32_t i, const struct enemies
 
 static fx random_within(const struct enemies_world *w, fx middle, fx reach)
 {
-    return shift_in_world(middle, (fx)((int64_t)w->random_below(w->context, 2 * (uint64_t)reach + 1) - reach));
+    return motion_shift(middle, (fx)((int64_t)w->random_below(w->context, 2 * (uint64_t)reach + 1) - reach));
 }
 
 /* Starts the legs of the unfrozen wanderers that are due, and clears `move_begun` of all enemies. */
@@ -454,9 +445,9 @@ static void follow_body(struct enemies *e, uint32_t i, fx prev_dx, fx prev_dy)
 {
     const uint32_t body = e->body[i] - 1u;
 
-    e->x[i] = shift_in_world(e->x[body], e->dx[i]);
-    e->y[i] = shift_in_world(e->y[body], e->dy[i]);
-    save_previous(e, i, shift_in_world(e->prev_x[body], prev_dx), shift_in_world(e->prev_y[body], prev_dy));
+    e->x[i] = motion_shift(e->x[body], e->dx[i]);
+    e->y[i] = motion_shift(e->y[body], e->dy[i]);
+    save_previous(e, i, motion_shift(e->prev_x[body], prev_dx), motion_shift(e->prev_y[body], prev_dy));
 }
 
 void enemies_ensure_moved(struct enemies *e, uint32_t i, struct enemies_world *w)

@@ -13,7 +13,7 @@ static const struct column columns[] = {
     REGISTER(fix, rows),
 };
 
-const struct chip fix_chip = { "fix", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip fix_chip = { .name = "fix", CHIP_COLUMNS(columns), .is_list = true };
 
 static void set_cell(struct fix *f, int64_t col, int64_t row, uint32_t code, uint8_t bank, uint8_t font)
 {

@@ -38,9 +38,8 @@ static const struct column columns[] = {
     DERIVED_REGISTER(items, n_frozen, "the number of standing items, counted from the column `stands`"),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip items_chip = { "items", columns, COUNT(columns), false, false };
-const struct chip item_kinds_chip = { "item_kinds", kind_columns, COUNT(kind_columns), true, false };
+const struct chip items_chip = { .name = "items", CHIP_COLUMNS(columns) };
+const struct chip item_kinds_chip = { .name = "item_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 int32_t items_spawn(struct items *s, uint16_t kind, fx x, fx y, uint32_t clock)
 {

@@ -46,10 +46,9 @@ static const struct column columns[] = {
 static const struct column point_columns[] = { COLUMNS(laser_points, x, LASER_PIECE_POINTS),
                                                COLUMNS(laser_points, y, LASER_PIECE_POINTS) };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip lasers_chip = { "lasers", columns, COUNT(columns), false, false };
-const struct chip laser_kinds_chip = { "laser_kinds", kind_columns, COUNT(kind_columns), true, false };
-const struct chip laser_points_chip = { "laser_points", point_columns, COUNT(point_columns), false, false };
+const struct chip lasers_chip = { .name = "lasers", CHIP_COLUMNS(columns) };
+const struct chip laser_kinds_chip = { .name = "laser_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
+const struct chip laser_points_chip = { .name = "laser_points", CHIP_COLUMNS(point_columns) };
 
 static uint32_t piece_count(uint32_t points)
 {
@@ -159,21 +158,16 @@ void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, 
     set_point(l, p, i, l->newest[i], x, y);
 }
 
-static fx clamp_to_world(int64_t v)
-{
-    return (fx)int64_clamp(v, -(int64_t)WORLD_EDGE * 65536, (int64_t)WORLD_EDGE * 65536);
-}
-
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy)
 {
     for (uint32_t k = 0; k < l->max_points[i]; k++) {
         uint32_t entry = l->piece[i * LASER_MAX_PIECES + k / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
                          k % LASER_PIECE_POINTS;
-        p->x[entry] = clamp_to_world((int64_t)p->x[entry] + dx);
-        p->y[entry] = clamp_to_world((int64_t)p->y[entry] + dy);
+        p->x[entry] = motion_clamp_to_world((int64_t)p->x[entry] + dx);
+        p->y[entry] = motion_clamp_to_world((int64_t)p->y[entry] + dy);
     }
-    l->x0[i] = clamp_to_world((int64_t)l->x0[i] + dx);
-    l->y0[i] = clamp_to_world((int64_t)l->y0[i] + dy);
+    l->x0[i] = motion_clamp_to_world((int64_t)l->x0[i] + dx);
+    l->y0[i] = motion_clamp_to_world((int64_t)l->y0[i] + dy);
 }
 
 static bool is_fading(const struct lasers *l, uint32_t i, int64_t age)

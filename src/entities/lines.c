@@ -23,7 +23,7 @@ static const struct column columns[] = {
     COLUMN(lines, born),
 };
 
-const struct chip lines_chip = { "lines", columns, sizeof columns / sizeof *columns, false, false };
+const struct chip lines_chip = { .name = "lines", CHIP_COLUMNS(columns) };
 
 bool lines_set_text(struct lines *l, uint32_t i, const char *text, size_t n, uint32_t clock)
 {

@@ -17,9 +17,8 @@ static const struct column step_columns[] = {
 static const struct column motion_columns[] = { COLUMN(motions, first), COLUMN(motions, length),
                                                 COLUMN(motions, fine) };
 
-const struct chip steps_chip = { "steps", step_columns, sizeof step_columns / sizeof *step_columns, true, false };
-const struct chip motions_chip = { "motions", motion_columns, sizeof motion_columns / sizeof *motion_columns, true,
-                                   false };
+const struct chip steps_chip = { .name = "steps", CHIP_COLUMNS(step_columns), .is_list = true };
+const struct chip motions_chip = { .name = "motions", CHIP_COLUMNS(motion_columns), .is_list = true };
 
 void motion_get_step(const struct steps *s, uint32_t i, struct motion_step *out)
 {
@@ -262,18 +261,10 @@ static int64_t wave_offset(const struct steps *s, uint32_t st, uint32_t k)
     return to - from;
 }
 
-/* Clamps a coordinate in fx to the world. */
-static fx clamp_to_world(int64_t v)
-{
-    const int64_t limit = (int64_t)WORLD_EDGE << 16;
-
-    return (fx)int64_clamp(v, -limit, limit);
-}
-
 /* Returns the fx nearest to a coordinate in Q32, clamped to the world. */
 static fx round_to_world(int64_t v)
 {
-    return clamp_to_world((v + 0x8000) >> Q32_EXTRA_BITS);
+    return motion_clamp_to_world((v + 0x8000) >> Q32_EXTRA_BITS);
 }
 
 void motion_offset_polar(fx x, fx y, int64_t r, ang a, fx *to_x, fx *to_y)
@@ -294,8 +285,8 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
     if (s->actions[st] & DOES_GO_TO) {
         struct motion_share part = motion_ease((enum ease)(s->mode[st] & MODE_EASE), k, n);
         const bool is_relative = s->mode[st] & MODE_RELATIVE;
-        *x = motion_between(l->x, is_relative ? clamp_to_world((int64_t)l->x + s->x[st]) : s->x[st], part);
-        *y = motion_between(l->y, is_relative ? clamp_to_world((int64_t)l->y + s->y[st]) : s->y[st], part);
+        *x = motion_between(l->x, is_relative ? motion_clamp_to_world((int64_t)l->x + s->x[st]) : s->x[st], part);
+        *y = motion_between(l->y, is_relative ? motion_clamp_to_world((int64_t)l->y + s->y[st]) : s->y[st], part);
         return;
     }
     if (s->actions[st] & DOES_POLAR)

@@ -12,10 +12,24 @@
 
 enum {
     PARK = -(16384 << 16), /* x and y of dead slots: one pixel past the edge of the world (bullets: see bullets.h) */
-    WORLD_EDGE = 16383,    /* positions are from -WORLD to WORLD px */
+    WORLD_EDGE = 16383,    /* positions are from -WORLD_EDGE to WORLD_EDGE px */
     MAX_SPEED = 8191,      /* px/frame; also the limit of radii, in px */
     Q32_EXTRA_BITS = 16    /* number of fraction bits that Q32 has in addition to those of fx */
 };
+
+/* Clamps a coordinate, in fx, to the world. */
+static inline fx motion_clamp_to_world(int64_t v)
+{
+    const int64_t edge = (int64_t)WORLD_EDGE << 16;
+
+    return (fx)int64_clamp(v, -edge, edge);
+}
+
+/* Returns a coordinate moved by `delta`, clamped to the world. */
+static inline fx motion_shift(fx at, fx delta)
+{
+    return motion_clamp_to_world((int64_t)at + delta);
+}
 
 /* The hit shape of a kind. */
 enum {

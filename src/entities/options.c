@@ -32,10 +32,9 @@ static const struct column path_columns[] = {
     COLUMN(option_paths, phase),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip options_chip = { "options", columns, COUNT(columns), false, false };
-const struct chip option_kinds_chip = { "option_kinds", kind_columns, COUNT(kind_columns), true, false };
-const struct chip option_paths_chip = { "option_ways", path_columns, COUNT(path_columns), true, false };
+const struct chip options_chip = { .name = "options", CHIP_COLUMNS(columns) };
+const struct chip option_kinds_chip = { .name = "option_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
+const struct chip option_paths_chip = { .name = "option_ways", CHIP_COLUMNS(path_columns), .is_list = true };
 
 const struct option_level *options_level(const struct option_plan *plan, int64_t value)
 {

@@ -40,9 +40,8 @@ static const struct column columns[] = {
     COLUMN(player, bomb_scope),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip player_chip = { "player", columns, COUNT(columns), true, false };
-const struct chip player_kinds_chip = { "player_kinds", kind_columns, COUNT(kind_columns), true, false };
+const struct chip player_chip = { .name = "player", CHIP_COLUMNS(columns), .is_list = true };
+const struct chip player_kinds_chip = { .name = "player_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 void player_set_position(struct player *p, uint32_t i, fx x, fx y)
 {

@@ -14,7 +14,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(registers, n_draining, "set while scripts load"),
 };
 
-const struct chip registers_chip = { "registers", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip registers_chip = { .name = "registers", CHIP_COLUMNS(columns), .is_list = true };
 
 int32_t registers_add(struct registers *r, const struct register_rule *rule)
 {

@@ -15,9 +15,8 @@ static const struct column columns[] = {
     COLUMN(sparks, kind), COLUMN(sparks, age), REGISTERS(sparks, stream),
 };
 
-#define COUNT(table) (int)(sizeof table / sizeof *table)
-const struct chip sparks_chip = { "sparks", columns, COUNT(columns), false, true };
-const struct chip spark_kinds_chip = { "spark_kinds", kind_columns, COUNT(kind_columns), true, false };
+const struct chip sparks_chip = { .name = "sparks", CHIP_COLUMNS(columns), .unhashed = true };
+const struct chip spark_kinds_chip = { .name = "spark_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 /* Sets the start position of spark k of a burst, in slot i, and sets *outwards to the angle to add to its direction. */
 static void place_spark(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)

@@ -16,7 +16,7 @@ static const struct column columns[] = {
                      "an upper bound for the number of sprites that follow a thing, computed from flags"),
 };
 
-const struct chip sprites_chip = { "sprites", columns, sizeof columns / sizeof *columns, false, false };
+const struct chip sprites_chip = { .name = "sprites", CHIP_COLUMNS(columns) };
 
 void sprites_drop_owned(struct sprites *s, int64_t owner)
 {

@@ -235,11 +235,6 @@ static void init_volley(struct board *b, const struct emission *m, struct volley
         prepare_line(b, m, v);
 }
 
-static fx clamp_to_world(fx v)
-{
-    return fx_clamp(v, -WORLD_EDGE * FX_ONE, WORLD_EDGE * FX_ONE);
-}
-
 static bool fire_one(struct board *b, struct volley *v, int32_t i)
 {
     const bool fires_shots = v->e.flags & EMIT_SHOTS;
@@ -248,8 +243,8 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i)
     struct emit_bullet w;
 
     emit_compute_bullet(&v->f, i, &w);
-    s->x = clamp_to_world(fx_add(v->x, to_fx(w.dx)));
-    s->y = clamp_to_world(fx_add(v->y, to_fx(w.dy)));
+    s->x = motion_shift(v->x, to_fx(w.dx));
+    s->y = motion_shift(v->y, to_fx(w.dy));
     s->speed = to_fx(w.speed);
     trig_from_degrees(w.dir, &s->dir);
     if (v->is_aimed) {

@@ -12,7 +12,7 @@ static const struct column columns[] = {
     COLUMNS(input, presses, PRESS_SIDES *PAD_BUTTONS),
 };
 
-const struct chip input_chip = { "input", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip input_chip = { .name = "input", CHIP_COLUMNS(columns), .is_list = true };
 
 static uint16_t without_opposites(uint16_t pads)
 {

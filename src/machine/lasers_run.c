@@ -159,11 +159,6 @@ static bool get_direction(const struct board *b, int64_t h, ang *dir)
     }
 }
 
-static fx clamp_to_world(int64_t v)
-{
-    return (fx)int64_clamp(v, -(int64_t)WORLD_EDGE * 65536, (int64_t)WORLD_EDGE * 65536);
-}
-
 /* Moves laser i to the entity it follows. Returns false if that entity is dead. */
 static bool follow_entity(struct board *b, uint32_t i)
 {
@@ -173,8 +168,8 @@ static bool follow_entity(struct board *b, uint32_t i)
 
     if (!board_alive(b, l->follow_target[i]) || !board_get_position(b, l->follow_target[i], &x, &y))
         return false;
-    b->laser_heads.x[i] = clamp_to_world((int64_t)x + l->dx[i]);
-    b->laser_heads.y[i] = clamp_to_world((int64_t)y + l->dy[i]);
+    b->laser_heads.x[i] = motion_clamp_to_world((int64_t)x + l->dx[i]);
+    b->laser_heads.y[i] = motion_clamp_to_world((int64_t)y + l->dy[i]);
     if (l->flags[i] & LASER_TURNS && get_direction(b, l->follow_target[i], &dir)) {
         if (l->flags[i] & LASER_HAS_TARGET_DIR)
             b->laser_heads.dir[i] += dir - l->target_dir[i];

@@ -13,7 +13,7 @@ static const struct column columns[] = {
     REGISTER(nvram, writes),
 };
 
-const struct chip nvram_chip = { "nvram", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip nvram_chip = { .name = "nvram", CHIP_COLUMNS(columns), .is_list = true };
 
 enum {
     MAGIC_SIZE = 4,

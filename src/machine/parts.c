@@ -21,9 +21,8 @@ static const struct column core_columns[] = {
 };
 static const struct column script_columns[] = { REGISTER(script, digest), REGISTER(script, calls) };
 
-static const struct chip core_chip = { "board", core_columns, sizeof core_columns / sizeof *core_columns, true, false };
-static const struct chip script_chip = { "script", script_columns, sizeof script_columns / sizeof *script_columns, true,
-                                         false };
+static const struct chip core_chip = { .name = "board", CHIP_COLUMNS(core_columns), .is_list = true };
+static const struct chip script_chip = { .name = "script", CHIP_COLUMNS(script_columns), .is_list = true };
 
 enum { MAX_PLAYER_KINDS = 64, MAX_ITEM_KINDS = 256, MAX_OPTION_KINDS = 64 };
 

@@ -73,7 +73,7 @@ static void apply_event(const struct voice_target *g, const struct tune_played *
 static struct voice_target music_target(struct board *b, int track)
 {
     const struct seq *s = &b->music;
-    const uint32_t at = cart_tune_place(&b->cart, s->tune - 1);
+    const uint32_t at = cart_place(&b->cart, CART_TUNES, s->tune - 1);
 
     return (struct voice_target){ b,
                                   at,
@@ -116,7 +116,7 @@ static void start_music(struct board *b, uint16_t index)
     struct tune t = { 0 };
 
     if (index)
-        t = tune_of(tune_data(b) + cart_tune_place(&b->cart, index - 1));
+        t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, index - 1));
     if (index > 0 && index <= SEQ_MAX_PIECES)
         b->music.started[(index - 1) / 64] |= (uint64_t)1 << (index - 1) % 64;
     seq_start(&b->music, index, &t);
@@ -236,7 +236,7 @@ static void step_music(struct board *b)
     if (s->fade)
         s->fade--;
     for (int first = 0; s->tune && first < SND_FRAME;) {
-        const struct tune t = tune_of(tune_data(b) + cart_tune_place(&b->cart, s->tune - 1));
+        const struct tune t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, s->tune - 1));
         struct seq_run run = { .s = s, .t = &t, .first = first };
         struct tune_played e;
         while (seq_next(&run, &e)) {
@@ -351,7 +351,7 @@ static void request_music(struct board *b, uint16_t index, const struct music_op
     s->next_is_scheduled = 0;
     s->next_start = 0;
     if (s->tune && options->start_at) {
-        const struct tune t = tune_of(tune_data(b) + cart_tune_place(&b->cart, s->tune - 1));
+        const struct tune t = tune_of(tune_data(b) + cart_place(&b->cart, CART_TUNES, s->tune - 1));
         s->fade = s->fade_length = 0;
         seq_schedule_next(s, options->start_at == MUSIC_AT_BAR ? t.beats_per_bar : 1);
     } else if (s->tune && options->fade > 0)

@@ -23,7 +23,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(tasks, now_scene, "0 between frames"),
 };
 
-const struct chip tasks_chip = { "tasks", columns, sizeof columns / sizeof *columns, false, false };
+const struct chip tasks_chip = { .name = "tasks", CHIP_COLUMNS(columns) };
 
 bool tasks_owner_alive(const struct board *b, int64_t owner)
 {

@@ -6,6 +6,7 @@
 
 #include <assert.h>
 #include <inttypes.h>
+#include <limits.h>
 #include <stdio.h>
 #include <string.h>
 #include "../base/bytes.h"
@@ -35,14 +36,60 @@ static bool find_lump_in(const struct rom *rom, const char *folder, const char *
     return n > 0 && n < ROM_MAX_NAME && find_lump(rom, full, l);
 }
 
-/* Returns the index of the first lump with a prefix, and stores the number of such lumps in *n. after: the prefix
- * with its last byte incremented. */
-static int find_prefix_range(const struct rom *rom, const char *prefix, const char *after, int *n)
-{
-    int first = rom_find_first(rom, prefix);
+static const struct {
+    const char *prefix, *after; /* after: the prefix with its last byte incremented */
+    int max_lumps;
+} folders[CART_FOLDERS] = {
+    [CART_SPRITES] = { "gfx/", "gfx0", INT_MAX },
+    [CART_PALETTES] = { "palette/", "palette0", INT_MAX },
+    [CART_BLENDS] = { "blend/", "blend0", CART_MAX_BLENDS },
+    [CART_LANGS] = { "lang/", "lang0", INT_MAX },
+    [CART_MAPS] = { "map/", "map0", CART_MAX_MAPS },
+    [CART_BULLETML] = { "bulletml/", "bulletml0", CART_MAX_BULLETML },
+    [CART_FACES] = { "fonts/", "fonts0", CART_MAX_FACES },
+    [CART_TUNES] = { "tune/", "tune0", INT_MAX },
+    [CART_SOUNDS] = { "sound/", "sound0", INT_MAX },
+    [CART_SHADE_TABLES] = { "shade/", "shade0", INT_MAX },
+    [CART_BLEND_TABLES] = { "blends/", "blends0", INT_MAX },
+    [CART_HITS] = { "hit/", "hit0", INT_MAX },
+};
 
-    *n = rom_find_first(rom, after) - first;
-    return first;
+static void find_folders(struct cart *c)
+{
+    for (int f = 0; f < CART_FOLDERS; f++) {
+        c->first[f] = rom_find_first(c->rom, folders[f].prefix);
+        c->count[f] = rom_find_first(c->rom, folders[f].after) - c->first[f];
+    }
+}
+
+static bool check_count(const struct cart *c, enum cart_folder f, char *err, size_t err_size)
+{
+    return c->count[f] <= folders[f].max_lumps ? true
+                                               : err_set(err, err_size, "%d lumps named \"%s...\", expected at most %d",
+                                                         c->count[f], folders[f].prefix, folders[f].max_lumps);
+}
+
+static void get_lump(const struct cart *c, enum cart_folder f, int i, struct lump *l)
+{
+    assert(i >= 0 && i < c->count[f]);
+    rom_lump(c->rom, c->first[f] + i, l);
+}
+
+const char *cart_name(const struct cart *cart, enum cart_folder folder, int i)
+{
+    struct lump l;
+
+    get_lump(cart, folder, i, &l);
+    return l.name + strlen(folders[folder].prefix);
+}
+
+int cart_find(const struct cart *cart, enum cart_folder folder, const char *name)
+{
+    char full[ROM_MAX_NAME];
+    const int n = snprintf(full, sizeof full, "%s%s", folders[folder].prefix, name);
+    const int i = n > 0 && n < ROM_MAX_NAME ? rom_find(cart->rom, full) : -1;
+
+    return i < 0 ? -1 : i - cart->first[folder];
 }
 
 static bool open_manifest(struct cart *c, char *err, size_t err_size)
@@ -63,9 +110,8 @@ static bool open_palettes(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_palette = find_prefix_range(c->rom, "palette/", "palette0", &c->palettes);
-    for (int i = 0; i < c->palettes; i++) {
-        rom_lump(c->rom, c->first_palette + i, &l);
+    for (int i = 0; i < c->count[CART_PALETTES]; i++) {
+        get_lump(c, CART_PALETTES, i, &l);
         if (l.size != CART_PALETTE_SIZE)
             return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, expected %d", l.name, l.size,
                            CART_PALETTE_SIZE);
@@ -107,11 +153,10 @@ static bool open_blends(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_blend = find_prefix_range(c->rom, "blend/", "blend0", &c->blends);
-    if (c->blends > CART_MAX_BLENDS)
-        return err_set(err, err_size, "%d lumps named \"blend/...\", expected at most %d", c->blends, CART_MAX_BLENDS);
-    for (int i = 0; i < c->blends; i++) {
-        rom_lump(c->rom, c->first_blend + i, &l);
+    if (!check_count(c, CART_BLENDS, err, err_size))
+        return false;
+    for (int i = 0; i < c->count[CART_BLENDS]; i++) {
+        get_lump(c, CART_BLENDS, i, &l);
         if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
             return false;
         c->main_look.blend[i] = l.data;
@@ -128,14 +173,14 @@ static bool open_look(struct cart *c, int i, char *err, size_t err_size)
     struct lump l;
 
     *look = c->main_look;
-    if (find_lump_in(c->rom, "shade/", cart_palette_name(c, i), "", &l)) {
+    if (find_lump_in(c->rom, "shade/", cart_name(c, CART_PALETTES, i), "", &l)) {
         look->shades = l.data;
         if (!check_size(&l, CART_SHADES_SIZE, err, err_size))
             return false;
     }
-    snprintf(folder, sizeof folder, "blends/%s/", cart_palette_name(c, i));
-    for (int k = 0; k < c->blends; k++) {
-        if (!find_lump_in(c->rom, folder, cart_blend_name(c, k), "", &l))
+    snprintf(folder, sizeof folder, "blends/%s/", cart_name(c, CART_PALETTES, i));
+    for (int k = 0; k < c->count[CART_BLENDS]; k++) {
+        if (!find_lump_in(c->rom, folder, cart_name(c, CART_BLENDS, k), "", &l))
             continue;
         if (!check_size(&l, CART_BLEND_SIZE, err, err_size))
             return false;
@@ -147,15 +192,11 @@ static bool open_look(struct cart *c, int i, char *err, size_t err_size)
 
 static bool open_looks(struct cart *c, char *err, size_t err_size)
 {
-    int shades, blends;
-
-    find_prefix_range(c->rom, "shade/", "shade0", &shades);
-    find_prefix_range(c->rom, "blends/", "blends0", &blends);
-    c->has_looks = shades + blends > 0;
-    if (c->has_looks && c->palettes > CART_MAX_LOOKS)
+    c->has_looks = c->count[CART_SHADE_TABLES] + c->count[CART_BLEND_TABLES] > 0;
+    if (c->has_looks && c->count[CART_PALETTES] > CART_MAX_LOOKS)
         return err_set(err, err_size, "%d lumps named \"palette/...\" with shade or blend tables, expected at most %d",
-                       c->palettes, CART_MAX_LOOKS);
-    for (int i = 0; i < c->palettes && c->has_looks; i++)
+                       c->count[CART_PALETTES], CART_MAX_LOOKS);
+    for (int i = 0; i < c->count[CART_PALETTES] && c->has_looks; i++)
         if (!open_look(c, i, err, err_size))
             return false;
     return true;
@@ -167,11 +208,10 @@ static bool open_faces(struct cart *c, char *err, size_t err_size)
     struct lump l;
     char detail[128];
 
-    c->first_face = find_prefix_range(c->rom, "fonts/", "fonts0", &c->faces);
-    if (c->faces > CART_MAX_FACES)
-        return err_set(err, err_size, "%d lumps named \"fonts/...\", expected at most %d", c->faces, CART_MAX_FACES);
-    for (int i = 0; i < c->faces; i++) {
-        rom_lump(c->rom, c->first_face + i, &l);
+    if (!check_count(c, CART_FACES, err, err_size))
+        return false;
+    for (int i = 0; i < c->count[CART_FACES]; i++) {
+        get_lump(c, CART_FACES, i, &l);
         if (!face_open(&face, l.data, l.size, detail, sizeof detail))
             return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
     }
@@ -184,10 +224,9 @@ static bool open_langs(struct cart *c, char *err, size_t err_size)
     struct lump l;
     char detail[128];
 
-    c->first_lang = find_prefix_range(c->rom, "lang/", "lang0", &c->langs);
-    for (int i = 0; i < c->langs; i++) {
-        rom_lump(c->rom, c->first_lang + i, &l);
-        if (!manifest_setting_name_ok(cart_lang_name(c, i)))
+    for (int i = 0; i < c->count[CART_LANGS]; i++) {
+        get_lump(c, CART_LANGS, i, &l);
+        if (!manifest_setting_name_ok(cart_name(c, CART_LANGS, i)))
             return err_set(err, err_size, "lump \"%s\": expected a name of 1 to %d letters, digits, _ and -", l.name,
                            MAX_SETTING_NAME - 1);
         if (!words_open(&words, l.data, l.size, detail, sizeof detail))
@@ -290,9 +329,8 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_sprite = find_prefix_range(c->rom, "gfx/", "gfx0", &c->sprites);
-    for (int i = 0; i < c->sprites; i++) {
-        rom_lump(c->rom, c->first_sprite + i, &l);
+    for (int i = 0; i < c->count[CART_SPRITES]; i++) {
+        get_lump(c, CART_SPRITES, i, &l);
         if (!check_sprite(&l, err, err_size))
             return false;
     }
@@ -356,11 +394,10 @@ static bool open_hits(struct cart *c, char *err, size_t err_size)
 {
     struct cart_hit h;
     struct lump l;
-    int n, first = find_prefix_range(c->rom, "hit/", "hit0", &n);
 
-    for (int i = 0; i < n; i++) {
-        rom_lump(c->rom, first + i, &l);
-        if (cart_find_sprite(c, l.name + strlen("hit/")) < 0)
+    for (int i = 0; i < c->count[CART_HITS]; i++) {
+        get_lump(c, CART_HITS, i, &l);
+        if (cart_find(c, CART_SPRITES, cart_name(c, CART_HITS, i)) < 0)
             return err_set(err, err_size, "lump \"%s\": no sprite has this name", l.name);
         if (l.size == CART_HIT_SIZE)
             read_hit(l.data, &h);
@@ -453,11 +490,10 @@ static bool open_maps(struct cart *c, char *err, size_t err_size)
 {
     struct lump l;
 
-    c->first_map = find_prefix_range(c->rom, "map/", "map0", &c->maps);
-    if (c->maps > CART_MAX_MAPS)
-        return err_set(err, err_size, "%d lumps named \"map/...\", expected at most %d", c->maps, CART_MAX_MAPS);
-    for (int i = 0; i < c->maps; i++) {
-        rom_lump(c->rom, c->first_map + i, &l);
+    if (!check_count(c, CART_MAPS, err, err_size))
+        return false;
+    for (int i = 0; i < c->count[CART_MAPS]; i++) {
+        get_lump(c, CART_MAPS, i, &l);
         if (!check_map(&l, err, err_size))
             return false;
     }
@@ -469,12 +505,10 @@ static bool open_bulletml(struct cart *c, char *err, size_t err_size)
     struct lump l;
     char detail[96];
 
-    c->first_bulletml = find_prefix_range(c->rom, "bulletml/", "bulletml0", &c->bulletmls);
-    if (c->bulletmls > CART_MAX_BULLETML)
-        return err_set(err, err_size, "%d lumps named \"bulletml/...\", expected at most %d", c->bulletmls,
-                       CART_MAX_BULLETML);
-    for (int i = 0; i < c->bulletmls; i++) {
-        rom_lump(c->rom, c->first_bulletml + i, &l);
+    if (!check_count(c, CART_BULLETML, err, err_size))
+        return false;
+    for (int i = 0; i < c->count[CART_BULLETML]; i++) {
+        get_lump(c, CART_BULLETML, i, &l);
         if (!ml_check(l.data, l.size, detail, sizeof detail))
             return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
     }
@@ -490,16 +524,17 @@ static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
            samples_are_valid(l.data, l.size, sides);
 }
 
-/* Checks n tunes, music or sounds, from lump `first` on. */
-static bool open_tunes(struct cart *c, int first, int n, char *err, size_t err_size)
+/* Checks the tunes of music or sounds. */
+static bool open_tunes(struct cart *c, enum cart_folder folder, char *err, size_t err_size)
 {
     struct lump l;
     char detail[128];
 
-    if (n > CART_MAX_TUNES)
-        return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", n, CART_MAX_TUNES);
-    for (int i = 0; i < n; i++) {
-        rom_lump(c->rom, first + i, &l);
+    if (c->count[folder] > CART_MAX_TUNES)
+        return err_set(err, err_size, "%d sounds and pieces of music, expected at most %d", c->count[folder],
+                       CART_MAX_TUNES);
+    for (int i = 0; i < c->count[folder]; i++) {
+        get_lump(c, folder, i, &l);
         if (!tune_validate(l.data, l.size, detail, sizeof detail))
             return err_set(err, err_size, "lump \"%s\": %s", l.name, detail);
         const struct tune t = tune_of(l.data);
@@ -518,23 +553,21 @@ static bool open_sounds(struct cart *c, char *err, size_t err_size)
 {
     struct lump first;
 
-    c->first_tune = find_prefix_range(c->rom, "tune/", "tune0", &c->tunes);
-    c->first_sound = find_prefix_range(c->rom, "sound/", "sound0", &c->sounds);
-    if (c->sounds + c->tunes > 0) { /* sounds and music are adjacent in the ROM */
-        rom_lump(c->rom, c->sounds > 0 ? c->first_sound : c->first_tune, &first);
+    if (c->count[CART_SOUNDS] + c->count[CART_TUNES] > 0) { /* sounds and music are adjacent in the ROM */
+        get_lump(c, c->count[CART_SOUNDS] > 0 ? CART_SOUNDS : CART_TUNES, 0, &first);
         c->tune_data = first.data - TUNES_FIRST_PLACE;
     }
     for (int i = 0; i < CART_CUES; i++) {
-        const int sound = cart_find_sound(c, cart_cues[i]);
-        c->cue_place[i] = sound < 0 ? 0 : cart_sound_place(c, sound);
+        const int sound = cart_find(c, CART_SOUNDS, cart_cues[i]);
+        c->cue_place[i] = sound < 0 ? 0 : cart_place(c, CART_SOUNDS, sound);
     }
-    return open_tunes(c, c->first_tune, c->tunes, err, err_size) &&
-           open_tunes(c, c->first_sound, c->sounds, err, err_size);
+    return open_tunes(c, CART_TUNES, err, err_size) && open_tunes(c, CART_SOUNDS, err, err_size);
 }
 
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size)
 {
     cart->rom = rom;
+    find_folders(cart);
     return open_manifest(cart, err, err_size) && open_palettes(cart, err, err_size) &&
            open_shades(cart, err, err_size) && open_blends(cart, err, err_size) && open_looks(cart, err, err_size) &&
            open_langs(cart, err, err_size) && open_faces(cart, err, err_size) && open_font(cart, err, err_size) &&
@@ -546,51 +579,8 @@ void cart_sprite(const struct cart *cart, int i, struct sprite *out)
 {
     struct lump l;
 
-    assert(i >= 0 && i < cart->sprites);
-    rom_lump(cart->rom, cart->first_sprite + i, &l);
+    get_lump(cart, CART_SPRITES, i, &l);
     read_sprite(&l, out);
-}
-
-const char *cart_sprite_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->sprites);
-    rom_lump(cart->rom, cart->first_sprite + i, &l);
-    return l.name + strlen("gfx/");
-}
-
-/* Returns the index of the lump named folder + name, relative to lump `first`, or -1. */
-static int find_index(const struct cart *cart, const char *folder, const char *name, int first)
-{
-    char full[ROM_MAX_NAME];
-    int n = snprintf(full, sizeof full, "%s%s", folder, name);
-    int i = n > 0 && n < ROM_MAX_NAME ? rom_find(cart->rom, full) : -1;
-
-    return i < 0 ? -1 : i - first;
-}
-
-int cart_find_sprite(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "gfx/", name, cart->first_sprite);
-}
-
-const char *cart_blend_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->blends);
-    rom_lump(cart->rom, cart->first_blend + i, &l);
-    return l.name + strlen("blend/");
-}
-
-const char *cart_lang_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->langs);
-    rom_lump(cart->rom, cart->first_lang + i, &l);
-    return l.name + strlen("lang/");
 }
 
 bool cart_open_lang(const struct cart *cart, const char *name, struct words *out)
@@ -603,73 +593,28 @@ bool cart_open_lang(const struct cart *cart, const char *name, struct words *out
            (find_lump_in(cart->rom, "lang/", name, "", &l) && words_open(out, l.data, l.size, err, sizeof err));
 }
 
-int cart_find_blend(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "blend/", name, cart->first_blend);
-}
-
 void cart_map(const struct cart *cart, int i, struct map *out)
 {
     struct lump l;
 
-    assert(i >= 0 && i < cart->maps);
-    rom_lump(cart->rom, cart->first_map + i, &l);
+    get_lump(cart, CART_MAPS, i, &l);
     read_map(&l, out);
-}
-
-const char *cart_palette_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->palettes);
-    rom_lump(cart->rom, cart->first_palette + i, &l);
-    return l.name + strlen("palette/");
 }
 
 const uint8_t *cart_palette_at(const struct cart *cart, int i)
 {
     struct lump l;
 
-    assert(i >= 0 && i < cart->palettes);
-    rom_lump(cart->rom, cart->first_palette + i, &l);
+    get_lump(cart, CART_PALETTES, i, &l);
     return l.data;
-}
-
-const char *cart_map_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->maps);
-    rom_lump(cart->rom, cart->first_map + i, &l);
-    return l.name + strlen("map/");
-}
-
-int cart_find_map(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "map/", name, cart->first_map);
 }
 
 void cart_bulletml(const struct cart *cart, int i, struct ml *out)
 {
     struct lump l;
 
-    assert(i >= 0 && i < cart->bulletmls);
-    rom_lump(cart->rom, cart->first_bulletml + i, &l);
+    get_lump(cart, CART_BULLETML, i, &l);
     ml_open(out, l.data);
-}
-
-const char *cart_bulletml_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->bulletmls);
-    rom_lump(cart->rom, cart->first_bulletml + i, &l);
-    return l.name + strlen("bulletml/");
-}
-
-int cart_find_bulletml(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "bulletml/", name, cart->first_bulletml);
 }
 
 const uint8_t *cart_palette(const struct cart *cart, const char *name)
@@ -679,27 +624,12 @@ const uint8_t *cart_palette(const struct cart *cart, const char *name)
     return find_lump_in(cart->rom, "palette/", name, "", &l) ? l.data : NULL;
 }
 
-const char *cart_face_name(const struct cart *cart, int i)
-{
-    struct lump l;
-
-    assert(i >= 0 && i < cart->faces);
-    rom_lump(cart->rom, cart->first_face + i, &l);
-    return l.name + strlen("fonts/");
-}
-
 struct face cart_face(const struct cart *cart, int i)
 {
     struct lump l;
 
-    assert(i >= 0 && i < cart->faces);
-    rom_lump(cart->rom, cart->first_face + i, &l);
+    get_lump(cart, CART_FACES, i, &l);
     return face_of(l.data);
-}
-
-int cart_find_face(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "fonts/", name, cart->first_face);
 }
 
 bool cart_has_glyph(const struct cart *cart, uint32_t code)
@@ -708,61 +638,19 @@ bool cart_has_glyph(const struct cart *cart, uint32_t code)
     struct face_glyph g;
     bool is_found = text_is_blank(code) || text_has_glyph(&font, code);
 
-    for (int i = 0; i < cart->faces && !is_found; i++) {
+    for (int i = 0; i < cart->count[CART_FACES] && !is_found; i++) {
         struct face face = cart_face(cart, i);
         is_found = face_find(&face, code, &g);
     }
     return is_found;
 }
 
-static const char *name_in_folder(const struct cart *cart, const char *folder, int lump)
+uint32_t cart_place(const struct cart *cart, enum cart_folder folder, int i)
 {
     struct lump l;
 
-    rom_lump(cart->rom, lump, &l);
-    return l.name + strlen(folder);
-}
-
-static uint32_t lump_place(const struct cart *cart, int lump)
-{
-    struct lump l;
-
-    rom_lump(cart->rom, lump, &l);
+    get_lump(cart, folder, i, &l);
     return (uint32_t)(l.data - cart->tune_data);
-}
-
-const char *cart_tune_name(const struct cart *cart, int i)
-{
-    assert(i >= 0 && i < cart->tunes);
-    return name_in_folder(cart, "tune/", cart->first_tune + i);
-}
-
-uint32_t cart_tune_place(const struct cart *cart, int i)
-{
-    assert(i >= 0 && i < cart->tunes);
-    return lump_place(cart, cart->first_tune + i);
-}
-
-int cart_find_tune(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "tune/", name, cart->first_tune);
-}
-
-const char *cart_sound_name(const struct cart *cart, int i)
-{
-    assert(i >= 0 && i < cart->sounds);
-    return name_in_folder(cart, "sound/", cart->first_sound + i);
-}
-
-uint32_t cart_sound_place(const struct cart *cart, int i)
-{
-    assert(i >= 0 && i < cart->sounds);
-    return lump_place(cart, cart->first_sound + i);
-}
-
-int cart_find_sound(const struct cart *cart, const char *name)
-{
-    return find_index(cart, "sound/", name, cart->first_sound);
 }
 
 /* Returns the place of the samples of the tune at place `tune`, which is a recording; 0: none. */
@@ -774,9 +662,9 @@ static uint32_t samples_place(const struct cart *cart, uint32_t tune)
 
     if (at)
         return tune + at;
-    while (i < cart->tunes && cart_tune_place(cart, i) != tune)
+    while (i < cart->count[CART_TUNES] && cart_place(cart, CART_TUNES, i) != tune)
         i++;
-    if (i == cart->tunes || !find_lump_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l))
+    if (i == cart->count[CART_TUNES] || !find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l))
         return 0;
     return (uint32_t)(l.data - cart->tune_data);
 }
@@ -785,14 +673,14 @@ size_t cart_wave_size(const struct cart *cart, int i)
 {
     struct lump l;
 
-    return i >= 0 && find_lump_in(cart->rom, "wave/", cart_tune_name(cart, i), "", &l) ? l.size : 0;
+    return i >= 0 && find_lump_in(cart->rom, "wave/", cart_name(cart, CART_TUNES, i), "", &l) ? l.size : 0;
 }
 
 uint32_t cart_recording_place(const struct cart *cart, uint32_t tune, const uint8_t *inst)
 {
     const bool is_named = inst_sample_name(inst)[0] != 0;
-    const int sound = is_named ? cart_find_sound(cart, inst_sample_name(inst)) : -1;
-    const uint32_t source = sound < 0 ? tune : cart_sound_place(cart, sound);
+    const int sound = is_named ? cart_find(cart, CART_SOUNDS, inst_sample_name(inst)) : -1;
+    const uint32_t source = sound < 0 ? tune : cart_place(cart, CART_SOUNDS, sound);
     const struct tune t = tune_of(cart->tune_data + source);
 
     if (inst[0] != INST_SAMPLE || (is_named && sound < 0) || t.channels == 0)

@@ -100,24 +100,33 @@ struct cart_look {
     uint8_t mix[CART_MAX_BLENDS]; /* enum blit_mix: the rule with the same results as the table, or BLIT_TABLE */
 };
 
+/* The folders of the ROM whose lumps are numbered, in the order of their names. */
+enum cart_folder {
+    CART_SPRITES,
+    CART_PALETTES,
+    CART_BLENDS,
+    CART_LANGS,
+    CART_MAPS,
+    CART_BULLETML,
+    CART_FACES,
+    CART_TUNES,
+    CART_SOUNDS,
+    CART_SHADE_TABLES,
+    CART_BLEND_TABLES,
+    CART_HITS,
+    CART_FOLDERS
+};
+
 struct cart {
     const struct rom *rom;
     struct manifest manifest;
-    int first_sprite, sprites; /* lumps gfx/...; sprite i is lump first_sprite + i */
-    int first_palette, palettes;
-    bool has_looks; /* a palette has its own tables; otherwise all palettes use `main_look` */
-    int first_blend, blends;
-    int first_lang, langs;
-    int first_map, maps;
-    int first_bulletml, bulletmls;
+    int first[CART_FOLDERS], count[CART_FOLDERS]; /* entry i of folder f is lump first[f] + i, 0 <= i < count[f] */
+    bool has_looks;                         /* a palette has its own tables; otherwise all palettes use `main_look` */
     struct cart_look main_look;             /* tables of palette/main, and of palettes that have none */
     struct cart_look looks[CART_MAX_LOOKS]; /* tables of each palette, if has_looks */
     const uint8_t *glyphs;                  /* NULL: no font */
     int n_glyphs;
-    int first_face, faces;
-    int first_tune, tunes;
-    const uint8_t *tune_data; /* the address of place 0 of sounds and music */
-    int first_sound, sounds;
+    const uint8_t *tune_data;      /* the address of place 0 of sounds and music */
     uint32_t cue_place[CART_CUES]; /* place of each automatic sound; 0: not in the game */
 };
 
@@ -143,11 +152,15 @@ struct map {
  * one sentence in err, if a check fails. rom must outlive cart. */
 bool cart_open(struct cart *cart, const struct rom *rom, char *err, size_t err_size);
 
-/* cart_sprite stores sprite i in *out, 0 <= i < sprites; cart_sprite_name returns its name without "gfx/".
- * cart_find_sprite returns the index of the sprite with that name, or -1. */
+/* cart_name returns the name of entry i of a folder, 0 <= i < count[folder], without the folder's prefix; cart_find the
+ * index of the entry with that name, or -1. */
+const char *cart_name(const struct cart *cart, enum cart_folder folder, int i);
+int cart_find(const struct cart *cart, enum cart_folder folder, const char *name);
+
+/* Store entry i in *out. */
 void cart_sprite(const struct cart *cart, int i, struct sprite *out);
-const char *cart_sprite_name(const struct cart *cart, int i);
-int cart_find_sprite(const struct cart *cart, const char *name);
+void cart_map(const struct cart *cart, int i, struct map *out);
+void cart_bulletml(const struct cart *cart, int i, struct ml *out);
 
 /* The hitbox drawn with a sprite: a SHAPE_ constant, and the rows of the shape in fx px, relative to the sprite's
  * origin. */
@@ -162,53 +175,21 @@ void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE]);
 /* Reads the hitbox of the sprite with that name. Returns false if the sprite has no drawn hitbox. */
 bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out);
 
-/* cart_blend_name returns the name of blend i, 0 <= i < blends, without "blend/"; cart_find_blend the index of the
- * blend with that name, or -1. */
-const char *cart_blend_name(const struct cart *cart, int i);
-int cart_find_blend(const struct cart *cart, const char *name);
-
-/* Returns the name of language i, 0 <= i < langs, without "lang/". */
-const char *cart_lang_name(const struct cart *cart, int i);
-
 /* Opens the translations of the language with that name; "" opens an empty table. Returns false if the game has no such
  * language. */
 bool cart_open_lang(const struct cart *cart, const char *name, struct words *out);
 
-/* cart_map stores map i in *out, 0 <= i < maps; cart_map_name returns its name without "map/". cart_find_map returns
- * the index of the map with that name, or -1. */
-void cart_map(const struct cart *cart, int i, struct map *out);
-const char *cart_map_name(const struct cart *cart, int i);
-int cart_find_map(const struct cart *cart, const char *name);
-
-/* cart_bulletml opens the program of document i, 0 <= i < bulletmls; cart_bulletml_name returns the document's name
- * without "bulletml/". cart_find_bulletml returns the index of the document with that name, or -1. */
-void cart_bulletml(const struct cart *cart, int i, struct ml *out);
-const char *cart_bulletml_name(const struct cart *cart, int i);
-int cart_find_bulletml(const struct cart *cart, const char *name);
-
 /* cart_palette returns the palette with that name, as 256 x R G B, or NULL if there is none; "main" always exists.
- * cart_palette_at returns palette i, 0 <= i < palettes; cart_palette_name returns its name. Names are without
- * "palette/". */
+ * cart_palette_at returns palette i. */
 const uint8_t *cart_palette(const struct cart *cart, const char *name);
-const char *cart_palette_name(const struct cart *cart, int i);
 const uint8_t *cart_palette_at(const struct cart *cart, int i);
 
-/* cart_face returns font i of rom.lua's `fonts`, 0 <= i < faces; cart_face_name returns its name. cart_find_face
- * returns the index of the font with that name, or -1. */
-const char *cart_face_name(const struct cart *cart, int i);
+/* Returns font i of rom.lua's `fonts`. */
 struct face cart_face(const struct cart *cart, int i);
-int cart_find_face(const struct cart *cart, const char *name);
 
-/* cart_tune_name returns the name of piece of music i, 0 <= i < tunes; cart_tune_place its place, which is the offset
- * of its lump (tune.h) from tune_data and never 0; cart_find_tune the index of the piece with that name, or -1. The
- * other three do the same for sounds, 0 <= i < sounds. Ticks compute with places, so places must depend on no lumps
- * other than sounds and music. */
-const char *cart_tune_name(const struct cart *cart, int i);
-uint32_t cart_tune_place(const struct cart *cart, int i);
-int cart_find_tune(const struct cart *cart, const char *name);
-const char *cart_sound_name(const struct cart *cart, int i);
-uint32_t cart_sound_place(const struct cart *cart, int i);
-int cart_find_sound(const struct cart *cart, const char *name);
+/* Returns the place of piece of music or sound i: the offset of its lump (tune.h) from tune_data, never 0. Ticks
+ * compute with places, so places must depend on no lumps other than sounds and music. */
+uint32_t cart_place(const struct cart *cart, enum cart_folder folder, int i);
 
 /* Returns the size in bytes of the samples of a stream, piece of music i; 0 if the piece is not a stream or i is
  * negative. */

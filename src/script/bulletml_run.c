@@ -81,7 +81,7 @@ int64_t bulletml_aim_direction(const struct turn *t)
 void bulletml_fault(const struct turn *t, uint32_t w, const char *message)
 {
     vm_fault(t->b->vm.running, FAULT_SCRIPT, "bulletml/%s.xml:%d: %s",
-             cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), message);
+             cart_name(&t->b->cart, CART_BULLETML, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), message);
 }
 
 void bulletml_fault_work(const struct turn *t, uint32_t w)
@@ -92,7 +92,7 @@ void bulletml_fault_work(const struct turn *t, uint32_t w)
         t->b,
         "bulletml/%s.xml:%d: too much BulletML work in one frame (%u runners, %llu commands and expression "
         "steps so far); lower `board.bulletml` in rom.lua or add waits",
-        cart_bulletml_name(&t->b->cart, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), r->s.live,
+        cart_name(&t->b->cart, CART_BULLETML, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), r->s.live,
         (unsigned long long)r->work_done);
 }
 
@@ -659,11 +659,6 @@ static void drop_root(struct board *b, uint32_t i)
     slots_drop(&b->ml_roots.s, i);
 }
 
-static fx clamp_to_world(int64_t v)
-{
-    return (fx)int64_clamp(v, -WORLD_EDGE * FX_ONE, WORLD_EDGE * FX_ONE);
-}
-
 /* Moves a root to its offset from the entity it follows. */
 static void follow_entity(struct board *b, uint32_t i)
 {
@@ -671,8 +666,8 @@ static void follow_entity(struct board *b, uint32_t i)
     fx x = 0, y = 0;
 
     board_get_position(b, o->follow_target[i], &x, &y);
-    o->x[i] = clamp_to_world((int64_t)x + o->dx[i]);
-    o->y[i] = clamp_to_world((int64_t)y + o->dy[i]);
+    o->x[i] = motion_clamp_to_world((int64_t)x + o->dx[i]);
+    o->y[i] = motion_clamp_to_world((int64_t)y + o->dy[i]);
 }
 
 /* Called before the turns. Ends roots whose owner or followed entity no longer exists, moves roots that follow an
@@ -721,8 +716,8 @@ static void move_root(struct board *b, uint32_t i)
     move_coordinate(&o->x[i], &o->x_low[i], f.fine_x);
     move_coordinate(&o->y[i], &o->y_low[i], f.fine_y);
     if (o->follow_target[i]) {
-        b->enemies.x[handle_slot(o->follow_target[i])] = clamp_to_world((int64_t)o->x[i] - o->dx[i]);
-        b->enemies.y[handle_slot(o->follow_target[i])] = clamp_to_world((int64_t)o->y[i] - o->dy[i]);
+        b->enemies.x[handle_slot(o->follow_target[i])] = motion_clamp_to_world((int64_t)o->x[i] - o->dx[i]);
+        b->enemies.y[handle_slot(o->follow_target[i])] = motion_clamp_to_world((int64_t)o->y[i] - o->dy[i]);
     }
 }
 

@@ -44,8 +44,8 @@ static const struct column cues_columns[] = {
     COLUMN(cues, cue_volume), COLUMN(cues, pan_offset), COLUMN(cues, pitch),  REGISTERS(cues, last_played),
 };
 
-const struct chip seq_chip = { "music", seq_columns, sizeof seq_columns / sizeof *seq_columns, true, false };
-const struct chip cues_chip = { "cues", cues_columns, sizeof cues_columns / sizeof *cues_columns, true, true };
+const struct chip seq_chip = { .name = "music", CHIP_COLUMNS(seq_columns), .is_list = true };
+const struct chip cues_chip = { .name = "cues", CHIP_COLUMNS(cues_columns), .is_list = true, .unhashed = true };
 
 enum { FIRST_VOLUME = 100 };
 

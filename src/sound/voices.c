@@ -19,7 +19,7 @@ static const struct column columns[] = {
     REGISTER(voices, duck_depth),
 };
 
-const struct chip voices_chip = { "voices", columns, sizeof columns / sizeof *columns, true, true };
+const struct chip voices_chip = { .name = "voices", CHIP_COLUMNS(columns), .is_list = true, .unhashed = true };
 
 /* ---- pitch ---- */
 

@@ -24,10 +24,10 @@ static uint64_t read_cart(const struct cart *cart)
 {
     uint64_t h = 0;
 
-    for (int i = 0; i < cart->sprites; i++) {
+    for (int i = 0; i < cart->count[CART_SPRITES]; i++) {
         struct sprite s;
         cart_sprite(cart, i, &s);
-        if (cart_find_sprite(cart, cart_sprite_name(cart, i)) != i)
+        if (cart_find(cart, CART_SPRITES, cart_name(cart, CART_SPRITES, i)) != i)
             abort();
         h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
     }

@@ -274,7 +274,7 @@ static void test_covers(void **state)
     r.b->bg.flags[1] = BG_WRAP | BG_BLEND_ONE;
     assert_false(video_bg_covers(r.b));
     r.b->bg.flags[1] = BG_WRAP;
-    r.b->bg.map[1] = (uint16_t)(cart_find_map(&r.b->cart, "reef") + 1);
+    r.b->bg.map[1] = (uint16_t)(cart_find(&r.b->cart, CART_MAPS, "reef") + 1);
     assert_false(video_bg_covers(r.b));
     rig_free(&r);
     rig_game_free(&g);
@@ -420,7 +420,7 @@ static void test_show(void **state)
     power(&g, &r, shows);
     rig_run(&r, 1);
     assert_int_equal(r.b->bg.shown_id[0], 1);
-    assert_int_equal(r.b->bg.map[0], cart_find_map(&r.b->cart, "sea") + 1);
+    assert_int_equal(r.b->bg.map[0], cart_find(&r.b->cart, CART_MAPS, "sea") + 1);
     rig_run(&r, 10);
     assert_int_equal(bg_darkness(&r.b->bg), 1);
     rig_run(&r, 9);

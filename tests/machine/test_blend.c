@@ -48,8 +48,8 @@ static void expect_one(const char *thing, const char *sprite, int picture, int b
     draw(thing, got);
     rig_script(&g, NULL, "");
     rig_ruled_blends(&g, ghost, glow);
-    cart_sprite(&g.cart, cart_find_sprite(&g.cart, sprite), &s);
-    const uint8_t *table = g.cart.main_look.blend[cart_find_blend(&g.cart, blend)];
+    cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, sprite), &s);
+    const uint8_t *table = g.cart.main_look.blend[cart_find(&g.cart, CART_BLENDS, blend)];
     for (int y = 0; y < H; y++)
         for (int x = 0; x < W; x++) {
             int u = x - X + s.ox, v = y - Y + s.oy, want = under[y][x];

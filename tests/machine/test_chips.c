@@ -13,7 +13,7 @@ static fx px(double v)
 /* ---- slots ---- */
 
 static const struct column thing_columns[] = { { "v", sizeof(struct slots), 4, 1, false, false, COL_GAME, NULL, 0 } };
-static const struct chip thing_chip = { "things", thing_columns, 1, false, false };
+static const struct chip thing_chip = { .name = "things", CHIP_COLUMNS(thing_columns) };
 struct thing {
     struct slots s;
     uint32_t *v;

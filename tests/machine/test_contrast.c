@@ -94,7 +94,7 @@ static void test_shares(void **state)
            0);
     /* one of its colours alone */
     rig_script(&g, NULL, "");
-    cart_sprite(&g.cart, cart_find_sprite(&g.cart, "dot"), &s);
+    cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, "dot"), &s);
     for (int i = 0; i < s.pitch * s.h; i++) {
         pixels += s.pix[i] != 0;
         ones += s.pix[i] == 3;

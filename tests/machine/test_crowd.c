@@ -155,7 +155,7 @@ static void random_bullets(struct board *b, struct bullets *s, struct bullet_kin
 
     k->s.live = (uint32_t)(1 + below(below(4) ? 20 : MAX_KINDS));
     for (uint32_t i = 0; i < k->s.live; i++) {
-        k->sprite[i] = (uint16_t)below(b->cart.sprites);
+        k->sprite[i] = (uint16_t)below(b->cart.count[CART_SPRITES]);
         k->draw_order[i] = (int8_t)(below(4) ? 0 : below(201) - 100);
         k->spin[i] = below(3) ? 0 : (ang)rng_next(&rng);
         k->flags[i] = (uint16_t)((below(2) ? KIND_TURNS : 0) | (blended ? below(3) * KIND_BLEND_ONE : 0) |
@@ -281,7 +281,7 @@ static void test_edges(void **state)
         const struct manifest *m = &r.b->cart.manifest;
         k->s.live = (uint32_t)(1 + below(3));
         for (uint32_t i = 0; i < k->s.live; i++) {
-            k->sprite[i] = (uint16_t)below(r.b->cart.sprites);
+            k->sprite[i] = (uint16_t)below(r.b->cart.count[CART_SPRITES]);
             k->draw_order[i] = 0;
             k->spin[i] = 0;
             k->flags[i] = (uint16_t)(below(3) ? 0 : KIND_TURNS);

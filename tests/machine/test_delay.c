@@ -187,7 +187,7 @@ static void test_cloud(void **state)
           delay, delay + 5);
     for (int f = 0; f < delay + 5; f++) {
         bool cloud = f < delay;
-        const struct sprite *s = &r.b->sprite_images[cart_find_sprite(&r.b->cart, cloud ? "wink" : "dot")];
+        const struct sprite *s = &r.b->sprite_images[cart_find(&r.b->cart, CART_SPRITES, cloud ? "wink" : "dot")];
         int opaque = 0;
         rig_run(&r, 1);
         rig_picture(&r);

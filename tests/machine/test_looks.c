@@ -65,7 +65,7 @@ static void shows(const char *name, int frame, int bank, int white, unsigned fli
 
     board_draw(r.b, NULL, &r.fb, rgb, r.scratch);
     if (name)
-        cart_sprite(&g.cart, cart_find_sprite(&g.cart, name), &s);
+        cart_sprite(&g.cart, cart_find(&g.cart, CART_SPRITES, name), &s);
     for (int i = 0; i < 256; i++) {
         int sum = (int)((rgb[i] >> 16) + (rgb[i] >> 8 & 255) + (rgb[i] & 255));
         int most = (int)((rgb[brightest] >> 16) + (rgb[brightest] >> 8 & 255) + (rgb[brightest] & 255));

@@ -76,7 +76,7 @@ static const char *name_now(void)
 {
     const uint16_t tune = rig.b->music.tune;
 
-    return tune ? cart_tune_name(&rig.b->cart, tune - 1) : "-";
+    return tune ? cart_name(&rig.b->cart, CART_TUNES, tune - 1) : "-";
 }
 
 /* Every change in so many frames: in which frame what plays from then on, and at which hundredth of a beat. Good until
@@ -697,7 +697,7 @@ static void test_long_fades(void **state)
     rig_run(&rig, 2);
     sound_stop_music(rig.b, 65535);
     rig.b->music.fade = 50000;
-    sound_start_music(rig.b, cart_find_tune(&rig.b->cart, "deep"), &(struct music_options){ .fade = 40000 });
+    sound_start_music(rig.b, cart_find(&rig.b->cart, CART_TUNES, "deep"), &(struct music_options){ .fade = 40000 });
     assert_int_equal(rig.b->music.fade, 40000);
     assert_int_equal(rig.b->music.fade_length, 52428);
     done();

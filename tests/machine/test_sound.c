@@ -236,7 +236,7 @@ static void test_skipped(void **state)
         for (int i = 0; i < CUES; i++)
             assert_int_equal(rig.b->cues.tune[i], 0);
     }
-    assert_int_equal(rig.b->music.tune, cart_find_tune(&rig.b->cart, "tide") + 1);
+    assert_int_equal(rig.b->music.tune, cart_find(&rig.b->cart, CART_TUNES, "tide") + 1);
     done();
 }
 
@@ -281,8 +281,9 @@ static void test_cues(void **state)
     power("");
     c = &rig.b->cues;
     for (int i = 0; i < 3; i++)
-        sound_play(rig.b, &(struct cue){ cart_sound_place(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")),
-                                         (uint16_t)(100 + i), 0, 0 });
+        sound_play(rig.b,
+                   &(struct cue){ cart_place(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
+                                  (uint16_t)(100 + i), 0, 0 });
     for (int i = 0; i < CUES; i++)
         n += c->tune[i] != 0;
     assert_int_equal(n, 1);
@@ -290,7 +291,8 @@ static void test_cues(void **state)
     for (int i = 0; i < 3; i++) {
         rig_run(&rig, 1);
         sound_play(rig.b,
-                   &(struct cue){ cart_sound_place(&rig.b->cart, cart_find_sound(&rig.b->cart, "hit")), 256, 0, 0 });
+                   &(struct cue){ cart_place(&rig.b->cart, CART_SOUNDS, cart_find(&rig.b->cart, CART_SOUNDS, "hit")),
+                                  256, 0, 0 });
     }
     n = 0;
     for (int i = 0; i < CUES; i++)

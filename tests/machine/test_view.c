@@ -116,7 +116,7 @@ static void dims(struct rig *r)
             const int x = i % plain.w - m->field_x, y = i / plain.w - m->field_y;
             const bool in = x >= 0 && y >= 0 && x < m->field_w && y < m->field_h, over = a.pix[i] == b.pix[i];
             const uint8_t want = over ? plain.pix[i] : shades[(dim - 1) * 256 + plain.pix[i]];
-            if (dimmed.pix[i] != want && (!in || !r->b->cart.blends))
+            if (dimmed.pix[i] != want && (!in || !r->b->cart.count[CART_BLENDS]))
                 fail_msg("frame %u: dim %d: pixel %d, %d, which %s, is %d, expected %d", board_frame(r->b), dim, x, y,
                          over ? "covers" : "lies behind", dimmed.pix[i], want);
             mixed += dimmed.pix[i] != want;
@@ -268,7 +268,7 @@ static void test_matters(void **state)
     rig_run(&r, 2);
     assert_int_equal(r.b->options.s.live, 1);
     draw(&r, NULL, VIEW_AS_EVER, &plain);
-    const struct sprite *arrow = &r.b->sprite_images[cart_find_sprite(&g.cart, "arrow")];
+    const struct sprite *arrow = &r.b->sprite_images[cart_find(&g.cart, CART_SPRITES, "arrow")];
     for (int i = 0; i < 256; i++)
         holes += !arrow->pix[i];
     assert_true(holes > 20 && holes < 80);

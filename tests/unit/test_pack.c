@@ -225,8 +225,8 @@ static struct sprite sprite(const struct rom *rom, const char *name)
     struct sprite s;
 
     assert_true(cart_open(&cart, rom, err, sizeof err));
-    assert_true(cart_find_sprite(&cart, name) >= 0);
-    cart_sprite(&cart, cart_find_sprite(&cart, name), &s);
+    assert_true(cart_find(&cart, CART_SPRITES, name) >= 0);
+    cart_sprite(&cart, cart_find(&cart, CART_SPRITES, name), &s);
     return s;
 }
 
@@ -625,7 +625,7 @@ static void shown_as(const char *lines, const char *palette)
     struct bed t = bed_open(lines);
 
     t.b->cart.rom = &t.image.rom; /* it has moved */
-    assert_string_equal(cart_palette_name(&t.b->cart, board_loaded_palette(t.b)), palette);
+    assert_string_equal(cart_name(&t.b->cart, CART_PALETTES, board_loaded_palette(t.b)), palette);
     const struct cart_look look = video_look(t.b);
     const bool main = !strcmp(palette, "main");
     assert_ptr_equal(look.shades, find(&t.image.rom, main ? "shades" : "shade/dusk").data);

@@ -387,14 +387,14 @@ static void test_cart(void **state)
     opened(&rom, b);
     assert_true(cart_open(&cart, &rom, err, sizeof err));
     assert_string_equal(cart.manifest.title, "Untitled");
-    assert_int_equal(cart.sprites, 2);
-    assert_int_equal(cart.palettes, 1);
+    assert_int_equal(cart.count[CART_SPRITES], 2);
+    assert_int_equal(cart.count[CART_PALETTES], 1);
     assert_int_equal(cart.n_glyphs, 2);
     assert_int_equal(cart.glyphs[64], 15);
-    assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
-    assert_int_equal(cart_find_sprite(&cart, "or"), -1);
-    assert_int_equal(cart_find_sprite(&cart, letters(name, 150)), -1);
-    assert_string_equal(cart_sprite_name(&cart, 1), "orb");
+    assert_int_equal(cart_find(&cart, CART_SPRITES, "orb"), 1);
+    assert_int_equal(cart_find(&cart, CART_SPRITES, "or"), -1);
+    assert_int_equal(cart_find(&cart, CART_SPRITES, letters(name, 150)), -1);
+    assert_string_equal(cart_name(&cart, CART_SPRITES, 1), "orb");
     cart_sprite(&cart, 1, &s);
     assert_int_equal(s.w, 5);
     assert_int_equal(s.h, 2);
@@ -447,20 +447,20 @@ static void test_cart_blends(void **state)
     (void)state;
     full_init(&f);
     assert_true(open_blends(&f, 0, 0, &cart, &rom, &b, err, sizeof err));
-    assert_int_equal(cart.blends, 0);
-    assert_int_equal(cart_find_blend(&cart, "a"), -1);
+    assert_int_equal(cart.count[CART_BLENDS], 0);
+    assert_int_equal(cart_find(&cart, CART_BLENDS, "a"), -1);
     free(b.p);
     assert_true(open_blends(&f, 3, CART_BLEND_SIZE, &cart, &rom, &b, err, sizeof err));
-    assert_int_equal(cart.blends, 3);
+    assert_int_equal(cart.count[CART_BLENDS], 3);
     for (int i = 0; i < 3; i++) {
         assert_int_equal(cart.main_look.blend[i][65535], i + 1);
-        assert_int_equal(cart_find_blend(&cart, cart_blend_name(&cart, i)), i);
+        assert_int_equal(cart_find(&cart, CART_BLENDS, cart_name(&cart, CART_BLENDS, i)), i);
     }
-    assert_string_equal(cart_blend_name(&cart, 2), "c/d");
-    assert_int_equal(cart_find_blend(&cart, "c"), -1);
-    assert_int_equal(cart_find_blend(&cart, ""), -1);
-    assert_int_equal(cart_find_blend(&cart, letters(name, 150)), -1);
-    assert_int_equal(cart_find_sprite(&cart, "orb"), 1);
+    assert_string_equal(cart_name(&cart, CART_BLENDS, 2), "c/d");
+    assert_int_equal(cart_find(&cart, CART_BLENDS, "c"), -1);
+    assert_int_equal(cart_find(&cart, CART_BLENDS, ""), -1);
+    assert_int_equal(cart_find(&cart, CART_BLENDS, letters(name, 150)), -1);
+    assert_int_equal(cart_find(&cart, CART_SPRITES, "orb"), 1);
     free(b.p);
     assert_false(open_blends(&f, 4, CART_BLEND_SIZE, &cart, &rom, &b, err, sizeof err));
     assert_string_equal(err, "4 lumps named \"blend/...\", expected at most 3");
@@ -674,7 +674,7 @@ static uint64_t read_everything(const struct rom *rom)
 
     if (!cart_open(&cart, rom, err, sizeof err))
         return h;
-    for (int i = 0; i < cart.sprites; i++) {
+    for (int i = 0; i < cart.count[CART_SPRITES]; i++) {
         cart_sprite(&cart, i, &s);
         h = hash_bytes(h, s.pix, (size_t)s.pitch * s.h * s.frames * s.rotations);
     }

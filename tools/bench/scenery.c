@@ -56,7 +56,7 @@ static void stand_open(struct stand *s)
 
 static uint16_t map_named(const struct board *b, const char *name)
 {
-    return (uint16_t)(name ? cart_find_map(&b->cart, name) + 1 : 0);
+    return (uint16_t)(name ? cart_find(&b->cart, CART_MAPS, name) + 1 : 0);
 }
 
 static void show(struct board *b, const struct landscape *v)

@@ -58,8 +58,8 @@ static struct inspect_kind_shape drawn_shape(const struct cart_hit *h, const cha
 
 static void add_drawn(struct art_game *g)
 {
-    for (int i = 0; i < g->cart.sprites; i++) {
-        const char *name = cart_sprite_name(&g->cart, i);
+    for (int i = 0; i < g->cart.count[CART_SPRITES]; i++) {
+        const char *name = cart_name(&g->cart, CART_SPRITES, i);
         struct cart_hit hit;
         if (!cart_find_hit(&g->cart, name, &hit) || in_use(&g->shapes, name))
             continue;
@@ -106,15 +106,16 @@ static void print_shapes(const struct art_game *g, const char *sprite)
 
 static void print_sprites(const struct art_game *g)
 {
-    for (int i = 0; i < g->cart.sprites; i++) {
+    for (int i = 0; i < g->cart.count[CART_SPRITES]; i++) {
         struct sprite s;
         cart_sprite(&g->cart, i, &s);
-        report_print("%s: %dx%d, bank %d, origin %d,%d", cart_sprite_name(&g->cart, i), s.w, s.h, s.bank, s.ox, s.oy);
+        report_print("%s: %dx%d, bank %d, origin %d,%d", cart_name(&g->cart, CART_SPRITES, i), s.w, s.h, s.bank, s.ox,
+                     s.oy);
         if (s.frames > 1)
             report_print(", %d frames, every = %d", s.frames, s.frame_ticks);
         if (s.rotations > 1)
             report_print(", %d rotations", s.rotations);
-        print_shapes(g, cart_sprite_name(&g->cart, i));
+        print_shapes(g, cart_name(&g->cart, CART_SPRITES, i));
         report_print("\n");
     }
 }
@@ -128,7 +129,7 @@ static enum result write_atlas(const struct art_game *g, const char *file)
     char err[FILES_ERR];
     int w, h;
 
-    if (g->cart.sprites == 0)
+    if (g->cart.count[CART_SPRITES] == 0)
         return report_line(RESULT_REFUSED, "--atlas: this game has no sprites");
     const bool made = atlas_make(&g->cart, &g->shapes, &rgb, &w, &h);
     if (!made && h > PNG_MAX_SIDE)

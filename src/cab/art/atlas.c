@@ -259,7 +259,7 @@ static bool has(const struct lines *w, const char *text)
 
 static void describe(const struct atlas *a, int i, const struct sprite *s, struct lines *out)
 {
-    const char *name = cart_sprite_name(a->cart, i);
+    const char *name = cart_name(a->cart, CART_SPRITES, i);
     char text[96];
     int left_out = 0;
 
@@ -343,7 +343,7 @@ static double place_of(int origin, int side)
 static void paint_cell(const struct atlas *a, const struct cell *c, int x, int y, int floor)
 {
     const struct sprite *s = &c->s;
-    const char *name = cart_sprite_name(a->cart, c->sprite);
+    const char *name = cart_name(a->cart, CART_SPRITES, c->sprite);
     const int w = s->w * ATLAS_SCALE, h = s->h * ATLAS_SCALE, top = y + floor - h;
     const int columns = small_columns(s, c->w);
     const double ox = place_of(s->ox, s->w), oy = place_of(s->oy, s->h);
@@ -422,26 +422,26 @@ static int lay_out(const struct atlas *a, const struct cell *cells, int n)
 bool atlas_make(const struct cart *cart, const struct atlas_shapes *shapes, uint8_t **rgb, int *w, int *h)
 {
     struct atlas a = { .cart = cart, .shapes = shapes, .palette = cart_palette(cart, "main"), .w = WIDTH };
-    struct cell *cells = malloc((size_t)(cart->sprites + 1) * sizeof *cells);
+    struct cell *cells = malloc((size_t)(cart->count[CART_SPRITES] + 1) * sizeof *cells);
 
     *rgb = NULL;
-    for (int i = 0; cells && i < cart->sprites; i++) {
+    for (int i = 0; cells && i < cart->count[CART_SPRITES]; i++) {
         cells[i] = measure(&a, i);
         a.w = cells[i].w + 2 * EDGE > a.w ? cells[i].w + 2 * EDGE : a.w;
     }
     if (cells) {
-        qsort(cells, (size_t)cart->sprites, sizeof *cells, by_size);
-        a.h = lay_out(&a, cells, cart->sprites);
+        qsort(cells, (size_t)cart->count[CART_SPRITES], sizeof *cells, by_size);
+        a.h = lay_out(&a, cells, cart->count[CART_SPRITES]);
         while (a.h > PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE / 3 * 2) { /* too high for a PNG: wider */
             a.w += a.w / 2;
-            a.h = lay_out(&a, cells, cart->sprites);
+            a.h = lay_out(&a, cells, cart->count[CART_SPRITES]);
         }
     }
     if (cells && a.h <= PNG_MAX_SIDE && a.w <= PNG_MAX_SIDE)
         a.rgb = malloc((size_t)a.w * (size_t)a.h * 3);
     if (a.rgb) {
         fill(&a, 0, 0, a.w, a.h, GROUND);
-        lay_out(&a, cells, cart->sprites);
+        lay_out(&a, cells, cart->count[CART_SPRITES]);
     }
     free(cells);
     *rgb = a.rgb;

@@ -474,9 +474,9 @@ static void each_language(struct each *e)
     const struct cart *cart = check_cart(e->r);
     char what[128];
 
-    for (int i = 0; i < cart->langs; i++) {
+    for (int i = 0; i < cart->count[CART_LANGS]; i++) {
         struct board_start start = check_start(e->r);
-        snprintf(start.lang, sizeof start.lang, "%s", cart_lang_name(cart, i));
+        snprintf(start.lang, sizeof start.lang, "%s", cart_name(cart, CART_LANGS, i));
         snprintf(what, sizeof what, "a game in language %s", start.lang);
         if (next(e))
             tour(e->r, what, TOUR_START, &start);

@@ -102,7 +102,7 @@ static void drawn_size(const struct run *r, const struct art_sprite *s, int *w, 
     *h = art_resized(s->h, s->scale_percent);
     if (s->w && s->h)
         return;
-    cart_sprite(&r->cart, cart_find_sprite(&r->cart, s->name), &packed);
+    cart_sprite(&r->cart, cart_find(&r->cart, CART_SPRITES, s->name), &packed);
     *w = packed.w;
     *h = packed.h;
 }

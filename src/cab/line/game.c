@@ -94,11 +94,11 @@ static bool set_lang(struct game *g, const char *name, char *err, size_t err_siz
 {
     enum { MOST = 64 };
     const char *names[MOST];
-    int n = g->cart.langs < MOST ? g->cart.langs : MOST;
+    int n = g->cart.count[CART_LANGS] < MOST ? g->cart.count[CART_LANGS] : MOST;
     struct words words;
 
     for (int i = 0; i < n; i++)
-        names[i] = cart_lang_name(&g->cart, i);
+        names[i] = cart_name(&g->cart, CART_LANGS, i);
     if (!cart_open_lang(&g->cart, name, &words))
         return unknown("--lang", "language", name, names, n, err, err_size);
     snprintf(g->start.lang, sizeof g->start.lang, "%s", name);

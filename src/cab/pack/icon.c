@@ -52,7 +52,7 @@ static bool read_sprite(const struct cart *cart, const struct lump *lump, struct
     struct sprite s;
 
     snprintf(name, sizeof name, "%.*s", (int)lump->size, (const char *)lump->data);
-    const int i = cart_find_sprite(cart, name);
+    const int i = cart_find(cart, CART_SPRITES, name);
     if (i < 0)
         return false;
     cart_sprite(cart, i, &s);

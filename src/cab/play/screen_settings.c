@@ -25,7 +25,7 @@ static void make_list(struct cab *cab)
             add(cab, SETTINGS_GROUP, s);
         add(cab, SETTINGS_VALUE, s);
     }
-    if (cab_cart(cab)->langs > 0)
+    if (cab_cart(cab)->count[CART_LANGS] > 0)
         add(cab, SETTINGS_LANGUAGE, NULL);
     add(cab, SETTINGS_TO_KEYS, NULL);
 }
@@ -35,17 +35,18 @@ static void make_list(struct cab *cab)
 /* The language's number, from 1 on; 0: the words that scripts have. */
 static int lang_number(struct cab *cab, const char *name)
 {
-    for (int i = 0; i < cab_cart(cab)->langs; i++)
-        if (strcmp(cart_lang_name(cab_cart(cab), i), name) == 0)
+    for (int i = 0; i < cab_cart(cab)->count[CART_LANGS]; i++)
+        if (strcmp(cart_name(cab_cart(cab), CART_LANGS, i), name) == 0)
             return i + 1;
     return 0;
 }
 
 static void change_lang(struct cab *cab, int by)
 {
-    const int n = cab_cart(cab)->langs + 1, to = (lang_number(cab, cab->config.lang) + (by < 0 ? -1 : 1) + n) % n;
+    const int n = cab_cart(cab)->count[CART_LANGS] + 1,
+              to = (lang_number(cab, cab->config.lang) + (by < 0 ? -1 : 1) + n) % n;
 
-    snprintf(cab->config.lang, sizeof cab->config.lang, "%s", to ? cart_lang_name(cab_cart(cab), to - 1) : "");
+    snprintf(cab->config.lang, sizeof cab->config.lang, "%s", to ? cart_name(cab_cart(cab), CART_LANGS, to - 1) : "");
     memcpy(cab->kept.lang, cab->config.lang, sizeof cab->kept.lang);
 }
 

@@ -355,7 +355,7 @@ static bool finish_reload(struct session *s)
     s->state = SESSION_PLAYING;
     s->differs = 0;
     const char *song = board_music_name(old->guard.board);
-    snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find_tune(s->now->cart, song) < 0 ? song : "");
+    snprintf(s->gone, sizeof s->gone, "%s", song[0] && cart_find(s->now->cart, CART_TUNES, song) < 0 ? song : "");
     run_free(old);
     demo_add_flags(&s->now->writer, flags);
     return !s->record || check_written(s, demo_record_to(&s->now->writer, s->record));

@@ -395,8 +395,8 @@ int trial_run_refused(lua_State *L)
 
 static bool has_sound(const struct board *b, const char *name)
 {
-    for (int i = 0; i < b->cart.sounds; i++)
-        if (!strcmp(cart_sound_name(&b->cart, i), name))
+    for (int i = 0; i < b->cart.count[CART_SOUNDS]; i++)
+        if (!strcmp(cart_name(&b->cart, CART_SOUNDS, i), name))
             return true;
     return false;
 }

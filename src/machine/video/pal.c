@@ -10,7 +10,7 @@ static const struct column columns[] = {
     REGISTERS(pal, cycle_last), REGISTERS(pal, cycle_every), REGISTERS(pal, cycle_count),
 };
 
-const struct chip pal_chip = { "pal", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip pal_chip = { .name = "pal", CHIP_COLUMNS(columns), .is_list = true };
 
 void pal_set(struct pal *p, int i, uint32_t rgb)
 {

@@ -13,7 +13,7 @@ static const struct column columns[] = {
     REGISTER(screen, dim_frames),  REGISTER(screen, dim_start),
 };
 
-const struct chip screen_chip = { "screen", columns, sizeof columns / sizeof *columns, true, false };
+const struct chip screen_chip = { .name = "screen", CHIP_COLUMNS(columns), .is_list = true };
 
 enum { QUARTER = 1 << 30 };
 static const ang GOLDEN = 0x61c88647; /* golden angle, so that directions do not soon repeat */

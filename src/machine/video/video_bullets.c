@@ -66,11 +66,6 @@ struct window {
     bool clips;
 };
 
-static size_t aligned(size_t n)
-{
-    return (n + 63) / 64 * 64;
-}
-
 static size_t max_bullets(const struct manifest *m)
 {
     return (size_t)(m->bullets > m->shots ? m->bullets : m->shots);
@@ -78,19 +73,20 @@ static size_t max_bullets(const struct manifest *m)
 
 size_t video_bullets_scratch(const struct manifest *m)
 {
-    return aligned(sizeof(struct lists)) + 2 * aligned(max_bullets(m) * sizeof(uint32_t)) +
-           aligned(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
+    return (size_t)int_align(sizeof(struct lists)) + 2 * (size_t)int_align(max_bullets(m) * sizeof(uint32_t)) +
+           (size_t)int_align(stamp_layer_size(m->field_w, m->field_h)) + stamp_cells_size(m->field_w, m->field_h) + 64;
 }
 
 static struct lists *init_lists(const struct draw_target *c)
 {
-    uint8_t *at = (uint8_t *)aligned((uintptr_t)c->scratch);
+    uint8_t *at = (uint8_t *)(uintptr_t)int_align((uintptr_t)c->scratch);
     struct lists *l = (struct lists *)at;
 
-    l->list = (uint32_t *)(at + aligned(sizeof *l));
-    l->slots = (uint32_t *)((uint8_t *)l->list + aligned(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
-    l->layer = (uint8_t *)l->slots + aligned(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
-    l->cells = l->layer + aligned(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
+    l->list = (uint32_t *)(at + (size_t)int_align(sizeof *l));
+    l->slots =
+        (uint32_t *)((uint8_t *)l->list + (size_t)int_align(max_bullets(&c->b->cart.manifest) * sizeof *l->list));
+    l->layer = (uint8_t *)l->slots + (size_t)int_align(max_bullets(&c->b->cart.manifest) * sizeof *l->slots);
+    l->cells = l->layer + (size_t)int_align(stamp_layer_size(c->b->cart.manifest.field_w, c->b->cart.manifest.field_h));
     return l;
 }
 

@@ -53,7 +53,7 @@ static bool find_glyph(const struct page *p, uint32_t code, struct face_glyph *g
         return false;
     if (!p->face.data && text_has_glyph(&p->font, code))
         return make_cell_glyph(&p->font, code, g, 0);
-    for (int i = 0; i < p->cart->faces; i++) {
+    for (int i = 0; i < p->cart->count[CART_FACES]; i++) {
         struct face face = cart_face(p->cart, i);
         if (!face_find(&face, code, g))
             continue;
@@ -158,7 +158,7 @@ static struct page page_of(const struct draw_target *c, int font)
                       .font = { cart->glyphs, CART_FIRST_CHAR, cart->n_glyphs },
                       .row_height = TEXT_SIDE + CELL_GAP };
 
-    if (font > 0 && font <= cart->faces) {
+    if (font > 0 && font <= cart->count[CART_FACES]) {
         p.face = cart_face(cart, font - 1);
         p.row_height = p.face.height + p.face.height / 8;
     }

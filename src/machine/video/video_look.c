@@ -9,7 +9,7 @@ int board_loaded_palette(const struct board *b)
     const uint8_t *main = cart_palette(&b->cart, "main");
     int best = -1, best_score = -1;
 
-    for (int i = 0; i < b->cart.palettes; i++) {
+    for (int i = 0; i < b->cart.count[CART_PALETTES]; i++) {
         const uint8_t *rgb = cart_palette_at(&b->cart, i);
         const int score = 2 * pal_likeness(&b->pal, rgb) + (rgb == main);
         best = score > best_score ? i : best;

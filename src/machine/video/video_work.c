@@ -99,7 +99,7 @@ static uint64_t text_work(const struct board *b, uint64_t letters)
 {
     uint64_t side = 8;
 
-    for (int i = 0; i < b->cart.faces; i++)
+    for (int i = 0; i < b->cart.count[CART_FACES]; i++)
         side = (uint64_t)int_max((int)side, cart_face(&b->cart, i).height);
     return 2 * (letters * (WORK_PER_LETTER + side * side / SOLID_PX_PER_WORK) + screen_px(b) / PLATE_PX_PER_WORK);
 }

@@ -59,7 +59,7 @@ static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
 
     switch (p) {
     case P_MAP:
-        push_string_or_nil(L, g->map[i] ? cart_map_name(&b->cart, g->map[i] - 1) : NULL);
+        push_string_or_nil(L, g->map[i] ? cart_name(&b->cart, CART_MAPS, g->map[i] - 1) : NULL);
         break;
     case P_X:
         lua_pushnumber(L, q16_to_double(g->x[i]));
@@ -80,7 +80,7 @@ static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
         lua_pushinteger(L, g->bank[i]);
         break;
     case P_BLEND:
-        push_string_or_nil(L, blend ? cart_blend_name(&b->cart, blend - 1) : NULL);
+        push_string_or_nil(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
         break;
     default:
         lua_pushboolean(L, g->flags[i] & BG_HIDDEN);

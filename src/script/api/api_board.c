@@ -182,7 +182,7 @@ static int rom_has(lua_State *L, struct board *b, struct api_value *v)
     const char *name = lua_tostring(L, v[ARG_NAME].at), *text;
     size_t n;
 
-    lua_pushboolean(L, cart_find_sprite(&b->cart, name) >= 0 || cart_find_text(&b->cart, name, &text, &n) ||
+    lua_pushboolean(L, cart_find(&b->cart, CART_SPRITES, name) >= 0 || cart_find_text(&b->cart, name, &text, &n) ||
                            rom_find(b->cart.rom, name) >= 0);
     return 1;
 }

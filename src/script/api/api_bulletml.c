@@ -61,14 +61,14 @@ static int64_t to_q32(double v)
 
 static uint16_t find_program(lua_State *L, const struct board *b, const char *name)
 {
-    const int i = cart_find_bulletml(&b->cart, name);
+    const int i = cart_find(&b->cart, CART_BULLETML, name);
     struct api_hint hint;
 
     if (i >= 0)
         return (uint16_t)i;
     api_hint_begin(&hint, name);
-    for (int k = 0; k < b->cart.bulletmls; k++)
-        api_hint_add(&hint, cart_bulletml_name(&b->cart, k));
+    for (int k = 0; k < b->cart.count[CART_BULLETML]; k++)
+        api_hint_add(&hint, cart_name(&b->cart, CART_BULLETML, k));
     api_error(L, entry_name, "name: no bulletml/%s.xml in the game%s", name, api_hint_push(L, &hint, "documents"));
     return 0;
 }
@@ -205,11 +205,11 @@ static int list_documents(lua_State *L, struct board *b, struct api_value *v)
     struct ml ml;
 
     (void)v;
-    lua_createtable(L, b->cart.bulletmls, 0);
-    for (int i = 0; i < b->cart.bulletmls; i++) {
+    lua_createtable(L, b->cart.count[CART_BULLETML], 0);
+    for (int i = 0; i < b->cart.count[CART_BULLETML]; i++) {
         cart_bulletml(&b->cart, i, &ml);
         lua_createtable(L, 0, 2);
-        lua_pushstring(L, cart_bulletml_name(&b->cart, i));
+        lua_pushstring(L, cart_name(&b->cart, CART_BULLETML, i));
         lua_setfield(L, -2, "name");
         lua_createtable(L, (int)ml.labels, 0);
         for (uint32_t k = 0; k < ml.labels; k++) {
@@ -242,7 +242,7 @@ static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
     const struct ml_roots *o = &b->ml_roots;
 
     if (p == R_NAME)
-        lua_pushstring(L, cart_bulletml_name(&b->cart, o->program[i]));
+        lua_pushstring(L, cart_name(&b->cart, CART_BULLETML, o->program[i]));
     else if (p == R_RANK)
         lua_pushnumber(L, (double)o->rank[i] / 4294967296.0);
     else

@@ -247,11 +247,11 @@ static void check_sprite(lua_State *L, const char *entry, const struct api_param
     int best = EDIT_FAR;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a sprite name");
-    v->i = cart_find_sprite(cart, lua_tostring(L, at));
+    v->i = cart_find(cart, CART_SPRITES, lua_tostring(L, at));
     if (v->i >= 0)
         return;
-    for (int i = 0; i < cart->sprites; i++)
-        api_suggest_nearer(lua_tostring(L, at), cart_sprite_name(cart, i), &best, &found);
+    for (int i = 0; i < cart->count[CART_SPRITES]; i++)
+        api_suggest_nearer(lua_tostring(L, at), cart_name(cart, CART_SPRITES, i), &best, &found);
     if (!found)
         api_error(L, entry, "unknown sprite \"%s\" (declare it in rom.lua)", lua_tostring(L, at));
     api_error(L, entry, "unknown sprite \"%s\" (did you mean \"%s\"?)", lua_tostring(L, at), found);
@@ -263,12 +263,12 @@ static void check_face(lua_State *L, const char *entry, const struct api_param *
     struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a font name");
-    v->i = cart_find_face(cart, lua_tostring(L, at)) + 1;
+    v->i = cart_find(cart, CART_FACES, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->faces; i++)
-        api_hint_add(&hint, cart_face_name(cart, i));
+    for (int i = 0; i < cart->count[CART_FACES]; i++)
+        api_hint_add(&hint, cart_name(cart, CART_FACES, i));
     api_error(L, entry, "unknown font \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
@@ -278,12 +278,12 @@ static void check_blend(lua_State *L, const char *entry, const struct api_param 
     struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a blend name");
-    v->i = cart_find_blend(cart, lua_tostring(L, at)) + 1;
+    v->i = cart_find(cart, CART_BLENDS, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->blends; i++)
-        api_hint_add(&hint, cart_blend_name(cart, i));
+    for (int i = 0; i < cart->count[CART_BLENDS]; i++)
+        api_hint_add(&hint, cart_name(cart, CART_BLENDS, i));
     api_error(L, entry, "unknown blend \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
@@ -293,12 +293,12 @@ static void check_map(lua_State *L, const char *entry, const struct api_param *p
     struct api_hint hint;
 
     check_type(L, entry, p, at, LUA_TSTRING, "a map name");
-    v->i = cart_find_map(cart, lua_tostring(L, at)) + 1;
+    v->i = cart_find(cart, CART_MAPS, lua_tostring(L, at)) + 1;
     if (v->i > 0)
         return;
     api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->maps; i++)
-        api_hint_add(&hint, cart_map_name(cart, i));
+    for (int i = 0; i < cart->count[CART_MAPS]; i++)
+        api_hint_add(&hint, cart_name(cart, CART_MAPS, i));
     api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
 }
 
@@ -307,17 +307,18 @@ static void check_tune(lua_State *L, const char *entry, const struct api_param *
 {
     const struct cart *cart = &vm_board(L)->cart;
     const bool is_sound = p->type == A_SOUND;
+    const enum cart_folder folder = is_sound ? CART_SOUNDS : CART_TUNES, other = is_sound ? CART_TUNES : CART_SOUNDS;
     const char *found = NULL, *noun = is_sound ? "sound" : "music";
     int best = EDIT_FAR;
 
     check_type(L, entry, p, at, LUA_TSTRING, is_sound ? "a sound name" : "a music name");
     const char *name = lua_tostring(L, at);
-    v->i = (is_sound ? cart_find_sound(cart, name) : cart_find_tune(cart, name)) + 1;
+    v->i = cart_find(cart, folder, name) + 1;
     if (v->i > 0)
         return;
-    for (int i = 0; i < (is_sound ? cart->sounds : cart->tunes); i++)
-        api_suggest_nearer(name, is_sound ? cart_sound_name(cart, i) : cart_tune_name(cart, i), &best, &found);
-    if ((is_sound ? cart_find_tune(cart, name) : cart_find_sound(cart, name)) >= 0)
+    for (int i = 0; i < cart->count[folder]; i++)
+        api_suggest_nearer(name, cart_name(cart, folder, i), &best, &found);
+    if (cart_find(cart, other, name) >= 0)
         api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", noun, name,
                   is_sound ? "music" : "sounds");
     if (!found)

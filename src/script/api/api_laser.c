@@ -538,11 +538,6 @@ const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1,
 enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
 enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
 
-static fx shifted(fx at, fx by)
-{
-    return fx_clamp(fx_add(at, by), -WORLD_EDGE * 65536, WORLD_EDGE * 65536);
-}
-
 static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
 {
     struct bullets *h = &b->laser_heads;
@@ -556,7 +551,7 @@ static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct
         h->dir[i] += v[ARG_BY].a;
         break;
     case V_SHIFT:
-        lasers_move_to(b, i, shifted(h->x[i], v[ARG_DX].f), shifted(h->y[i], v[ARG_DY].f));
+        lasers_move_to(b, i, motion_shift(h->x[i], v[ARG_DX].f), motion_shift(h->y[i], v[ARG_DY].f));
         return;
     case V_FADE:
         lasers_fade(&b->lasers, i, lasers_age(b, i));

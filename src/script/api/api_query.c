@@ -15,16 +15,12 @@ bool api_read_place(lua_State *L, struct board *b, const char *entry, const stru
         return api_error(L, entry, "place: expected `x` and `y`, or `from` (a thing), got neither");
     }
     if (!from->given) {
-        *x = fx_add(v[PLACE_X].f, v[PLACE_DX].f);
-        *y = fx_add(v[PLACE_Y].f, v[PLACE_DY].f);
-    } else if (board_get_position(b, from->i, x, y)) {
-        *x = fx_add(*x, v[PLACE_DX].f);
-        *y = fx_add(*y, v[PLACE_DY].f);
-    } else
+        *x = v[PLACE_X].f;
+        *y = v[PLACE_Y].f;
+    } else if (!board_get_position(b, from->i, x, y))
         return false;
-    const fx edge = (fx)WORLD_EDGE << 16;
-    *x = *x > edge ? edge : *x < -edge ? -edge : *x;
-    *y = *y > edge ? edge : *y < -edge ? -edge : *y;
+    *x = motion_shift(*x, v[PLACE_DX].f);
+    *y = motion_shift(*y, v[PLACE_DY].f);
     return true;
 }
 

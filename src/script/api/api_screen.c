@@ -213,7 +213,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         if (is_plate(s, i))
             lua_pushnil(L);
         else
-            lua_pushstring(L, cart_sprite_name(&b->cart, s->sprite[i]));
+            lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, s->sprite[i]));
         break;
     case P_W:
     case P_H:
@@ -233,7 +233,7 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         break;
     case P_BLEND:
         if (s->flags[i] & SPRITE_BLEND)
-            lua_pushstring(L, cart_blend_name(&b->cart, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
+            lua_pushstring(L, cart_name(&b->cart, CART_BLENDS, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
         else
             lua_pushnil(L);
         break;
@@ -544,8 +544,8 @@ static const uint8_t *find_palette(lua_State *L, struct board *b, const char *en
         return p;
     struct api_hint hint;
     api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < b->cart.palettes; i++)
-        api_hint_add(&hint, cart_palette_name(&b->cart, i));
+    for (int i = 0; i < b->cart.count[CART_PALETTES]; i++)
+        api_hint_add(&hint, cart_name(&b->cart, CART_PALETTES, i));
     api_error(L, entry, "unknown palette \"%s\"%s", hint.word, api_hint_push(L, &hint, "in rom.lua"));
     return NULL;
 }

@@ -61,7 +61,7 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[P_PAN].given && v[P_FROM].given)
         return api_error(L, "sound.play", "expected either `pan` or `from`, got both");
-    struct cue cue = { cart_sound_place(&b->cart, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
+    struct cue cue = { cart_place(&b->cart, CART_SOUNDS, (int)v[P_NAME].i - 1), (uint16_t)(v[P_VOLUME].n * 256 + 0.5),
                        (int16_t)(v[P_PAN].n * TUNE_PAN_CENTRE), (int32_t)(v[P_PITCH].n * PITCH_ONE) };
     if (v[P_FROM].given) {
         if (!board_get_position(b, v[P_FROM].i, &x, &y))
@@ -76,7 +76,7 @@ static int sound_play_run(lua_State *L, struct board *b, struct api_value *v)
 static int sound_stop_run(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_stop(b, v[ARG_NAME].given ? cart_sound_place(&b->cart, (int)v[ARG_NAME].i - 1) : 0);
+    sound_stop(b, v[ARG_NAME].given ? cart_place(&b->cart, CART_SOUNDS, (int)v[ARG_NAME].i - 1) : 0);
     return 0;
 }
 
@@ -119,7 +119,7 @@ static bool get_playing_tune(const struct board *b, struct tune *t)
 {
     if (!b->music.tune)
         return false;
-    *t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, b->music.tune - 1));
+    *t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, b->music.tune - 1));
     return true;
 }
 
@@ -127,7 +127,7 @@ static int music_name(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
     if (b->music.tune)
-        lua_pushstring(L, cart_tune_name(&b->cart, b->music.tune - 1));
+        lua_pushstring(L, cart_name(&b->cart, CART_TUNES, b->music.tune - 1));
     else
         lua_pushnil(L);
     return 1;
@@ -240,7 +240,7 @@ static int find_marker(lua_State *L, struct board *b, const char *name)
             return i + 1;
         api_suggest_nearer(name, tune_mark_name(&t, i), &best_distance, &found);
     }
-    const char *tune = cart_tune_name(&b->cart, b->music.tune - 1);
+    const char *tune = cart_name(&b->cart, CART_TUNES, b->music.tune - 1);
     if (found)
         return api_error(L, "music.wait", "\"%s\" has no marker \"%s\" (did you mean \"%s\"?)", tune, name, found);
     return api_error(L, "music.wait", "\"%s\" has no marker \"%s\"", tune, name);

@@ -271,7 +271,7 @@ static int sys_ship(lua_State *L, struct board *b, struct api_value *v)
     int32_t kind = (int32_t)v[ARG_KIND].i;
 
     lua_createtable(L, 0, 5);
-    lua_pushstring(L, cart_sprite_name(&b->cart, b->player_kinds.sprite[kind]));
+    lua_pushstring(L, cart_name(&b->cart, CART_SPRITES, b->player_kinds.sprite[kind]));
     lua_setfield(L, -2, "sprite");
     lua_pushnumber(L, fx_to_double(b->player_kinds.speed[kind]));
     lua_setfield(L, -2, "speed");
@@ -601,11 +601,11 @@ static const struct api_param cue_params[] = { PARAM("name", A_STR, REQ, 1, 32, 
 /* Not folded: sounds are outside the state hash. */
 static int sys_cue(lua_State *L, struct board *b, struct api_value *v)
 {
-    const int sound = b->voices.s.cap ? cart_find_sound(&b->cart, lua_tostring(L, v[CUE_NAME].at)) : -1;
+    const int sound = b->voices.s.cap ? cart_find(&b->cart, CART_SOUNDS, lua_tostring(L, v[CUE_NAME].at)) : -1;
     const int16_t pan = (int16_t)(v[CUE_PAN].n * TUNE_PAN_CENTRE);
 
     if (sound >= 0 && !tasks_is_skipping(&b->tasks))
-        sound_play(b, &(struct cue){ cart_sound_place(&b->cart, sound), 256, pan, 0 });
+        sound_play(b, &(struct cue){ cart_place(&b->cart, CART_SOUNDS, sound), 256, pan, 0 });
     return 0;
 }
 
@@ -662,11 +662,11 @@ static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
 static int sys_pieces(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)v;
-    lua_createtable(L, b->cart.tunes, 0);
-    for (int i = 0; i < b->cart.tunes; i++) {
-        const struct tune t = tune_of(b->cart.tune_data + cart_tune_place(&b->cart, i));
+    lua_createtable(L, b->cart.count[CART_TUNES], 0);
+    for (int i = 0; i < b->cart.count[CART_TUNES]; i++) {
+        const struct tune t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, i));
         lua_createtable(L, 0, 3);
-        lua_pushstring(L, cart_tune_name(&b->cart, i));
+        lua_pushstring(L, cart_name(&b->cart, CART_TUNES, i));
         lua_setfield(L, -2, "name");
         lua_pushstring(L, tune_title(&t));
         lua_setfield(L, -2, "title");

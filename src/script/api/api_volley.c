@@ -133,8 +133,8 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aim_dir, 
     s->dir += aim_dir;
     s->speed = round_to_fx(w.speed);
     if (v->f.pattern == EMIT_LINE) {
-        s->x = fx_clamp(fx_add(v->x, round_to_fx(v->dx + w.dx)), -WORLD_EDGE * FX_ONE, WORLD_EDGE * FX_ONE);
-        s->y = fx_clamp(fx_add(v->y, round_to_fx(v->dy + w.dy)), -WORLD_EDGE * FX_ONE, WORLD_EDGE * FX_ONE);
+        s->x = motion_shift(v->x, round_to_fx(v->dx + w.dx));
+        s->y = motion_shift(v->y, round_to_fx(v->dy + w.dy));
     }
     const int32_t slot = emit_fire(b, v->is_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock);
     if (slot != NO_SLOT)
