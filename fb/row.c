@@ -47,15 +47,15 @@ void row_cover(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t ad
             d[i] = (uint8_t)(s[i] + add);
 }
 
-void row_mix(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add, const uint8_t *to,
+void row_mix(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add, const uint8_t *remap,
              const uint8_t *table)
 {
     for (int i = 0; i < n; i++) {
         if (!s[i])
             continue;
         uint8_t over = (uint8_t)(s[i] + add);
-        if (to)
-            over = to[over];
+        if (remap)
+            over = remap[over];
         d[i] = table ? table[(size_t)d[i] << 8 | over] : over;
     }
 }

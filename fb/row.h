@@ -14,9 +14,9 @@ void row_copy(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add
 /* Draws the pixels that are not 0. */
 void row_cover(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add);
 
-/* Draws the pixels that are not 0, mapped by `to` (256 entries; NULL: unchanged) and mixed by `table` as in
+/* Draws the pixels that are not 0, mapped by `remap` (256 entries; NULL: unchanged) and mixed by `table` as in
  * blit_blended (NULL: opaque). */
-void row_mix(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add, const uint8_t *to,
+void row_mix(uint8_t *restrict d, const uint8_t *restrict s, int n, uint8_t add, const uint8_t *remap,
              const uint8_t *table);
 
 #endif

@@ -41,7 +41,7 @@ static inline struct stamp_corners stamp_corners(const struct fb *fb, int w, int
 }
 
 /* Returns a destination: the offset in bytes of the top left position (x, y), with the bank, 0 to 15, in the top four
- * bits. x < wide and y < high are relative to (x0, y0) of struct stamp_corners. */
+ * bits. x < width and y < height are relative to (x0, y0) of struct stamp_corners. */
 static inline uint32_t stamp_dest(const struct fb *fb, uint32_t x, uint32_t y, uint8_t bank)
 {
     return (uint32_t)bank << 28 | (y * (uint32_t)fb->pitch + x);
@@ -131,7 +131,7 @@ static inline bool stamp_layer_hides(const struct stamp_layer *l, uint32_t dest,
  */
 struct stamp_cells {
     uint32_t columns, rows;
-    uint8_t *visible; /* 1: may be visible; across * down cells, row by row, then one entry for all pixels without
+    uint8_t *visible; /* 1: may be visible; columns * rows cells, row by row, then one entry for all pixels without
                       a cell */
 };
 size_t stamp_cells_size(int w, int h);

@@ -228,10 +228,10 @@ static uint8_t quarter_turn_pixel(const struct transform *a, int x, int y)
     return (uint8_t)image_pixel(a->t, hx >> 1, hy >> 1);
 }
 
-void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch)
+void turn_paint(const struct turn *t, ang angle, uint8_t *out, int out_w, int out_h, int out_pitch)
 {
-    struct transform a = { t, trig_cos30(turn), trig_sin30(turn), out_w, out_h };
-    bool quarter = (turn & 0x3fffffff) == 0;
+    struct transform a = { t, trig_cos30(angle), trig_sin30(angle), out_w, out_h };
+    bool quarter = (angle & 0x3fffffff) == 0;
 
     assert(out_w <= FB_MAX && out_h <= FB_MAX); /* so that locate does not overflow 64 bits */
     for (int y = 0; y < out_h; y++)

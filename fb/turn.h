@@ -35,6 +35,6 @@ void turn_init(struct turn *t, const uint8_t *in, int w, int h, int pitch, int o
 /* Paints all out_w x out_h pixels of out: the image turned clockwise about (ox, oy), with that point in the middle of
  * out. Quarter turns copy pixels; other turns choose one of the image's colours for each pixel and never mix colours.
  * out_w and out_h are at most FB_MAX; bytes of a row beyond out_w are not written. */
-void turn_paint(const struct turn *t, ang turn, uint8_t *out, int out_w, int out_h, int out_pitch);
+void turn_paint(const struct turn *t, ang angle, uint8_t *out, int out_w, int out_h, int out_pitch);
 
 #endif

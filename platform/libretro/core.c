@@ -133,7 +133,7 @@ static uint32_t get32(const uint8_t *p)
 
 /* Returns a seed: the FNV-1a hash of save RAM. Sessions with different save RAM get different seeds, the same on every
  * machine. */
-static uint64_t hash_seed(const uint8_t *bytes, size_t n)
+static uint64_t seed_from_save(const uint8_t *bytes, size_t n)
 {
     uint64_t h = 0xcbf29ce484222325u;
 
@@ -168,7 +168,7 @@ static bool power_up(void)
         config.nvram = core.save_ram + SAVED_HEADER;
         config.nvram_size = get32(core.save_ram);
     }
-    config.seed = config.nvram ? hash_seed(config.nvram, config.nvram_size) : 1;
+    config.seed = config.nvram ? seed_from_save(config.nvram, config.nvram_size) : 1;
     size_t size = curtain_memory(&config, err, sizeof err);
     core.memory = size ? malloc(size) : NULL;
     core.c = core.memory ? curtain_open(&config, core.memory, size, err, sizeof err) : NULL;

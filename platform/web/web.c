@@ -13,7 +13,8 @@ enum { OPTIONS = 4, OPTION_SIZE = 256, SOUND_FRAMES = 800, ERROR_SIZE = 512 };
 enum { DIFFICULTY, LANGUAGE, SWITCHES, SECTION };
 
 static struct {
-    struct curtain *c, *game; /* game: the game's board while c plays a demo it asked for; otherwise NULL */
+    struct curtain *c,
+        *game; /* game: the suspended game while c plays a demo that the game requested; otherwise NULL */
     void *memory, *game_memory;
     char option[OPTIONS][OPTION_SIZE]; /* strings for the next web_open; "": none */
     char error[ERROR_SIZE];

@@ -564,7 +564,7 @@ struct section {
 
 enum { MIN_HOLE = 512 /* smallest free block, in bytes, that is left out of a snapshot */ };
 
-/* Returns the next offset at or after `unit_address` that equals `from` modulo 64: copying between addresses that
+/* Returns the next offset at or after `at` that equals `from` modulo 64: copying between addresses that
  * differ by a few bytes within the page is up to 16 times slower on some processors. */
 static size_t match_alignment(size_t at, size_t from)
 {

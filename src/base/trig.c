@@ -259,7 +259,7 @@ static uint64_t atan_guess(uint32_t n, uint32_t d)
     uint64_t i = ((uint64_t)n * 64 + d) / ((uint64_t)d * 2), low = i * d, high = (uint64_t)n * 32;
     uint64_t numerator = high < low ? low - high : high - low, denominator = (uint64_t)d * 32 + i * n, q = 0;
 
-    for (int k = 0; k < 4; k++) { /* over < 2^31, under < 2^38: 16 bits of the quotient at a time */
+    for (int k = 0; k < 4; k++) { /* numerator < 2^31, denominator < 2^38: 16 bits of the quotient at a time */
         numerator <<= 16;
         q = q << 16 | numerator / denominator;
         numerator %= denominator;

@@ -85,14 +85,14 @@ struct board_cue {
     const char *name;     /* name of the sound; NULL: the slot is silent */
     uint32_t start_frame; /* frame in which the sound began */
     bool is_first_track;  /* the slot plays the sound's first track */
-    bool ends_next;       /* the track ends in the next frame */
+    bool ends_next_frame; /* the track ends in the next frame */
 };
 bool board_cue(const struct board *b, int slot, struct board_cue *out);
 
 /* Returns the name of the music that is playing; "": none. */
 const char *board_music_name(const struct board *b);
 
-/* A box is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_jukebox_size() bytes,
+/* A jukebox is a board that only plays a ROM's sounds and music and runs no scripts. ram: board_jukebox_size() bytes,
  * aligned to 64. board_jukebox_play plays the sound called `name` or, if there is none, the music called `name`; it
  * returns false if neither exists. board_jukebox_tick advances one frame; it returns false when everything has ended
  * and is silent. */
@@ -101,7 +101,7 @@ struct board *board_jukebox_open(void *ram, const struct rom *rom, char *err, si
 bool board_jukebox_play(struct board *b, const char *name);
 bool board_jukebox_tick(struct board *b);
 
-/* A sound or a piece of music in a box's list. */
+/* A sound or a piece of music in a jukebox's list. */
 struct board_tune {
     const char *name, *title;
     bool is_music, is_recording, endless;

@@ -40,7 +40,7 @@ void board_mix_sound(const struct board *b, const void *tables, int16_t out[2 * 
 }
 
 /* Returns whether the slot's track ends within the next frame. */
-static bool track_ends_next(const struct board *b, int slot)
+static bool track_ends_next_frame(const struct board *b, int slot)
 {
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(b->cart.tune_data + c->tune[slot]);
@@ -67,7 +67,7 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
     out->name = cart_name(&b->cart, CART_SOUNDS, sound);
     out->start_frame = c->born[slot];
     out->is_first_track = c->track[slot] == 0;
-    out->ends_next = track_ends_next(b, slot);
+    out->ends_next_frame = track_ends_next_frame(b, slot);
     return true;
 }
 

@@ -111,7 +111,7 @@ struct inspect_task {
     uint32_t serial;
     uint32_t age;       /* frames of game time */
     int64_t wait;       /* frames until the task resumes; 1: it resumes in the next frame */
-    bool waits_forever; /* the task waits forever */
+    bool waits_forever; /* `wait` is then meaningless */
     bool is_scope;      /* the task only owns other tasks */
     bool begun;         /* the task has run at least once */
     bool stopped;       /* will be closed instead of resumed: the task was stopped, or its owner is no longer alive */

@@ -152,7 +152,7 @@ enum demo_checksum_rate {
     DEMO_CHECKSUMS_EVERY_SECOND, /* every second: sparse from the start */
 };
 extern const char
-    *const demo_checksum_rate_names[]; /* names of the enum demo_set_checksum_rate values as options; NULL-terminated */
+    *const demo_checksum_rate_names[]; /* names of the enum demo_checksum_rate values as options; NULL-terminated */
 
 struct demo_writer {
     enum demo_checksum_rate checksum_rate;

@@ -75,14 +75,14 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc);
 void demo_put_second(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t n, const uint64_t *row,
                      uint32_t *crc);
 
-/* Writes the markers from index *told whose frame is at most `frame`, and advances *told past them. */
+/* Writes the markers from index *next_marker whose frame is at most `frame`, and advances *next_marker past them. */
 void demo_put_markers(struct demo_sink *s, const struct demo *d, uint32_t *next_marker, uint32_t frame, uint32_t *crc);
 
 void demo_put_flags(struct demo_sink *s, unsigned flags, uint32_t *crc);
 void demo_put_end(struct demo_sink *s, const struct demo *d, uint32_t *crc);
 
-/* Writes the header, the flags, and all frames and markers up to the last row; sets *frames and *told to the number of
- * frames and markers written. */
+/* Writes the header, the flags, and all frames and markers up to the last row; sets *frames and *n_markers to the
+ * number of frames and markers written. */
 void demo_put_rows(struct demo_sink *s, const struct demo *d, uint32_t *frames, uint32_t *n_markers, uint32_t *crc);
 
 #endif

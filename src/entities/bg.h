@@ -45,8 +45,8 @@ struct bg {
     ang *dir;           /* direction the eye looks */
     uint32_t *fog;      /* 0xRRGGBB, or BG_NO_FOG */
     fx *fog_end;        /* distance in px at which fog hides everything */
-    uint16_t *shown_id; /* number of the background shown, set and read by scripts; shown, at and over use only
-                          * slot 0 */
+    uint16_t *shown_id; /* number of the background shown, set and read by scripts; shown_id, fade_elapsed and
+                         * fade_length use only slot 0 */
     uint16_t *fade_elapsed,
         *fade_length; /* fade: frames elapsed, and total frames (0: no fade). Halfway, the picture is black */
 };

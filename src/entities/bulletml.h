@@ -89,7 +89,7 @@ struct ml_runners {
                                            * instead */
     uint32_t *change_start, *change_end; /* CHANGES per runner: start and end clock */
     int32_t *cosine, *sine;              /* of the board direction of `direction`, Q30 */
-    ang *written_dir;                    /* board angle of `direction`. put_*: the values last written to the bullet;
+    ang *written_dir; /* board angle of `direction`. written_*: the values last written to the bullet;
                                            * if the bullet has another value, a script has set it */
     fx *written_speed, *written_vx, *written_vy;
     uint32_t last_serial; /* serial numbers given out so far */

@@ -69,7 +69,8 @@ struct bullet_kinds {
     int32_t *hp;            /* hp of a new bullet; hp, score and spark are NULL if the game has no hp for bullets */
     int64_t *score;         /* awarded when a player's shot takes the last hp */
     uint16_t *spark;        /* kind + 1 of the spark left when hp runs out, 0: none */
-    int32_t *pierce; /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce and every are NULL if
+    int32_t *
+        pierce; /* shots only: hits that don't use the shot up, or PIERCE_FOREVER; pierce and rehit_interval are NULL if
                        * the game doesn't enable piercing */
     int32_t
         *rehit_interval;  /* frames between two hits on the same target; PIERCE_FOREVER: each target is hit only once */
@@ -125,7 +126,7 @@ struct bullets {
     uint64_t *solid;   /* can be hit by shots this frame; NULL if `hp` is NULL */
     uint8_t *step_end_low; /* idle bullets: the low byte of `step_end` */
 
-    /* The pairs of tags whose bullets collide; next, met and taken are NULL if the game doesn't enable them. */
+    /* The pairs of tags whose bullets collide; next, met and meet_removed are NULL if the game doesn't enable them. */
     uint32_t n_meets;                                       /* number of pairs */
     uint16_t meet_first[MAX_MEETS], meet_second[MAX_MEETS]; /* tags */
     uint16_t meet_spark[MAX_MEETS];                         /* kind + 1 of the spark left; 0: the bullet kind's spark */

@@ -110,15 +110,15 @@ static const uint32_t HALF_BIT[HALF] = {
     0x1000000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000, 0x80000000,
 };
 
-/* Returns -1 (all bits set) if a bullet that moves to (x, y) stays inside keep (far is 0) and is outside the range *n,
- * otherwise 0. */
+/* Returns -1 (all bits set) if a bullet that moves to (x, y) stays inside the keep box (outside is 0) and is outside
+ * the range *n, otherwise 0. */
 static inline int32_t usual_mask(int32_t outside, int32_t x, int32_t y, const struct range *n)
 {
     return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~outside;
 }
 
-/* Moves a block, both halves in one loop. Returns, as bits, the slots that are then outside *keep or inside *near. Sets
- * *lost to whether any slot is outside *keep. */
+/* Moves a block, both halves in one loop. Returns, as bits, the slots that are then outside *bounds or inside *near.
+ * Sets *any_outside to whether any slot is outside *bounds. */
 static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *restrict vx, const fx *restrict vy,
                                   const struct range *bounds, const struct range *near, bool *restrict any_outside)
 {

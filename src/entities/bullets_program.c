@@ -590,16 +590,16 @@ static enum program_state step_bullet(struct bullets *b, const struct motion_wor
 /* ---- steps that have begun, for several bullets together ---- */
 
 /* In the middle of a step, all bullets of one ring do the same work; so do fine bullets without a step to run, which
- * only fly. Bullets of a block that do the same work are on the same "course" and are processed together, column by
+ * only fly. Bullets of a block that do the same work are in the same "cohort" and are processed together, column by
  * column. The result equals that of step_bullet for each bullet, in any order, because until the block moves no bullet
  * of the block reads a value that another one writes.
  */
-struct course {
-    uint32_t motion, pc; /* motion, pc and step_flags of every bullet on the course */
+struct cohort {
+    uint32_t motion, pc; /* motion, pc and step_flags of every bullet of the cohort */
     unsigned step_flags;
     bool fine;
-    bool exists, timed;   /* whether the course exists; whether it is in a step, which ends at `step_end` */
-    bool impossible;      /* no bullet at this step can be on a course */
+    bool exists, timed;   /* whether the cohort exists; whether it is in a step, which ends at `step_end` */
+    bool impossible;      /* no bullet at this step can be in a cohort */
     uint32_t st, actions; /* the step, and its DOES_DRIVE actions that no script has overridden */
     bool has_steering;    /* the step has DOES_STEER actions, even if overridden */
 };
@@ -633,7 +633,7 @@ static void fill_batch(struct batch *s, uint32_t first, uint64_t mask)
         s->slot[s->n++] = first + bits_lowest(mask);
 }
 
-static void set_course(struct course *c, const struct bullets *b, const struct motion_world *w, uint32_t i)
+static void set_cohort(struct cohort *c, const struct bullets *b, const struct motion_world *w, uint32_t i)
 {
     const struct steps *s = w->steps;
     const uint32_t excluded =
@@ -663,15 +663,15 @@ static void set_course(struct course *c, const struct bullets *b, const struct m
     c->st = st;
 }
 
-static inline bool is_on_course(const struct bullets *b, const struct course *c, uint32_t i)
+static inline bool is_in_cohort(const struct bullets *b, const struct cohort *c, uint32_t i)
 {
     return b->motion[i] == c->motion && b->pc[i] == c->pc && b->step_flags[i] == c->step_flags &&
            !(b->flags[i] & BULLET_FINE) == !c->fine;
 }
 
-/* Sets out[k] to 1 for the bullets of a block on course c, otherwise to 0. */
-static void match_course(const uint16_t *restrict motion, const uint16_t *restrict pc,
-                         const uint8_t *restrict step_flags, const uint8_t *restrict flags, const struct course *c,
+/* Sets out[k] to 1 for the bullets of a block in cohort c, otherwise to 0. */
+static void match_cohort(const uint16_t *restrict motion, const uint16_t *restrict pc,
+                         const uint8_t *restrict step_flags, const uint8_t *restrict flags, const struct cohort *c,
                          uint8_t *restrict out)
 {
     const uint16_t want_motion = (uint16_t)c->motion, want_pc = (uint16_t)c->pc;
@@ -693,53 +693,54 @@ static uint64_t ending_mask(const uint32_t *restrict step_end, uint32_t clock)
     return slots_pack_flags(out);
 }
 
-enum { MIN_BATCH = 6 /* number of bullets of a block on one course from which processing them together is faster */ };
+enum { MIN_BATCH = 6 /* number of bullets of a block in one cohort from which processing them together is faster */ };
 
 /* Returns whether any of the lowest `probes` bullets in `candidates`, the bits of the block at slot `first`, is on
- * course c. */
-static bool has_peer(const struct bullets *b, const struct course *c, uint32_t first, uint64_t candidates, int probes)
+ * cohort c. */
+static bool has_peer(const struct bullets *b, const struct cohort *c, uint32_t first, uint64_t candidates, int probes)
 {
     for (; candidates && probes > 0; probes--, candidates &= candidates - 1)
-        if (is_on_course(b, c, first + bits_lowest(candidates)))
+        if (is_in_cohort(b, c, first + bits_lowest(candidates)))
             return true;
     return false;
 }
 
-/* Returns, as bits, the bullets of the block at slot `first` that are on course c and whose step does not end in this
+/* Returns, as bits, the bullets of the block at slot `first` that are in cohort c and whose step does not end in this
  * frame. Not inlined, so that run_programs' loop over single bullets has enough registers. */
-__attribute__((noinline)) static uint64_t course_mask(const struct bullets *b, const struct motion_world *w,
-                                                      const struct course *c, uint32_t first)
+__attribute__((noinline)) static uint64_t cohort_mask(const struct bullets *b, const struct motion_world *w,
+                                                      const struct cohort *c, uint32_t first)
 {
     uint8_t out[SLOTS_BLOCK];
 
-    match_course(b->motion + first, b->pc + first, b->step_flags + first, b->flags + first, c, out);
+    match_cohort(b->motion + first, b->pc + first, b->step_flags + first, b->flags + first, c, out);
     return slots_pack_flags(out) & (c->timed ? ~ending_mask(b->step_end + first, w->clock) : UINT64_MAX);
 }
 
-/* Returns, as bits, the bullets in `candidates` that are on bullet i's course, or 0 if i is on none. The bits in
- * `candidates` are of i's block, and i is the lowest. Scanning the whole block is expensive, so the next *few bullets
- * in `candidates` are probed first. If none of them is on the course, sets *few to 1 and returns i alone. */
-static uint64_t same_step_mask(const struct bullets *b, const struct motion_world *w, struct course *c, uint32_t i,
+/* Returns, as bits, the bullets in `candidates` that are in bullet i's cohort, or 0 if i is in none. The bits in
+ * `candidates` are of i's block, and i is the lowest. Scanning the whole block is expensive, so the next *probes
+ * bullets in `candidates` are probed first. If none of them is in the cohort, sets *probes to 1 and returns i alone. */
+static uint64_t same_step_mask(const struct bullets *b, const struct motion_world *w, struct cohort *c, uint32_t i,
                                uint64_t candidates, int *probes)
 {
     const uint32_t first = i / SLOTS_BLOCK * SLOTS_BLOCK;
 
     if (c->impossible && b->motion[i] == c->motion && b->pc[i] == c->pc)
         return 0;
-    if (!is_on_course(b, c, i))
-        set_course(c, b, w, i);
+    if (!is_in_cohort(b, c, i))
+        set_cohort(c, b, w, i);
     if (!c->exists || (c->timed && b->step_end[i] == w->clock))
         return 0;
     if (!has_peer(b, c, first, candidates & (candidates - 1), *probes)) {
         *probes = 1;
         return bullets_bit(i);
     }
-    return candidates & course_mask(b, w, c, first);
+    return candidates & cohort_mask(b, w, c, first);
 }
 
 enum { MAX_FEW_TARGETS = 4 };
 
-/* Returns the number of targets, or FEW + 1 if there are more than FEW, and stores the slots of the first FEW. */
+/* Returns the number of targets, or MAX_FEW_TARGETS + 1 if there are more, and stores the slots of the first
+ * MAX_FEW_TARGETS. */
 static int few_targets(const struct targets *t, uint32_t found[MAX_FEW_TARGETS])
 {
     const uint32_t end = t->s->used ? t->s->top : t->s->live;
@@ -788,7 +789,7 @@ static void aim_batch(const struct bullets *b, const struct targets *t, const st
         dir[k] = dx[k] | dy[k] ? to[k] : dir[k];
 }
 
-static void turn_batch(const struct bullets *b, const struct motion_world *w, const struct course *c,
+static void turn_batch(const struct bullets *b, const struct motion_world *w, const struct cohort *c,
                        const struct batch *s, ang *dir)
 {
     ang goal[SLOTS_BLOCK];
@@ -811,7 +812,7 @@ static void turn_batch(const struct bullets *b, const struct motion_world *w, co
 
 /* Changes the speed of all bullets of s. For consecutive bullets with equal step_start and step_end, the result of
  * motion_lerp is computed once. */
-static void change_batch_speed(struct bullets *b, const struct motion_world *w, const struct course *c,
+static void change_batch_speed(struct bullets *b, const struct motion_world *w, const struct cohort *c,
                                const struct batch *s)
 {
     const int shift = c->fine ? 0 : Q32_EXTRA_BITS;
@@ -819,7 +820,7 @@ static void change_batch_speed(struct bullets *b, const struct motion_world *w, 
     const int64_t goal = w->steps->speed[c->st] >> shift, accel = w->steps->accel[c->st] >> shift;
     const uint32_t duration = w->steps->duration[c->st];
     int64_t from = 0, reached = 0;
-    uint32_t end = w->clock; /* matches no bullet: a bullet whose step ends now is on no course */
+    uint32_t end = w->clock; /* matches no bullet: a bullet whose step ends now is in no cohort */
     for (int k = 0; k < s->n; k++) {
         const uint32_t i = batch_slot(s, k);
         int64_t v = c->fine ? b->speed_q32[i] : b->speed[i];
@@ -874,9 +875,9 @@ static void steer_batch(struct bullets *b, const struct batch *s, const ang *dir
     b->speed_bound = bound;
 }
 
-/* Runs a frame of the bullets of s, which are on course c. Not inlined, for the same reason as course_mask. */
+/* Runs a frame of the bullets of s, which are in cohort c. Not inlined, for the same reason as cohort_mask. */
 __attribute__((noinline)) static void step_batch(struct bullets *b, const struct motion_world *w,
-                                                 const struct course *c, const struct batch *s)
+                                                 const struct cohort *c, const struct batch *s)
 {
     ang gathered[SLOTS_BLOCK], *dir = s->is_contiguous ? b->dir + s->first : gathered;
 
@@ -899,8 +900,8 @@ __attribute__((noinline)) static void step_batch(struct bullets *b, const struct
         steer_batch(b, s, dir);
 }
 
-/* Runs a frame of bullet i, alone on course c. Adds the bullet to `deferred` if its velocity must be recomputed. */
-static void step_alone(struct bullets *b, const struct motion_world *w, const struct course *c, uint32_t i,
+/* Runs a frame of bullet i, alone in cohort c. Adds the bullet to `deferred` if its velocity must be recomputed. */
+static void step_alone(struct bullets *b, const struct motion_world *w, const struct cohort *c, uint32_t i,
                        struct batch *deferred)
 {
     const uint32_t n = w->steps->duration[c->st];
@@ -938,7 +939,7 @@ static void run_programs(struct bullets *b, const struct motion_world *w, uint32
 {
     const uint32_t first = block * SLOTS_BLOCK;
     uint64_t busy = b->busy[block], idle = b->idle[block] & ~woken;
-    struct course c = { .motion = UINT32_MAX }; /* matches no bullet */
+    struct cohort c = { .motion = UINT32_MAX }; /* matches no bullet */
     struct batch batch, deferred;
     int probes = 1 + bits_count(busy) / MIN_BATCH;
 

@@ -488,7 +488,7 @@ void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_
             enemies_ensure_moved(e, i, w);
         else
             step_enemy(e, i);
-        /* a boss may enter from outside *keep, and a part may reach outside *keep */
+        /* a boss may enter from outside *keep_box, and a part may reach outside it */
         if (e->flags[i] & (ENEMY_UNDYING | ENEMY_DYING) || is_part(e, i) || is_inside(e, i, keep_box))
             continue;
         e->flags[i] |= ENEMY_LEAVING;

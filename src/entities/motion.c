@@ -182,39 +182,39 @@ struct motion_share motion_ease(enum ease ease, uint64_t k, uint64_t n)
     }
 }
 
-/* Returns d * s, truncated, and sets *left to the remainder, in units of 1 / s.whole. Works bit by bit, because the
- * product may not fit in 64 bits. */
-static uint32_t multiply_share_bitwise(uint32_t d, struct motion_share s, uint64_t *left)
+/* Returns d * s, truncated, and sets *remainder to the remainder, in units of 1 / s.whole. Works bit by bit, because
+ * the product may not fit in 64 bits. */
+static uint32_t multiply_share_bitwise(uint32_t d, struct motion_share s, uint64_t *remainder)
 {
     uint32_t q = 0;
 
-    *left = 0;
+    *remainder = 0;
     for (int bit = 31; bit >= 0; bit--) {
-        *left = 2 * *left + (d >> bit & 1 ? s.part : 0); /* below 3 * s.whole */
+        *remainder = 2 * *remainder + (d >> bit & 1 ? s.part : 0); /* below 3 * s.whole */
         q *= 2;
-        for (; *left >= s.whole; *left -= s.whole)
+        for (; *remainder >= s.whole; *remainder -= s.whole)
             q++;
     }
     return q;
 }
 
-static uint32_t multiply_share(uint32_t d, struct motion_share s, uint64_t *left)
+static uint32_t multiply_share(uint32_t d, struct motion_share s, uint64_t *remainder)
 {
     if (s.whole >> 32)
-        return multiply_share_bitwise(d, s, left);
+        return multiply_share_bitwise(d, s, remainder);
     uint64_t product = d * s.part;
-    *left = product % s.whole;
+    *remainder = product % s.whole;
     return (uint32_t)(product / s.whole);
 }
 
 fx motion_between(fx a, fx b, struct motion_share s)
 {
     uint32_t d = a < b ? (uint32_t)b - (uint32_t)a : (uint32_t)a - (uint32_t)b;
-    uint64_t left;
-    uint32_t q = multiply_share(d, s, &left);
-    uint64_t to_next = s.whole - left;
+    uint64_t remainder;
+    uint32_t q = multiply_share(d, s, &remainder);
+    uint64_t to_next = s.whole - remainder;
 
-    q += (left > to_next) | ((left == to_next) & ((uint32_t)a ^ q) & 1);
+    q += (remainder > to_next) | ((remainder == to_next) & ((uint32_t)a ^ q) & 1);
     return (fx)(a < b ? (uint32_t)a + q : (uint32_t)a - q);
 }
 

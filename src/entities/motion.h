@@ -159,10 +159,10 @@ struct steps {
     uint16_t *kind;
     uint8_t *bank;
     ang *dir;
-    int32_t *turn;   /* ang per frame; applied once if over is 0 */
+    int32_t *turn;   /* ang per frame; applied once if duration is 0 */
     ang *home;       /* limit of the turn, ang per frame */
     int64_t *speed;  /* px/frame in Q32; a whole number of fx unless the program is fine */
-    int64_t *accel;  /* px/frame in Q32, added in each frame, or only once if over is 0 */
+    int64_t *accel;  /* px/frame in Q32, added in each frame, or only once if duration is 0 */
     uint16_t *count; /* rounds of a loop, or MOTION_FOREVER; a wave's period in frames; a signal's tag */
     uint16_t *jump; /* target of a jump, see DOES_LOOP, DOES_LOOP_END; DOES_BOUNCE: the step after the loop; relative to
                       * the program's first step */
@@ -170,7 +170,7 @@ struct steps {
     fx *x, *y;      /* goal of go_to; centre of polar and orbit with MODE_AT; the x or y awaited by DOES_AWAIT */
     fx *size;       /* px: amplitude of a wave; radius of an orbit; distance from a target for MODE_NEAR */
     fx *size_to;    /* px: radius at the end of an orbit with MODE_TO */
-    uint8_t *mode;  /* enum ease and HOW_ bits */
+    uint8_t *mode;  /* enum ease and MODE_ bits */
     uint64_t *named; /* NAMED_BITS bits for each enum step_number */
 };
 
@@ -294,7 +294,7 @@ void motion_pack_emit(const struct motion_emit *e, struct motion_step out[EMIT_R
 void motion_unpack_emit(const struct steps *s, uint32_t i, struct motion_emit *out);
 
 /* Returns the column of the value that replaces a number according to `named`, or -1 if no value does in this pool
- * (shots, otherwise bullets). Sets *is to whether a value replaces the number in either pool. */
+ * (shots, otherwise bullets). Sets *is_named to whether a value replaces the number in either pool. */
 static inline int motion_named_column(uint64_t named, int number, bool is_shots, bool *is_named)
 {
     const uint64_t code = named >> number * NAMED_BITS & ((1 << NAMED_BITS) - 1);

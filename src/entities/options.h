@@ -36,7 +36,7 @@ struct option_plan {
     uint32_t spacing;       /* OPTION_TRAIL: frames of flight between two options */
     fx wide, close;         /* OPTION_ORBIT: radius, unfocused and focused */
     ang spin;               /* rotation per frame */
-    uint32_t n_levels;      /* number of levels; they are sorted by `offset`, ascending */
+    uint32_t n_levels;      /* number of levels; they are sorted by `min_value`, ascending */
     struct option_level level[];
 };
 

@@ -97,7 +97,7 @@ size_t curtain_plain(const void *rom, size_t rom_size, void *out, size_t out_siz
     return size;
 }
 
-/* Opens the plain ROM into c->rom and c->cart, and computes *all, the total memory in bytes, including `unpack_size`
+/* Opens the plain ROM into c->rom and c->cart, and computes *total, the total memory in bytes, including `unpack_size`
  * bytes to unpack the ROM into. */
 static bool measure(struct curtain *c, const struct curtain_config *config, const void *rom, size_t size,
                     size_t unpack_size, size_t *ram_size, size_t *total, char *err, size_t err_size)

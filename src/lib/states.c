@@ -42,7 +42,7 @@ static struct lib_snapshot *find_least_recent(struct curtain *c, uint32_t from, 
     return best;
 }
 
-/* Returns the key snapshot to replace: an empty one, or one of a later frame than `is_current`, if there is one;
+/* Returns the key snapshot to replace: an empty one, or one of a later frame than `current_frame`, if there is one;
  * otherwise the one with the smallest gap between its neighbours relative to its age, so that gaps between snapshots
  * grow with age. */
 static struct lib_snapshot *find_expendable_key(struct curtain *c, uint32_t current_frame)

@@ -19,8 +19,8 @@ void lasers_remove(struct board *b, uint32_t i);
 void lasers_move(struct board *b);
 void lasers_end_frame(struct board *b);
 
-/* Updates the ends of laser i after a script moved, turned or resized it. The area that the laser passes over in this
- * change is not tested for hits. */
+/* Updates the tail of laser i after a script moved, turned or resized it (a curve has none to update). The area that
+ * the laser passes over in this change is not tested for hits. */
 void lasers_update_tail(struct board *b, uint32_t i);
 
 /* Moves laser i to (x, y) for a script; a curve moves with its whole body. */

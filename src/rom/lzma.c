@@ -1,8 +1,8 @@
 /*
  * lzma.c - see lzma.h.
  *
- * The range coder splits a range of numbers in proportion to the odds of each bit, until only the number that the
- * stream encodes is left in the range. Any sequence of bytes decodes to some symbols, so the reader checks that no
+ * The range coder splits a range of numbers in proportion to the probabilities of each bit, until only the number that
+ * the stream encodes is left in the range. Any sequence of bytes decodes to some symbols, so the reader checks that no
  * distance points before the start of the output, that no match runs past the end of the output, and that stream and
  * output end together.
  */
@@ -16,7 +16,7 @@ void lzma_model_reset(struct lzma_model *m)
 {
     const lzma_prob half = PROB_HALF;
 
-    for (size_t i = 0; i < sizeof *m; i += sizeof half) /* the struct contains only odds */
+    for (size_t i = 0; i < sizeof *m; i += sizeof half) /* every member is an lzma_prob */
         memcpy((uint8_t *)m + i, &half, sizeof half);
 }
 
@@ -74,7 +74,7 @@ static unsigned read_bit(struct reader *r, lzma_prob *prob)
     return bit;
 }
 
-/* Reads a number of `bits` bits, most significant first. The odds of each bit depend on the bits before it. */
+/* Reads a number of `bits` bits, most significant first. The probability of each bit depends on the bits before it. */
 static unsigned read_tree(struct reader *r, lzma_prob *prob, int bits)
 {
     unsigned m = 1;

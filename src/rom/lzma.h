@@ -16,14 +16,15 @@ enum {
     LZMA_MAX_MATCH = 273,
     LZMA_REPS = 4, /* number of remembered distances */
     LZMA_STATES = 12,
-    LZMA_LITERAL_STATES = 7,  /* in states below this one, the last symbol was a literal */
-    LZMA_SLOT_MODELS = 4,     /* models of distance slots: for matches of 2, 3, 4, and 5 or more bytes */
-    LZMA_MODELLED_SLOTS = 14, /* in distance slots below this one, all bits of a distance are coded with odds */
+    LZMA_LITERAL_STATES = 7, /* in states below this one, the last symbol was a literal */
+    LZMA_SLOT_MODELS = 4,    /* models of distance slots: for matches of 2, 3, 4, and 5 or more bytes */
+    LZMA_MODELLED_SLOTS =
+        14,              /* in distance slots below this one, all bits of a distance are coded with probabilities */
     LZMA_ALIGN_BITS = 4, /* in the other slots, only the lowest LZMA_ALIGN_BITS bits are; the rest are direct bits */
     LZMA_PROB_BITS = 11,
     LZMA_ADAPT_SHIFT =
         5, /* adaptation rate: each bit moves its probability 2^-LZMA_ADAPT_SHIFT of the way towards that bit */
-    LZMA_TOP = 1 << 24 /* a range smaller than this takes in another byte */
+    LZMA_TOP = 1 << 24 /* when the range is below this, another byte is read or written */
 };
 
 /* The probability that a bit is 0, of 2048. */
@@ -33,7 +34,8 @@ struct lzma_length {
     lzma_prob choice[2], low[8], middle[8], high[256];
 };
 
-/* The odds of each kind of bit, adapted to the bits so far. The writer and the reader have equal models at each bit. */
+/* The probability of each kind of bit, adapted to the bits so far. The writer and the reader have equal models at each
+ * bit. */
 struct lzma_model {
     lzma_prob match[LZMA_STATES], rep[LZMA_STATES], rep_0[LZMA_STATES], rep_0_long[LZMA_STATES], rep_1[LZMA_STATES],
         rep_2[LZMA_STATES];

@@ -27,7 +27,7 @@ enum {
 
 struct dip {
     char name[MAX_SETTING_NAME];
-    bool is_number; /* true: any number from lo to hi; false: the index of a named value, 0 to values - 1 */
+    bool is_number; /* true: any number from lo to hi; false: the index of a named value, 0 to n_values - 1 */
     int32_t lo, hi, default_value; /* default_value: the default setting */
     int32_t n_values;              /* number of named values; 0 for a number */
     char value_name[MAX_DIP_VALUES][MAX_SETTING_NAME];

@@ -24,7 +24,7 @@ struct words {
 /* Checks a lump and opens it. The lump must outlive w. Returns false, with one sentence in err, if it is not valid. */
 bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, size_t err_size);
 
-/* Returns the original string of entry i, and stores its translation in *words unless words is NULL. */
+/* Returns the original string of entry i, and stores its translation in *translation unless translation is NULL. */
 const char *words_entry(const struct words *w, uint32_t i, const char **translation);
 
 /* Returns the translation of a text of n bytes, or NULL if there is none. */

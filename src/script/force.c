@@ -39,23 +39,23 @@ static int64_t find_danger(const struct board *b)
     return 0;
 }
 
-static void hit_player(struct board *b, uint32_t p, int64_t player)
+static void hit_player(struct board *b, uint32_t p, int64_t player_handle)
 {
     const int64_t source = find_danger(b);
 
     b->player.safe_left[p] = 0;
     if (source)
-        board_raise_event(b, EV_HIT, player, source);
+        board_raise_event(b, EV_HIT, player_handle, source);
     else
         events_kill_player(b, p);
 }
 
-static void take_items(struct board *b, uint32_t p, int64_t player)
+static void take_items(struct board *b, uint32_t p, int64_t player_handle)
 {
     for (uint32_t k = 0; k < b->item_kinds.s.live; k++) {
         const int32_t i = items_spawn(&b->items, (uint16_t)k, b->player.x[p], b->player.y[p], b->core.clock);
         if (i != NO_SLOT)
-            board_raise_event(b, EV_TAKE, player, board_handle(b, H_ITEM, i));
+            board_raise_event(b, EV_TAKE, player_handle, board_handle(b, H_ITEM, i));
     }
 }
 
@@ -69,29 +69,29 @@ static int apply_force(lua_State *L)
 {
     struct board *b = vm_board(L);
     const uint32_t p = (uint32_t)b->output->force->player;
-    const int64_t player = board_handle(b, H_PLAYER, (int32_t)p);
+    const int64_t player_handle = board_handle(b, H_PLAYER, (int32_t)p);
     const int64_t bullet = find_bullet(b, true);
 
     switch (b->output->force->kind) {
     case FORCE_HIT:
-        hit_player(b, p, player);
+        hit_player(b, p, player_handle);
         break;
     case FORCE_DEATH:
         events_kill_player(b, p);
         break;
     case FORCE_GRAZE:
         if (bullet)
-            board_raise_event(b, EV_GRAZE, player, bullet);
+            board_raise_event(b, EV_GRAZE, player_handle, bullet);
         break;
     case FORCE_BOMB:
         api_bomb_ensure_stock(L, b, p);
         api_bomb_start(L, b, p);
         break;
     case FORCE_EXTEND:
-        board_raise_event(b, EV_EXTEND, player, 0);
+        board_raise_event(b, EV_EXTEND, player_handle, 0);
         break;
     case FORCE_TAKE:
-        take_items(b, p, player);
+        take_items(b, p, player_handle);
         break;
     case FORCE_SAFE:
         b->player.safe_left[p] = SAFE_FRAMES;

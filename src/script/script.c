@@ -292,7 +292,7 @@ struct blocks {
     int n;
 };
 
-/* Returns the number of blanks at the start of p's line. Sets *first to whether p directly follows the blanks. */
+/* Returns the number of blanks at the start of p's line. Sets *is_first to whether p directly follows the blanks. */
 static int indent_of(const char *text, const char *p, bool *is_first)
 {
     const char *line = p;

@@ -168,7 +168,7 @@ static int count_arguments(lua_State *L, lua_Debug *ar)
 }
 
 /* Returns the extra weight, above one, that the heaviest instruction of the running function may have. Adds the work of
- * determining this weight to *looking. */
+ * determining this weight to *weighing_work. */
 static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *weighing_work)
 {
     int arguments = count_arguments(L, ar);

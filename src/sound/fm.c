@@ -126,7 +126,7 @@ void fm_block(const struct snd_tables *t, int ops, int algorithm, const struct f
 
     memset(out, 0, FM_BLOCK * sizeof *out);
     for (int k = 0; k < ops; k++) {
-        const unsigned modulated = inst_modulates(ops, algorithm, k);
+        const unsigned modulated = inst_modulated_ops(ops, algorithm, k);
         make_phases(&op[k], modulation[k], phase);
         if (k == 0 && (feedback[0] | feedback[1]))
             feedback_sines(t, phase, feedback, sine);

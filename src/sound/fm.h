@@ -43,8 +43,8 @@ struct fm_note {
 };
 void fm_begin(struct fm_note *f, const struct inst *inst, const uint8_t *bytes);
 
-/* Computes the block that starts at `age` and `phase` (units as in struct wave_at). off: the age at which the note is
- * released. */
+/* Computes the block that starts at `age` and `phase` (units as in struct wave_params). off: the age at which the note
+ * is released. */
 void fm_play(struct fm_note *f, const struct snd_tables *t, int32_t age, int32_t off, uint64_t phase, uint64_t step,
              int16_t out[FM_BLOCK]);
 

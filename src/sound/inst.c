@@ -85,7 +85,7 @@ unsigned inst_audible(int ops, int algorithm)
     return ops == 2 ? 2 : audible_ops[algorithm];
 }
 
-unsigned inst_modulates(int ops, int algorithm, int k)
+unsigned inst_modulated_ops(int ops, int algorithm, int k)
 {
     return ops == 2 ? (k == 0 ? 2 : 0) : modulates[algorithm][k];
 }

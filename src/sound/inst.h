@@ -23,8 +23,8 @@
 enum {
     INST_NAME_SIZE = 32, /* bytes of a sample's name, with its NUL */
     INST_BYTES = 212,
-    INST_WAVE_AT = 48,   /* offset of the wave's place */
-    INST_CURVES_AT = 52, /* offset of the places of the curves: volume, pitch, pan */
+    INST_WAVE_AT = 48,   /* offset of the field with the wave's offset */
+    INST_CURVES_AT = 52, /* offset of the fields with the offsets of the curves: volume, pitch, pan */
     INST_OPS_AT = 116,   /* offset of the operators */
     INST_OP_BYTES = 24,
     FM_OPS = 4,
@@ -130,10 +130,10 @@ static inline int inst_op_count(int kind)
     return kind == INST_FM4 ? 4 : kind == INST_FM ? 2 : 0;
 }
 
-/* inst_audible returns the set of audible operators, inst_modulates the set of operators that operator k modulates. Bit
- * i of a set is operator i. */
+/* inst_audible returns the set of audible operators, inst_modulated_ops the set of operators that operator k modulates.
+ * Bit i of a set is operator i. */
 unsigned inst_audible(int ops, int algorithm);
-unsigned inst_modulates(int ops, int algorithm, int k);
+unsigned inst_modulated_ops(int ops, int algorithm, int k);
 
 /* Returns the size of a curve in bytes. */
 static inline size_t inst_curve_size(const uint8_t *curve)

@@ -139,8 +139,8 @@ struct cues_run {
     struct tune_run run;
 };
 
-/* Reads the next event of any cue and stores the setting it changes in c. Returns false if no event is left in the
- * frame. */
+/* Reads the next event of any cue into *e. If it sets an instrument, volume or pan, also stores the new value in c.
+ * Returns false if no event is left in the frame. */
 bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tune_played *e);
 
 #endif

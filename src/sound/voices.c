@@ -313,14 +313,14 @@ static void make_block(struct note *n, int b, int16_t out[SND_BLOCK])
 {
     const uint64_t from = phase_at(n, b * SND_BLOCK), to = phase_at(n, (b + 1) * SND_BLOCK);
     const uint64_t step = (uint64_t)((int64_t)(to - from) / SND_BLOCK);
-    const struct wave_params at = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
+    const struct wave_params params = { from, step, n->mip0, n->mip1, b, (uint32_t)n->i, n->bytes + n->inst.wave };
 
     if (n->inst.kind == INST_SAMPLE)
         wave_sample(n->t, n->filtered + (((int64_t)from >> 32) - n->first), (uint32_t)from, step, out);
     else if (inst_op_count(n->inst.kind))
         fm_play(&n->fm, n->t, n->age + b * SND_BLOCK, n->off, from, step, out);
     else
-        wave_block(n->t, &n->inst, &at, out);
+        wave_block(n->t, &n->inst, &params, out);
 }
 
 /* ---- levels ---- */

@@ -44,32 +44,32 @@ static void read_custom_wave(const uint8_t *wave, int version, uint32_t phase, u
     }
 }
 
-/* Reads version mip of the wave of an instrument whose wave has several versions. */
-static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at, int mip,
+/* Reads version `mip` of an instrument's wave. Not for kinds whose wave has a single version. */
+static void read_version(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params, int mip,
                          int16_t out[SND_BLOCK])
 {
-    const uint32_t phase = (uint32_t)(at->phase >> 24), step = (uint32_t)(at->step >> 24);
+    const uint32_t phase = (uint32_t)(params->phase >> 24), step = (uint32_t)(params->step >> 24);
 
     if (inst->kind == INST_PULSE)
         read_pulse(t->saw[mip], phase, step, (uint32_t)inst->duty << 16, out);
     else if (inst->kind == INST_WAVE)
-        read_custom_wave(at->wave, mip < at->wave[0] ? mip : at->wave[0] - 1, phase, step, out);
+        read_custom_wave(params->wave, mip < params->wave[0] ? mip : params->wave[0] - 1, phase, step, out);
     else
         read_wave(inst->kind == INST_SAW ? t->saw[mip] : t->triangle[mip], phase, step, out);
 }
 
 /* Reads a wave. If the frame's end needs another version than its start, crossfades between the two. */
-static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at,
+static void read_versions(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
                           int16_t out[SND_BLOCK])
 {
     int16_t second[SND_BLOCK];
 
-    read_version(t, inst, at, at->mip0, out);
-    if (at->mip0 == at->mip1)
+    read_version(t, inst, params, params->mip0, out);
+    if (params->mip0 == params->mip1)
         return;
-    read_version(t, inst, at, at->mip1, second);
+    read_version(t, inst, params, params->mip1, second);
     for (int n = 0; n < SND_BLOCK; n++)
-        out[n] = (int16_t)(out[n] + (second[n] - out[n]) * (at->block_index * SND_BLOCK + n) / SND_FRAME);
+        out[n] = (int16_t)(out[n] + (second[n] - out[n]) * (params->block_index * SND_BLOCK + n) / SND_FRAME);
 }
 
 static uint32_t mix_bits(uint32_t x)
@@ -79,27 +79,27 @@ static uint32_t mix_bits(uint32_t x)
     return x ^ x >> 16;
 }
 
-/* Each value of the noise is a hash of its index; the phase is in 2^-44 turns (struct wave_at). */
-static void read_noise(const struct wave_params *at, int16_t out[SND_BLOCK])
+/* Each value of the noise is a hash of its index; the phase is in 2^-44 turns (struct wave_params). */
+static void read_noise(const struct wave_params *params, int16_t out[SND_BLOCK])
 {
     for (uint32_t n = 0; n < SND_BLOCK; n++) {
-        const uint32_t number = (uint32_t)((at->phase + n * at->step) >> 40);
-        out[n] = (int16_t)(mix_bits(number * 0x9e3779b9u + at->seed) >> 16);
+        const uint32_t number = (uint32_t)((params->phase + n * params->step) >> 40);
+        out[n] = (int16_t)(mix_bits(number * 0x9e3779b9u + params->seed) >> 16);
     }
 }
 
-void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at,
+void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
                 int16_t out[SND_BLOCK])
 {
     switch (inst->kind) {
     case INST_SINE:
-        read_wave(t->sine, (uint32_t)(at->phase >> 24), (uint32_t)(at->step >> 24), out);
+        read_wave(t->sine, (uint32_t)(params->phase >> 24), (uint32_t)(params->step >> 24), out);
         break;
     case INST_NOISE:
-        read_noise(at, out);
+        read_noise(params, out);
         break;
     default:
-        read_versions(t, inst, at, out);
+        read_versions(t, inst, params, out);
     }
 }
 

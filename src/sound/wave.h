@@ -20,7 +20,7 @@ struct wave_params {
     uint32_t seed;
     const uint8_t *wave;
 };
-void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *at,
+void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
                 int16_t out[SND_BLOCK]);
 
 /* Computes a block of a recording. x: the sample at the integer part of the position; phase: the position's fraction,

@@ -681,7 +681,7 @@ static void test_slots(void **state)
     for (; rig_run(&rig, 1), board_cue(rig.b, 0, &cue) && cue.name; frames++) {
         assert_string_equal(cue.name, "hit");
         assert_int_equal(lasts, 0);
-        lasts += cue.ends_next;
+        lasts += cue.ends_next_frame;
     }
     assert_true(frames > 1 && lasts == 1);
     rig.b->cues.tune[0] = 1; /* no sound begins there */

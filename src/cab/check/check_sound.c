@@ -136,7 +136,7 @@ static void note_slots(struct check_heard *h, const struct board_cue *cues, int 
         const int was = h->slot[i];
         const bool begins = cues[i].name && cues[i].start_frame == frame;
         const int is = cues[i].name ? index_of(h, cues[i].name) : -1;
-        h->slot[i] = cues[i].ends_next ? -1 : is; /* its last frame is no loss */
+        h->slot[i] = cues[i].ends_next_frame ? -1 : is; /* its last frame is no loss */
         if (begins && was >= 0 && !anew(h, cues, n, was, frame))
             lose(h, was, frame);
         if (begins && cues[i].is_first_track && is >= 0)

@@ -67,39 +67,39 @@ static void refill(struct writer *w)
     }
 }
 
-static void put_bit(struct writer *w, lzma_prob *odds, unsigned bit)
+static void put_bit(struct writer *w, lzma_prob *prob, unsigned bit)
 {
-    const uint32_t half = (w->range >> LZMA_PROB_BITS) * *odds;
+    const uint32_t half = (w->range >> LZMA_PROB_BITS) * *prob;
 
     if (bit) {
         w->low += half;
         w->range -= half;
-        *odds = (lzma_prob)(*odds - (*odds >> LZMA_ADAPT_SHIFT));
+        *prob = (lzma_prob)(*prob - (*prob >> LZMA_ADAPT_SHIFT));
     } else {
         w->range = half;
-        *odds = (lzma_prob)(*odds + (((1 << LZMA_PROB_BITS) - *odds) >> LZMA_ADAPT_SHIFT));
+        *prob = (lzma_prob)(*prob + (((1 << LZMA_PROB_BITS) - *prob) >> LZMA_ADAPT_SHIFT));
     }
     refill(w);
 }
 
-static void put_tree(struct writer *w, lzma_prob *odds, int bits, uint32_t value)
+static void put_tree(struct writer *w, lzma_prob *prob, int bits, uint32_t value)
 {
     unsigned m = 1;
 
     for (int i = bits - 1; i >= 0; i--) {
         const unsigned bit = value >> i & 1;
-        put_bit(w, odds + m, bit);
+        put_bit(w, prob + m, bit);
         m = m << 1 | bit;
     }
 }
 
-static void put_backwards(struct writer *w, lzma_prob *odds, int bits, uint32_t value)
+static void put_backwards(struct writer *w, lzma_prob *prob, int bits, uint32_t value)
 {
     unsigned m = 1;
 
     for (int i = 0; i < bits; i++) {
         const unsigned bit = value >> i & 1;
-        put_bit(w, odds + m, bit);
+        put_bit(w, prob + m, bit);
         m = m << 1 | bit;
     }
 }

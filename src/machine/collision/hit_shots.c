@@ -28,8 +28,8 @@ enum {
     MAX_INNER_CELLS = MAX_ENEMIES * 5 / 4, /* most cells in the box around all enemies: five per four enemies */
     MAX_CELLS = 4 * (MAX_INNER_CELLS + 3),
     NO_ENEMY = MAX_ENEMIES,
-    /* work: WORK_PER_RUN per run of cells searched and per FEW places in the run, WORK_PER_TEST and WORK_PER_LONG_TEST
-     * per test of shapes */
+    /* work: WORK_PER_RUN per run of cells searched and per PLACES_PER_WORK places in the run, WORK_PER_TEST and
+     * WORK_PER_LONG_TEST per test of shapes */
     WORK_PER_RUN = 1,
     PLACES_PER_WORK = 2,
     WORK_PER_TEST = 4,

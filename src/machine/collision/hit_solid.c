@@ -70,8 +70,8 @@ bool hit_find_solids(struct board *b, struct hit_solids *f)
     return f->any_solid || any_kind_cancels(&b->shot_kinds);
 }
 
-/* Returns which of the bullets `candidates`, bits of a block, a shot can hit in their kind and state. any_solid: as in
- * struct hit_solids; cancels: the shot cancels bullets. */
+/* Returns the bits of those `candidates` (bullets of a block) whose kind and state let a shot hit them. any_solid: as
+ * in struct hit_solids; cancels: the shot cancels bullets. */
 static uint64_t hittable_mask(const struct bullets *s, const struct bullet_kinds *k, bool any_solid, bool cancels,
                               uint32_t block, uint64_t candidates)
 {

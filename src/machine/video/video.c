@@ -18,10 +18,10 @@
 #include "../../base/bytes.h"
 #include "video.h"
 
-struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir)
+struct image video_image(const struct sprite *s, uint32_t age, bool is_rotated, ang dir)
 {
     uint32_t frame = s->frames > 1 ? age / (s->frame_ticks ? s->frame_ticks : 1) % s->frames : 0;
-    uint32_t turn = turns ? (uint32_t)(((uint64_t)dir * s->rotations + (1u << 31)) >> 32) % s->rotations : 0;
+    uint32_t turn = is_rotated ? (uint32_t)(((uint64_t)dir * s->rotations + (1u << 31)) >> 32) % s->rotations : 0;
 
     return (struct image){ s->pix + (size_t)(frame * s->rotations + turn) * s->pitch * s->h, s->w, s->h, s->pitch };
 }

@@ -39,9 +39,9 @@ void video_draw_behind(const struct board *b, struct fb *fb, uint32_t rgb[256], 
 /* Returns the tables of the ROM palette that is loaded (board_loaded_palette). */
 struct cart_look video_look(const struct board *b);
 
-/* Returns the picture of a sprite that has been shown for `age` frames. turns: selects the rotated copy nearest to
+/* Returns the picture of a sprite that has been shown for `age` frames. is_rotated: selects the rotated copy nearest to
  * dir. */
-struct image video_image(const struct sprite *s, uint32_t age, bool turns, ang dir);
+struct image video_image(const struct sprite *s, uint32_t age, bool is_rotated, ang dir);
 
 /* Sets the clip to the field. A shake does not move the clip. */
 void video_clip_field(const struct draw_target *c);

@@ -76,7 +76,7 @@ static void find_tiles(const struct map *m, int col, int row, int n, struct tile
     }
 }
 
-/* Copies pixel row `in` of each tile to `remap`, side by side. */
+/* Copies pixel row `tile_row` of each tile to `to`, side by side. */
 static void copy_tiles(const struct map *m, const struct tiles *t, int tile_row, uint8_t *to)
 {
     for (int k = 0; k < t->n; k++)

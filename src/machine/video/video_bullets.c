@@ -41,7 +41,7 @@ struct style {
 
 struct lists {
     struct style style[MAX_KINDS];
-    uint32_t next[MAX_KINDS];     /* index in `list_start` for the kind's next bullet */
+    uint32_t next[MAX_KINDS];     /* index in `list` for the kind's next bullet */
     uint8_t is_listed[MAX_KINDS]; /* 1: the kind's bullets are to be listed; used only for layers */
     uint8_t by_slot[MAX_KINDS];   /* 1: all the kind's bullets are listed by slot */
     bool any_by_slot,
@@ -49,7 +49,7 @@ struct lists {
     uint16_t order[MAX_KINDS]; /* kinds that have bullets, in draw order */
     uint32_t kinds;
     struct stamp stamp;
-    uint32_t *list, *slots; /* slots: slot of each bullet in `list_start`; complete only if any_varied is set */
+    uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if any_varied is set */
     uint8_t *layer, *cells;
 };
 
@@ -191,7 +191,7 @@ struct fit {
     struct stamp_corners c;
 
     /* From a bullet's pixel to its picture's corner, minus (c.x0, c.y0): in px (dx, dy), and as an offset in bytes
-     * (from). */
+     * (offset). */
     int dx, dy, offset;
 };
 
@@ -210,9 +210,9 @@ static bool same_size_and_anchor(const struct sprite *a, const struct sprite *b)
     return a->w == b->w && a->h == b->h && a->ox == b->ox && a->oy == b->oy;
 }
 
-/* Narrows the window to positions at which pictures of fit f need no clipping either, and raises *from to f->offset if
+/* Narrows the window to positions at which pictures of fit f need no clipping either, and raises *base to f->offset if
  * that is larger. */
-static void narrow_window(struct window *t, int *from, const struct fit *f)
+static void narrow_window(struct window *t, int *base, const struct fit *f)
 {
     const int x1 = (int)f->c.width - f->dx - 1, y1 = (int)f->c.height - f->dy - 1;
 
@@ -220,7 +220,7 @@ static void narrow_window(struct window *t, int *from, const struct fit *f)
     t->y0 = -f->dy > t->y0 ? -f->dy : t->y0;
     t->x1 = x1 < t->x1 ? x1 : t->x1;
     t->y1 = y1 < t->y1 ? y1 : t->y1;
-    *from = f->offset > *from ? f->offset : *from;
+    *base = f->offset > *base ? f->offset : *base;
 }
 
 /* Empties the lists of kinds order[first .. to - 1] and returns their window. Consecutive kinds whose pictures have the
@@ -231,7 +231,7 @@ static struct window init_window(struct lists *l, uint32_t first, uint32_t to, c
     struct window t = { fb, x, y, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, 0, clips };
     const struct sprite *fit_sprite = NULL; /* sprite of fit f if f has narrowed the window, otherwise NULL */
     struct fit f = { 0 };
-    int from = INT32_MIN;
+    int base = INT32_MIN;
 
     if (!clips)
         memset(l->is_listed, 0, sizeof l->is_listed);
@@ -251,11 +251,11 @@ static struct window init_window(struct lists *l, uint32_t first, uint32_t to, c
         style->less = (uint32_t)f.offset;
         fit_sprite = by_slot ? NULL : style->pic;
         if (!by_slot && !known)
-            narrow_window(&t, &from, &f);
+            narrow_window(&t, &base, &f);
     }
     for (uint32_t o = first; o < to; o++)
-        l->style[l->order[o]].less = (uint32_t)from - l->style[l->order[o]].less;
-    t.base = (uint32_t)from;
+        l->style[l->order[o]].less = (uint32_t)base - l->style[l->order[o]].less;
+    t.base = (uint32_t)base;
     if (t.x0 > t.x1 || t.y0 > t.y1 || t.x0 == INT32_MIN) { /* no position is unclipped for all kinds */
         t.x0 = t.y0 = 1;
         t.x1 = t.y1 = 0;

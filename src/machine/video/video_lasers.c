@@ -65,8 +65,8 @@ static bool is_straight(const struct strip_corner *c, int from, int to)
     return true;
 }
 
-/* Removes corners along nearly straight runs of up to RUN segments, because a curve has a corner per frame, far more
- * than are needed to draw it. Returns the number of corners left. */
+/* Removes corners along nearly straight runs of up to MAX_RUN segments, because a curve has a corner per frame, far
+ * more than are needed to draw it. Returns the number of corners left. */
 static uint32_t thin_out(struct strip_corner *c, uint32_t n)
 {
     uint32_t kept = 0, from = 0;

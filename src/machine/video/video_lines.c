@@ -11,7 +11,7 @@
 #include "../../../fb/text.h"
 #include "video.h"
 
-enum { MARGIN = 6, CELL_GAP = 1, UNSPACED = 0x2e80 };
+enum { MARGIN = 6, CELL_GAP = 1, FIRST_UNSPACED_CODE = 0x2e80 };
 
 struct page {
     const struct cart *cart;
@@ -96,7 +96,7 @@ static struct row row_at(const struct page *p, uint32_t first)
         if (code == ' ') {
             last_break = (struct row){ first, row.end, k + 1, row.width };
             may_break = true;
-        } else if (k > first && code >= UNSPACED && !text_is_closing_punctuation(code) &&
+        } else if (k > first && code >= FIRST_UNSPACED_CODE && !text_is_closing_punctuation(code) &&
                    !is_opening_punctuation(p->code[k - 1])) {
             last_break = (struct row){ first, k, k, row.width };
             may_break = true;

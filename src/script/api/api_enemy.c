@@ -254,7 +254,7 @@ void api_enemy_start_task(lua_State *L, struct board *b, uint32_t i)
         start_task(L, b, board_handle(b, H_ENEMY, (int32_t)i), 0);
 }
 
-/* Reads the spawn position. Returns false if the thing `from` or `start_path_task` is dead. */
+/* Reads the spawn position. Returns false if the thing `from` or `follow` is dead. */
 static bool read_spawn_place(lua_State *L, struct board *b, const struct api_value *v, fx *x, fx *y)
 {
     const struct api_value *at = v + S_PLACE;

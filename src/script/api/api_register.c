@@ -55,7 +55,7 @@ static void push_registry_table(lua_State *L, const void *key)
     lua_rawsetp(L, LUA_REGISTRYINDEX, key);
 }
 
-/* Returns the element of `choices` that setting v[which] equals; NULL if the setting is not given. */
+/* Returns the element of `choices` that setting v[setting] equals; NULL if the setting is not given. */
 static const char *read_choice(lua_State *L, const char *entry, const char *name, const struct api_value *v,
                                int setting, const char *const *choices, const char *expected)
 {

@@ -52,7 +52,7 @@ static const struct api_param put_params[] = {
     PARAM("dy", A_FX, OPT, -WORLD_EDGE, WORLD_EDGE, "px", "0", "distance below the followed thing; needs `follow`"),
 };
 
-#define OVER_BLEND "sprites in layer \"over\" cannot blend"
+#define OVER_BLEND_ERROR "sprites in layer \"over\" cannot blend"
 
 /* Raises an error unless the position is given by exactly one of x, y and follow. */
 static void check_put(lua_State *L, const struct api_value *v)
@@ -69,7 +69,7 @@ static void check_put(lua_State *L, const struct api_value *v)
     if (v[PUT_FOLLOW].given && v[PUT_SCREEN].i)
         api_error(L, "sprite.put", "`screen` cannot be combined with `follow`");
     if (v[PUT_BLEND].given && v[PUT_LAYER].i == LAYER_OVER)
-        api_error(L, "sprite.put", "blend: " OVER_BLEND);
+        api_error(L, "sprite.put", "blend: " OVER_BLEND_ERROR);
 }
 
 /* Makes sprite i follow the given thing. A player outlives the scene that owns the sprite, so the sprite keeps its
@@ -259,7 +259,7 @@ static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, 
         api_error(L, "sprite", "%s: a plate has no picture", props[p].param.name);
     if ((p == P_BLEND && v->i && s->layer[i] == LAYER_OVER) ||
         (p == P_LAYER && v->i == LAYER_OVER && s->flags[i] & SPRITE_BLEND))
-        api_error(L, "sprite", "%s: " OVER_BLEND, props[p].param.name);
+        api_error(L, "sprite", "%s: " OVER_BLEND_ERROR, props[p].param.name);
 }
 
 static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)

@@ -137,7 +137,7 @@ struct api_doc_name {
     const char *name, *help;
 };
 
-/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire_entries`. The pattern then also takes the
+/* What a pattern (API_FIRE) fires, selected by the pattern's argument `fire`. The pattern then also takes the
  * parameters of the entry of that index in `fire_entries` of struct api_table. */
 enum { FIRES_BULLETS, FIRES_SHOTS, FIRES_BOLTS, FIRES_CURVES, FIRES_BEAMS, FIRES };
 

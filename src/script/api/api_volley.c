@@ -95,7 +95,8 @@ static void set_line_base(struct board *b, struct volley *v, const struct api_va
     }
 }
 
-/* Aims a line once, from its middle: from x, y without dx, dy, as in pattern.lua. */
+/* Aims the whole line once, from its middle: from (x, y), ignoring dx and dy, or from the thing's position plus (dx,
+ * dy); like settle in pattern.lua. */
 static void aim_line(struct board *b, struct volley *v, bool is_from_thing)
 {
     if (v->is_aimed) {

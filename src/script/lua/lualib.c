@@ -128,7 +128,7 @@ static void read_pieces(lua_State *L)
     lua_replace(L, 1);
 }
 
-/* Pushes nil and "CHUNK:LINE: what", as for a syntax error. Returns 2. */
+/* Pushes nil and "CHUNK:LINE: message", as for a syntax error. Returns 2. */
 static int push_syntax_error(lua_State *L, const char *chunk, int line, const char *message)
 {
     lua_pushnil(L);

@@ -12,9 +12,9 @@
 #include "lualib.h"
 
 enum {
-    HEADER_BYTES = 4 + 1 + 1 + 6 + 3 + 8 + 8,
-    MAX_NESTING = 32
-}; /* bytes of a dump's header; nesting depth of functions */
+    HEADER_BYTES = 4 + 1 + 1 + 6 + 3 + 8 + 8, /* bytes of a dump's header */
+    MAX_NESTING = 32                          /* maximum nesting depth of functions */
+};
 
 /* A dump that is read and rewritten in place. */
 struct dump {

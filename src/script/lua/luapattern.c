@@ -709,7 +709,7 @@ static bool add_replacement(struct matcher *m, luaL_Buffer *out, const char *s, 
 
 enum { MATCH_WORK = 4 /* work per replaced match */ };
 
-/* Replaces up to max matches. Writes the result to out except for the rest of the subject, which starts at *rest.
+/* Replaces up to max matches. Writes the result to out except for the rest of the subject, which starts at *tail.
  * Returns the number of matches. */
 static lua_Integer substitute(struct matcher *m, luaL_Buffer *out, const char **tail, bool is_anchored, lua_Integer max,
                               bool *changed)

@@ -404,7 +404,7 @@ static void record_key(lua_State *L, struct key_scan *k, struct entry *e)
     k->n++;
 }
 
-/* Walks the keys of the table at stack index 1 and stores the entries of the first `reserve_entries` keys in e. */
+/* Walks the keys of the table at stack index 1 and stores the entries of the first `capacity` keys in e. */
 static struct key_scan scan_keys(lua_State *L, struct entry *e, size_t capacity)
 {
     struct key_scan k = { .ascending = true };
