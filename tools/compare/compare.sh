@@ -46,9 +46,10 @@ weigher() {
     (
         cd "$1"
         mkdir -p tools/compare
-        for own in weigh.c rows.c; do
+        for own in names.h weigh.c rows.c; do
             [ "$1" = . ] || cmp -s "$here/$own" tools/compare/$own || cp "$here/$own" tools/compare/
         done
+        grep -q board_power_on src/board/board.h || FLAGS="$FLAGS -DOLDER_NAMES"
         if [ -n "$TABLE" ]; then
             objects=$(find src fb -name '*.c' ! -path src/cab/main.c ! -path 'src/lib/*' |
                 sed "s|^\(.*\)\.c\$|$OUT/\1.o|")

@@ -17,6 +17,7 @@
 #include "../../src/cab/pack/pack.h"
 #include "../bench/scene.h"
 #include "../numbers.h"
+#include "names.h"
 
 enum { MOST_ROWS = 512, MOST_FRAMES = 256, NAME = 64 };
 

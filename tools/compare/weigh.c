@@ -20,6 +20,7 @@
 #include "../../src/base/rom.h"
 #include "../../src/board/machine.h"
 #endif
+#include "names.h"
 
 struct weigh {
     struct rom rom;
