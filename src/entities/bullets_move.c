@@ -169,10 +169,12 @@ static void prefetch_near(const struct bullets *b, uint32_t first)
 static uint64_t find_near(const struct bullets *b, const struct bullets_query *q, uint32_t block)
 {
     const uint32_t first = block * SLOTS_BLOCK;
-    const struct range r = near_range(q, b->speed_bound);
     uint8_t out[SLOTS_BLOCK];
 
-    return q->reach >= 0 && mark_near_block(b->x + first, b->y + first, out, &r) ? slots_pack_flags(out) : 0;
+    if (q->reach < 0) /* nobody is there */
+        return 0;
+    const struct range r = near_range(q, b->speed_bound);
+    return mark_near_block(b->x + first, b->y + first, out, &r) ? slots_pack_flags(out) : 0;
 }
 
 uint64_t bullets_find_near(const struct bullets *b, uint32_t block, fx x, fx y, int64_t reach)
