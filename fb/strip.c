@@ -22,8 +22,8 @@ struct unit {
 struct edge {
     int64_t x, step;    /* x at the current row's centre, and its change per row; Q16 px */
     bool is_horizontal; /* parallel to the rows, so that a whole row is on one side */
-    bool keeps_right;   /* keeps the pixels to its right; if level, those below it */
-    int32_t y;          /* of a level edge, Q16 px */
+    bool keeps_right;   /* keeps the pixels to its right; if horizontal, those below it */
+    int32_t y;          /* of a horizontal edge, Q16 px */
 };
 
 /* The state needed to draw pixels. */

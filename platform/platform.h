@@ -110,12 +110,12 @@ static inline bool plat_key_held(const struct plat_input *in, unsigned usage)
 /* Starts the program with the arguments of main: "curtain", "play", a game, and so on. A command that needs no window
  * is finished when program_open returns. argv may be rearranged, and must stay valid until program_close. Several
  * programs may be open at once, also with different games; each calls the port only during its own program_ calls.
- * Returns NULL when memory is short. */
+ * Returns NULL when out of memory. */
 struct program;
 struct program *program_open(int argc, char **argv);
 
-/* Does what is due at plat_usec(), and shows a picture if a frame was due. Call it at each refresh of the screen, or
- * more often. Returns false when the program is over; then call program_close. */
+/* Does the work that is due at plat_usec(), and shows a picture if a frame was due. Call it at each refresh of the
+ * screen, or more often. Returns false when the program is over; then call program_close. */
 bool program_run_frame(struct program *program);
 
 /* Ends the program, also in the middle of a run, and frees everything it allocated, so that a host that plays one game
@@ -167,7 +167,7 @@ bool plat_window(struct plat_window *out);
 
 /* Shows a picture of colours, 0xRRGGBB, over the whole window, stretched if the sizes differ. pitch is in pixels.
  * Returns false if the picture cannot be shown, or the port only has plat_show. Called if plat_window succeeds and
- * plat_show cannot show what is wanted: a rotated picture, smooth scaling, a CRT filter, a border, or panels next to
+ * the player uses a feature that plat_show lacks: rotation, smooth scaling, a CRT filter, a border, or panels next to
  * the picture. */
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
@@ -189,8 +189,8 @@ bool plat_controller(int i, struct plat_controller *controller);
 bool plat_key_label(unsigned usage, char *text, size_t size);
 
 /* Queues all of these stereo frames, or drops all of them if far too many are waiting. Returns how many were waiting
- * before the call, including frames that the card has taken but not played, as far as that is known; 0: none; -1: there
- * is no speaker at present. With frames 0, only returns the number. */
+ * before the call, including frames that the card has taken but not played, if known; 0: none; -1: there is no speaker
+ * at present. With frames 0, only returns the number. */
 int plat_sound(const int16_t *lr, int frames);
 
 /* Files. A name is a path as the user typed it, with / between folders, in UTF-8. `user:NAME` is NAME in the user's
@@ -324,9 +324,9 @@ enum plat_register_result plat_register_type(const struct plat_file_type *type, 
 /* Returns whether a program of that name can be run. name: letters, digits and dashes. */
 bool plat_has_command(const char *name);
 
-/* Starts the program args[0] with these words, which end with NULL, and returns a stream to its standard input. Only
- * one program at a time. Until plat_command_close, writing to a pipe that nobody reads is an error, not a signal.
- * Returns NULL on failure; errno may have the reason. */
+/* Starts the program args[0] with the arguments args, which end with NULL, and returns a stream to its standard input.
+ * Only one program can run at a time. Until plat_command_close, writing to a pipe that nobody reads is an error, not a
+ * signal. Returns NULL on failure; errno may have the reason. */
 FILE *plat_command_open(const char *const args[]);
 
 /* Closes the stream and waits for the program to end. Returns whether everything was written and the program ended with
@@ -364,8 +364,8 @@ struct plat_work {
     void (*on_wait)(void *context); /* called a few times a second, or after each piece */
 };
 
-/* Does all pieces, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
- * started or memory is short; some pieces are then not done. */
+/* Runs all pieces, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
+ * started or memory runs out; some pieces are then not run. */
 bool plat_run_jobs(int n, int jobs, const struct plat_work *w);
 
 #endif

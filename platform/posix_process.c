@@ -186,7 +186,7 @@ static void restore_signal(struct caught_signal *h)
     h->installed = false;
 }
 
-/* Like heed, but a signal that was ignored stays ignored. */
+/* Like catch_signal, but a signal that was ignored stays ignored. */
 static void catch_unless_ignored(struct caught_signal *h, void (*handler)(int))
 {
     catch_signal(h, handler);
@@ -276,7 +276,7 @@ static struct {
     struct caught_signal broken_pipe;
 } command = { .broken_pipe = { .sig = SIGPIPE } };
 
-/* Starts a program with `pipe_fd` as its standard input. The program does not inherit `write_end`. */
+/* Starts a program with `read_end` as its standard input. The program does not inherit `write_end`. */
 static bool spawn_command(const char *const args[], int read_end, int write_end)
 {
     posix_spawn_file_actions_t actions;
@@ -384,18 +384,18 @@ int plat_cores(void)
     return n < 1 ? 1 : n > PLAT_MAX_JOBS ? PLAT_MAX_JOBS : (int)n;
 }
 
-/* ---- pieces of work ---- */
+/* ---- jobs ---- */
 
 enum { WAIT_MS = 250, READ_CHUNK = 4096 };
 
 struct job {
-    int piece, pipe_fd; /* read end of the piece's pipe; -1: the job is free */
+    int piece, pipe_fd; /* pipe_fd: read end of the piece's pipe; -1: the job is free */
     pid_t pid;
     char *text;
     size_t n, cap;
 };
 
-/* Does a piece in the child process. Never returns; _exit flushes none of the parent's buffers. Output is
+/* Runs a piece in the child process. Never returns; _exit flushes none of the parent's buffers. Output is
  * line-buffered, so that lines written before a crash are not lost. */
 static void run_piece(const struct plat_work *w, int piece, int fd)
 {
@@ -457,7 +457,7 @@ static void end_job(struct job *j, const struct plat_work *w)
     j->text = NULL;
 }
 
-/* Reads available output of a job; at end of file, ends the job. Returns false when memory is short. */
+/* Reads available output of a job; at end of file, ends the job. Returns false when out of memory. */
 static bool read_output(struct job *j, const struct plat_work *w)
 {
     if (!reserve_text(j))
@@ -470,7 +470,7 @@ static bool read_output(struct job *j, const struct plat_work *w)
     return true;
 }
 
-/* Waits until jobs have output, at most WAIT_MS, and reads it. Returns false when memory is short. */
+/* Waits until jobs have output, at most WAIT_MS, and reads it. Returns false when out of memory. */
 static bool wait_for_output(struct job *jobs, int n, const struct plat_work *w)
 {
     struct pollfd fds[PLAT_MAX_JOBS];

@@ -118,7 +118,7 @@ static bool load_sdl(void)
 /* ---- window ---- */
 
 /* Gets the size of the part of the desktop that a window's content may fill, without title bar and edges; 0, 0 if
- * unknown. Uses the borders of the window if it is open, otherwise TITLE and EDGE. */
+ * unknown. Uses the borders of the window if it is open, otherwise TITLE_HEIGHT and BORDER_SIZE. */
 static void find_usable_size(int *w, int *h)
 {
     const int display = port.window ? sdl.GetWindowDisplayIndex(port.window) : 0;
@@ -535,7 +535,7 @@ static int map_button(unsigned button)
 static void set_controller_axis(SDL_JoystickID id, unsigned axis, int v)
 {
     static const signed char buttons[SDL_CONTROLLER_AXIS_MAX][2] = {
-        /* controls for the negative and the positive direction; -1: none */
+        /* buttons for the negative and the positive direction; -1: none */
         [SDL_CONTROLLER_AXIS_LEFTX] = { PLAT_LEFT_LEFT, PLAT_LEFT_RIGHT },
         [SDL_CONTROLLER_AXIS_LEFTY] = { PLAT_LEFT_UP, PLAT_LEFT_DOWN },
         [SDL_CONTROLLER_AXIS_RIGHTX] = { PLAT_RIGHT_LEFT, PLAT_RIGHT_RIGHT },
@@ -549,7 +549,7 @@ static void set_controller_axis(SDL_JoystickID id, unsigned axis, int v)
     set_controller_button(id, buttons[axis][1], v > STICK_THRESHOLD);
 }
 
-/* Appends typed text, or drops it if it does not fit. SDL's UTF-8 has only whole characters. */
+/* Appends typed text, or drops it if it does not fit. SDL sends only whole UTF-8 characters. */
 static void append_text(const char *utf8)
 {
     size_t used = strlen(input.text), more = strlen(utf8);
@@ -645,7 +645,7 @@ static void handle_event(const SDL_Event *e)
     }
 }
 
-/* Converts the mouse position from window coordinates to picture pixels. These differ on high-DPI displays. */
+/* Converts the mouse position from window coordinates, which are not pixels on high-DPI displays, to picture pixels. */
 static void find_mouse(struct plat_input *out)
 {
     int x, y, ww = 1, wh = 1, ow = 1, oh = 1;
@@ -732,8 +732,8 @@ bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
     return true;
 }
 
-/* Returns a refresh rate in thousandths of a Hz, restoring what SDL cuts off: 59 is 59.94 and 119 is 119.88, but 24 and
- * 144 are exact. */
+/* Returns a refresh rate in thousandths of a Hz, restoring the fraction that SDL truncates: 59 is 59.94 and 119 is
+ * 119.88, but 24 and 144 are exact. */
 static int refresh_millihertz(int hz)
 {
     return hz % 5 == 4 && hz % 24 ? (int)((hz + 1) * 1000000LL / 1001) : hz * 1000;

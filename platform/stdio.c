@@ -4,7 +4,7 @@
  * Every plat_ function is a weak symbol, which a port overrides by defining the same function. A build without weak
  * symbols leaves out the functions that the port defines, with -DPLAT_OWN_RGB, _FIT, _WINDOW, _PAINT, _ICON, _DROPPED,
  * _CONTROLLER, _KEY_LABEL, _USEC, _WAIT, _SOUND, _LOG, _NAME, _ALERT, _BESIDE, _PROGRAM_PATH, _CRASH, _ABOUT and _FILES
- * (path, size, load, save, append, remove, list, same, stream and runnable together).
+ * (plat_path, _size, _load, _open_stream, _same_file, _save, _append, _make_executable, _remove and _list together).
  */
 #include <errno.h>
 #include <stdio.h>
@@ -362,7 +362,7 @@ static bool write_and_close(FILE *f, const void *buf, size_t len)
     int error = errno;
     bool closed = fclose(f) == 0;
     if (!good)
-        errno = error; /* the reason of the first failure */
+        errno = error; /* the reason for the first failure */
     return closed && good;
 }
 
@@ -446,7 +446,7 @@ DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const struct pl
 }
 #endif
 
-/* ---- pieces of work ---- */
+/* ---- jobs ---- */
 
 static bool run_piece(int i, const struct plat_work *w)
 {

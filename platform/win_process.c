@@ -270,7 +270,7 @@ bool plat_hung_up(void)
     return hung_up;
 }
 
-/* Writes the last word. FALSE lets Windows end the program as usual. */
+/* Writes exit_text. FALSE lets Windows end the program as usual. */
 static BOOL WINAPI handle_break(DWORD event)
 {
     const char *text = exit_text;
@@ -312,8 +312,8 @@ bool plat_has_command(const char *name)
     return find_command(out, name);
 }
 
-/* Writes a word, quoted so that the C runtime parses it back: \ is special only before a quote. Returns the end of what
- * was written, or NULL if there is no space. */
+/* Writes an argument, quoted so that the C runtime parses it back: \ is special only before a quote. Returns the end of
+ * the output, or NULL if there is no space. */
 static wchar_t *quote_arg(wchar_t *out, const wchar_t *end, const wchar_t *arg)
 {
     size_t slashes = 0;

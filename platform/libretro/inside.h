@@ -10,8 +10,8 @@
 /* Returns whether this core has an embedded game. */
 bool inside_has_game(void);
 
-/* Reads the packed game into *rom, from malloc. On failure, returns false and sets err, and *rom is NULL: the core's
- * file cannot be read or is truncated, or memory is short. */
+/* Reads the packed game into *rom, from malloc. Returns false, sets err and sets *rom to NULL if the core's file cannot
+ * be read or is truncated, or when out of memory. */
 bool inside_read(void **rom, size_t *size, char *err, size_t err_size);
 
 #endif

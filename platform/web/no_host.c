@@ -1,7 +1,7 @@
 /*
  * no_host.c - C library functions that Lua's own libraries call but the sandbox does not have: files, and functions
  * whose results differ between hosts, which Curtain replaces (luamath.c) or leaves out. These definitions keep the C
- * library's own out of the core.
+ * library's versions out of the core.
  */
 #include <math.h>
 #include <stdio.h>

@@ -18,7 +18,7 @@ static struct {
     void *memory, *game_memory;
     char option[OPTIONS][OPTION_SIZE]; /* strings for the next web_open; "": none */
     char error[ERROR_SIZE];
-    uint32_t rgba[1024 * 1024]; /* room for the largest picture */
+    uint32_t rgba[1024 * 1024]; /* large enough for every picture */
     int16_t sound[2 * SOUND_FRAMES];
     struct curtain_ship ship;
     size_t size; /* size of the last result in bytes; of web_sound, in frames */
@@ -38,7 +38,7 @@ void EXPORT(web_give)(void *at)
     free(at);
 }
 
-/* Returns the buffer, WORD bytes including a NUL, of a string for the next web_open; NULL: no such string. */
+/* Returns the buffer, OPTION_SIZE bytes including a NUL, of option i for the next web_open; NULL: no such option. */
 char *EXPORT(web_word)(int i)
 {
     return i >= 0 && i < OPTIONS ? web.option[i] : NULL;

@@ -583,7 +583,7 @@ static size_t save_section(const struct heap *h, char *buf, size_t at, size_t fr
     return data + section.bytes;
 }
 
-/* Saves only the header and link of a free block of HOLE bytes or more. */
+/* Saves only the header and link of a free block of MIN_HOLE bytes or more. */
 size_t heap_save(const struct heap *h, void *buf)
 {
     const struct section end = { 0, 0 };

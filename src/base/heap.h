@@ -30,7 +30,7 @@ struct heap *heap_init(void *block, size_t size);
 void *heap_realloc(struct heap *h, void *p, size_t old, size_t size);
 
 /* Return the bytes allocated now, the most allocated at one time, and the bytes allocated in total (a resize to the
- * same or a larger size adds the new size; used by guards). */
+ * same or a larger size adds the new size; used by work limits). */
 size_t heap_used(const struct heap *h);
 size_t heap_peak(const struct heap *h);
 uint64_t heap_work(const struct heap *h);

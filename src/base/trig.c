@@ -613,7 +613,7 @@ static int32_t compute_slopes(const fx *restrict y, const fx *restrict x, double
     return ~special_mask;
 }
 
-/* Replaces a[i], the arctangent of slopes' t[i], with the direction of (x[i], y[i]). */
+/* Replaces a[i], the arctangent of compute_slopes' t[i], with the direction of (x[i], y[i]). */
 static void restore_quadrants(const fx *restrict y, const fx *restrict x, ang *restrict a)
 {
     for (int i = 0; i < LANES; i++) {

@@ -127,12 +127,13 @@ static void set_up(struct board *b)
  *   struct output                 sizeof                             none; a restore clears it
  *   columns of each part, in the  slots_size of its chip and slots   of pools, the slots below top and high; of lists,
  *   order of PART_LIST                                               the live entries (slots.h)
- *   pictures                      a struct sprite per sprite of the  none; a restore reads the ROM
+ *   sprite_images                 a struct sprite per sprite of the  none; a restore reads the ROM
  *                                 ROM
- *   events                        events_size of event_capacity          none; there are no events between frames
- *   fresh bullets                 a struct ml_fired_bullet per bullet, if   none; there are none between frames
- *                                 BulletML documents may run
- *   Lua's heap                    board.lua_kib KiB                  the part in use
+ *   events                        events_size of event_capacity      none; there are no events between frames
+ *   ml_fresh                      a struct ml_fired_bullet per       none; there are none between frames
+ *                                 bullet, if BulletML documents may
+ *                                 run
+ *   Lua's heap                    board.lua_kib KiB                  the bytes in use
  */
 static void lay_out(struct board *b)
 {

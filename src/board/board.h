@@ -80,7 +80,7 @@ void board_sound_init_tables(void *tables);
 void board_sound_set_levels(void *tables, int music, int sounds);
 void board_mix_sound(const struct board *b, const void *tables, int16_t out[2 * BOARD_SOUND_FRAMES]);
 
-/* What one sound slot plays after a tick. board_cue returns false past the last slot. */
+/* The sound that a slot plays after a tick. board_cue returns false past the last slot. */
 struct board_cue {
     const char *name;     /* name of the sound; NULL: the slot is silent */
     uint32_t start_frame; /* frame in which the sound began */
@@ -110,7 +110,7 @@ struct board_tune {
     const uint8_t *data; /* tune.h */
 };
 
-/* Stores entry n of the box's list: all sounds, then all music. Returns false past the last entry. */
+/* Stores entry n of the jukebox's list: all sounds, then all music. Returns false past the last entry. */
 bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out);
 
 /* Returns the number of frames ticked since power-on. */
@@ -134,7 +134,7 @@ void board_hashes_cached(const struct board *b, void *cache, uint64_t hashes[MAX
 uint64_t board_combine_hashes(const uint64_t hashes[MAX_PARTS]);
 
 /* Visits every value hashed for part i, in hash order: the live and refused counts, registers, then each live slot's
- * columns. Visits nothing for a part that has no capacity in this game; its hash is 0. */
+ * columns. Visits nothing for a part that this game does not use, whose hash is therefore 0. */
 void board_trace(const struct board *b, int i, slots_visitor *visit, void *context);
 
 /* Snapshots, only between frames. board_save copies the used part of RAM into buf (board_snapshot_size bytes);
@@ -165,7 +165,8 @@ int64_t board_points(const struct board *b, int i);
 /* Returns the current difficulty, an index into the manifest's list. A game may let the player choose it. */
 int board_difficulty_now(const struct board *b);
 
-/* Returns the peak number of bytes of Lua RAM in use since power-on. The capacity is board.lua_kib in rom.lua. */
+/* Returns the peak number of bytes of Lua RAM in use since power-on or the last board.reset. The capacity is
+ * board.lua_kib in rom.lua. */
 size_t board_lua_peak(const struct board *b);
 
 /* Returns the version of Lua that runs the scripts, such as "5.4.6". */

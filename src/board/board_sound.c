@@ -1,5 +1,5 @@
 /*
- * board_sound.c - a frame's samples, sound slots, and boxes; see board.h.
+ * board_sound.c - a frame's samples, sound slots, and jukeboxes; see board.h.
  */
 #include "board.h"
 
@@ -76,7 +76,7 @@ const char *board_music_name(const struct board *b)
     return b->music.tune ? cart_name(&b->cart, CART_TUNES, b->music.tune - 1) : "";
 }
 
-/* ---- boxes ---- */
+/* ---- jukeboxes ---- */
 
 static const struct {
     const struct chip *chip;

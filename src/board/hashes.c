@@ -124,7 +124,7 @@ size_t board_hash_cache_size(const struct board *b)
     return sum + largest;
 }
 
-/* Returns whether the bytes of list i equal its copy; if not, updates the copy. scratch: scratch of copy_size bytes. */
+/* Returns whether the bytes of list i equal its copy; if not, updates the copy. scratch: copy_size bytes. */
 static bool update_copy(const struct board *b, int i, uint8_t *copy, uint8_t *scratch)
 {
     size_t n = machine_parts[i].size;

@@ -292,7 +292,7 @@ void inspect_kinds(const struct board *b, void (*visit)(void *context, const str
     for (int type = 0; type < 3; type++)
         for (uint32_t i = 0; i < types[type].n; i++) {
             const char *name = board_name(b, types[type].name_kind, (int)i);
-            if (!name || types[type].shapes.shape[i] == SHAPE_NONE) /* rows without a name are a kind's other circles */
+            if (!name || types[type].shapes.shape[i] == SHAPE_NONE) /* rows without a name: a cloud or other circles */
                 continue;
             measure_kind(&types[type].shapes, i, &kind);
             kind.entity = types[type].entity;
@@ -431,7 +431,7 @@ bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *o
 /* ---- the entity under a point ---- */
 
 /* How well a body matches the point searched for, Q15.16 px: distance from the hitbox (gap), size of the hitbox,
- * distance from its centre (far). Fits are compared field by field, in this order; the smallest wins. */
+ * distance from its centre (distance). Fits are compared field by field, in this order; the smallest wins. */
 struct fit {
     fx gap, size, distance;
 };

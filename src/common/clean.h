@@ -11,8 +11,8 @@
  * An invalid byte gives U+FFFD and length 1. */
 int clean_decode_character(const char *s, uint32_t *c);
 
-/* Replaces characters that may not be shown, and those that would end the line, with blanks, in place. Bytes that
- * belong to no UTF-8 character become '?'. */
+/* Replaces characters that may not be shown, including newlines but not tabs, with spaces, in place. Bytes that belong
+ * to no UTF-8 character become '?'. */
 void clean_line(char *s);
 
 /* Like clean_line, for several lines: keeps newlines. */
@@ -21,7 +21,7 @@ void clean_lines(char *s);
 enum { CLEAN_MARKUP_SIZE = 8 };
 
 /* Writes the first character of s, which must not be empty, to out, escaped for XML and HTML text and quoted
- * attributes. A character that may not be shown becomes a blank, an invalid byte '?'. Returns the number of bytes read
+ * attributes. A character that may not be shown becomes a space, an invalid byte '?'. Returns the number of bytes read
  * from s. */
 int clean_escape_character(const char *s, char out[CLEAN_MARKUP_SIZE]);
 

@@ -26,7 +26,7 @@ bool files_load(const char *path, const char *name, void *data, size_t size, cha
 /* Returns plat_size(path), and leaves the reason for a failure in errno for files_set_missing_error. */
 long files_size(const char *path);
 
-/* Writes the error for a file that files_size (or plat_list after it) did not find: "NAME: no such WHAT", or "NAME:
+/* Writes the error for a file that files_size (or plat_list after it) did not find: "NAME: no such TYPE", or "NAME:
  * cannot be read (REASON)" when errno has a reason other than a missing file. Returns err. */
 const char *files_set_missing_error(const char *name, const char *type, char *err, size_t err_size);
 

@@ -94,7 +94,7 @@ bool demo_row_is_full(const struct demo *d, uint32_t i)
     return i + 1 == d->n_rows && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
 }
 
-/* Returns the index of a frame's row, full or not, or d->seconds when it has none. */
+/* Returns the index of a frame's row, full or not, or d->n_rows when it has none. */
 static uint32_t find_row(const struct demo *d, uint32_t frame)
 {
     uint32_t i = frame / DEMO_SECOND + (frame % DEMO_SECOND != 0);

@@ -5,10 +5,9 @@
  * hashes, a record per marker (a stage, a boss, a death), flags, and an end mark. A file without its end mark (after a
  * crash, or on a full disk) is read as far as possible, and .complete is false.
  *
- * Hashes: every second has a row of the track, the full hash of each part of the board. Every frame has a checksum of
- * each part, the low 16 bits of the part's hash, so a replay that differs is traced to a frame and a part. A long demo
- * is sparse: it has checksums every second only, and a full row each minute, so a difference is traced to a second and
- * a part.
+ * Hashes: every second has a row, the full hash of each part of the board. Every frame has a checksum of each part, the
+ * low 16 bits of the part's hash, so a replay that differs is traced to a frame and a part. A long demo is sparse: it
+ * has checksums every second only, and a full row each minute, so a difference is traced to a second and a part.
  */
 #ifndef DEMO_H
 #define DEMO_H
@@ -24,7 +23,7 @@
 enum {
     DEMO_FORMAT = 5,
     DEMO_OLDEST_FORMAT = 2,     /* the oldest format that can be read */
-    DEMO_SECOND = 60,           /* frames between two rows of the track */
+    DEMO_SECOND = 60,           /* frames between two hash rows */
     DEMO_MINUTE = 60,           /* rows between two full rows of a sparse demo */
     DEMO_DENSE_FRAMES = 3600,   /* frames up to which a demo has checksums of every frame, by default */
     DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
@@ -60,14 +59,14 @@ struct demo {
     unsigned flags;
     int parts;
     char part[MAX_PARTS][16];
-    uint32_t frames;         /* ticks recorded */
-    uint16_t (*pads)[PADS];  /* pads[f]: input of the tick that produced frame f + 1 */
-    bool sparse;             /* it has only rows, some with full hashes (demo_row_is_full), the others with checksums */
-    uint16_t *checksums;     /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
-    uint64_t checksum_parts; /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
+    uint32_t frames;          /* ticks recorded */
+    uint16_t (*pads)[PADS];   /* pads[f]: input of the tick that produced frame f + 1 */
+    bool sparse;              /* only rows have hashes, some full (demo_row_is_full), the others only checksums */
+    uint16_t *checksums;      /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
+    uint64_t checksum_parts;  /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
     uint32_t checksum_frames; /* number of frames that completed: `frames`, or one less if the last tick faulted */
     uint32_t n_rows;          /* number of hash rows; row i is of frame demo_row_frame(d, i) */
-    uint64_t *rows;           /* seconds x parts; in a row that is not full only the low 16 bits are valid */
+    uint64_t *rows;           /* n_rows x parts; in a row that is not full only the low 16 bits are valid */
     uint32_t n_markers;
     struct demo_marker *markers; /* sorted by frame, ascending */
     bool complete;               /* the end mark was read or written */
@@ -95,7 +94,7 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i);
 /* Returns whether row i is stored as full hashes; otherwise it is checksums. */
 bool demo_row_is_full(const struct demo *d, uint32_t i);
 
-/* Returns the full hashes after a frame, in the order of .part, or NULL when the track has no full row of it. */
+/* Returns the full hashes after a frame, in the order of .part, or NULL when the frame has no full row. */
 const uint64_t *demo_hashes(const struct demo *d, uint32_t frame);
 
 /* Returns the checksums after a frame, in the order of .part (only the parts in .checksum_parts have valid ones), or

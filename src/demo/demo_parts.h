@@ -47,7 +47,7 @@ static inline bool demo_end_has_row(const struct demo *d)
            d->frames / DEMO_SECOND % DEMO_MINUTE != 0;
 }
 
-/* Reserve capacity for `more` frames, one second or one marker. Return false when out of memory; the demo's content is
+/* Reserve capacity for `more` frames, one row or one marker. Return false when out of memory; the demo's content is
  * then unchanged. */
 bool demo_reserve_frames(struct demo *d, uint32_t more);
 bool demo_reserve_row(struct demo *d);

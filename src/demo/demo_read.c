@@ -32,7 +32,7 @@ struct parse {
     size_t err_size;
     size_t offset;   /* offset of the current record in the file */
     uint32_t crc;    /* of the previous record */
-    bool has_header; /* has been read */
+    bool has_header; /* the header has been read */
     bool has_last;   /* the last second has been read; another is an error */
     bool unhashed;   /* the last second has no hashes */
 };
@@ -281,7 +281,7 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
         d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
 }
 
-/* Reads the hashes after a sparse second, if hashed. */
+/* Reads the hashes after a sparse second, unless hash_kind is HASHED_NONE. */
 static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hash_kind)
 {
     d->frames += n;

@@ -33,7 +33,7 @@ static bool is_ours(const struct demo_file *f)
     return f->size == 0 || plat_size(f->path) == (long)f->size;
 }
 
-/* Marks a file as lost after a failed write, which may have written some of the bytes. */
+/* Records a failed write, which may have written some of the bytes. */
 static void mark_failed(struct demo_file *f)
 {
     const long size = plat_size(f->path);

@@ -19,7 +19,7 @@ static void end_line(struct demo_text *t)
     t->line_length = 0;
 }
 
-/* Writes the held bytes as four characters. */
+/* Writes the pending bytes as four characters. */
 static void write_pending(struct demo_text *t)
 {
     const uint32_t v = (uint32_t)t->pending[0] << 16 | (uint32_t)t->pending[1] << 8 | t->pending[2];

@@ -21,7 +21,7 @@ struct demo_text {
     void (*write)(void *context, const void *bytes, size_t n);
     void *context;
     uint8_t pending[3];
-    int n_pending;                 /* bytes in held */
+    int n_pending;                 /* bytes in pending */
     char line[DEMO_TEXT_LINE + 1]; /* plus a \n */
     int line_length;               /* characters in line */
 };

@@ -12,7 +12,7 @@ struct marker_change {
 };
 
 struct marker_changes {
-    struct marker_change *list; /* sorted by the frame of .was, or of .is when .was is NULL */
+    struct marker_change *list; /* sorted by the frame of .before, or of .after when .before is NULL */
     uint32_t n;
 };
 

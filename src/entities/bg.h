@@ -87,7 +87,7 @@ void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *offset
 fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int y);
 
 /* Fills BG_SHADES tables of 256 entries for the palette rgb (256 x R G B). Table k maps each colour to the palette
- * entry nearest to (k + 1) / BG_SHADES of the way from that colour to `table`; of equally near entries, the lowest. */
+ * entry nearest to (k + 1) / BG_SHADES of the way from that colour to `target`; of equally near entries, the lowest. */
 void bg_fill_shades(uint8_t *tables, const uint8_t *rgb, uint32_t target);
 
 #endif

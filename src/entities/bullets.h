@@ -167,11 +167,11 @@ struct motion_world {
     uint32_t clock;
     bool is_shots; /* the programs run on shots: named values are columns of shots */
     /* Sets (*x, *y) to the position of the orbit target `orbit_target` in this frame or, if `previous_frame`, in the
-     * previous frame. Returns false if the target has despawned. Slots below `n_moved` of the pool that is moving have
+     * previous frame. Returns false if the target has despawned. Slots below `moved` of the pool that is moving have
      * already moved; a target in that pool is always found at its position before the move. */
     bool (*get_position)(const struct motion_world *w, int64_t orbit_target, uint32_t moved, bool previous_frame, fx *x,
                          fx *y);
-    const void *context; /* for where and emit */
+    const void *context; /* for get_position and emit */
     struct box field;    /* the edges are the walls of `bounce` */
     uint64_t work_limit; /* limit of `work_done` in this move; a move that exceeds it stops unfinished */
     /* Queues the bullets that the emit starting at step st fires from bullet i in its present state. */
@@ -245,9 +245,9 @@ void bullets_release(struct bullets *b, uint32_t i);
 void bullets_release_all(struct bullets *b);
 
 /* Runs the motion programs in slot order, moves every bullet, and sets the `near` bits of all live bullets that each
- * query must find, and maybe of some others. With query NULL, no bullet is `near`. A bullet that ends outside keep is
- * dropped, or held (slots.h) if one of its `near` bits or hold_all is set; the caller must release held bullets in the
- * same frame. */
+ * query must find, and maybe of some others. With query NULL, no bullet is `near`. A bullet that ends outside
+ * *keep_box is dropped, or held (slots.h) if one of its `near` bits or hold_all is set; the caller must release held
+ * bullets in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
                   const struct bullets_query query[PADS], bool hold_all);
 

@@ -1,9 +1,9 @@
 /*
  * bullets_move.c - moves all bullets by a frame.
  * One pass over the blocks of 64 slots runs the programs, moves the bullets, and tests each bullet for two conditions:
- * being outside the keep box, and being near a player (the broad phase). The loops have restrict parameters and a
- * constant trip count, a form that gcc and clang vectorise at -O2 without further flags. Only blocks in which a bullet
- * meets a condition are scanned a second time.
+ * being outside the keep box, and being near player 1 (the broad phase). The loops have restrict parameters and a
+ * constant trip count, a form that gcc and clang vectorise at -O2 without further flags. A block is scanned again only
+ * for the broad phase of player 2, and to remove bullets outside the keep box.
  *
  * A range test takes one subtraction and one signed comparison: lo <= v <= lo + size, with size < 2^32, is equivalent
  * to (uint32_t)(v - lo) <= size, and adding 2^31 to both sides turns the unsigned comparison into a signed one.
@@ -55,8 +55,8 @@ static void prefetch_program(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->flags[i]);
 }
 
-/* Returns, as bits, the idle bullets of a block whose `due` is the clock's low byte, so that their wait may be over,
- * and prefetches their columns if the pool is large. */
+/* Returns, as bits, the idle bullets of a block whose `step_end_low` is the clock's low byte, so that their wait may
+ * be over, and prefetches their columns if the pool is large. */
 static uint64_t find_woken(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     if (!b->idle[block])
@@ -232,7 +232,7 @@ static void remove_outside(struct bullets *b, uint64_t candidates, uint32_t firs
     }
 }
 
-/* `fastest` is recomputed every SPEED_BOUND_INTERVAL frames; in between it only grows. */
+/* `speed_bound` is recomputed every SPEED_BOUND_INTERVAL frames; in between it only grows. */
 enum { SPEED_BOUND_INTERVAL = 64 };
 
 static fx find_speed_bound(const struct bullets *b)

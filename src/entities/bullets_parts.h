@@ -99,8 +99,8 @@ static inline uint64_t bullets_target_distance(const struct targets *t, uint32_t
 /* Runs the programs of a block's busy bullets and of the idle bullets in `woken` (bits) whose wait is over. */
 void bullets_run_block(struct bullets *b, const struct motion_world *w, uint32_t block, uint64_t woken);
 
-/* Called at the start of a move. Decrements each frozen bullet's remaining frames and unfreezes the bullets that reach
- * 0. */
+/* Called at the start of a move. Unfreezes the frozen bullets that have no frames left, and counts down the frames of
+ * the others. */
 void bullets_step_freeze(struct bullets *b);
 
 static inline fx bullets_block_max_speed(const fx *restrict vx, const fx *restrict vy)

@@ -281,8 +281,8 @@ static void end_lead(struct bullets *b, uint32_t i, uint32_t actions)
 
 /* ---- bounces ---- */
 
-/* Reflects a move from `from` to *to, at speed *v, off the walls at lo (if has_lo) and hi (if has_hi). Returns whether
- * the move was reflected. A move that starts outside the walls is not reflected. */
+/* Reflects a move from `from` to *to, at velocity *v, off the walls at lo (if has_lo) and hi (if has_hi). Returns
+ * whether the move was reflected. A move that starts outside the walls is not reflected. */
 static bool reflect(fx from, int64_t *to, fx *v, fx lo, fx hi, bool has_lo, bool has_hi)
 {
     bool reflected = false;
@@ -695,7 +695,7 @@ static uint64_t ending_mask(const uint32_t *restrict step_end, uint32_t clock)
 
 enum { MIN_BATCH = 6 /* number of bullets of a block in one cohort from which processing them together is faster */ };
 
-/* Returns whether any of the lowest `probes` bullets in `candidates`, the bits of the block at slot `first`, is on
+/* Returns whether any of the lowest `probes` bullets in `candidates`, the bits of the block at slot `first`, is in
  * cohort c. */
 static bool has_peer(const struct bullets *b, const struct cohort *c, uint32_t first, uint64_t candidates, int probes)
 {
@@ -716,9 +716,10 @@ __attribute__((noinline)) static uint64_t cohort_mask(const struct bullets *b, c
     return slots_pack_flags(out) & (c->timed ? ~ending_mask(b->step_end + first, w->clock) : UINT64_MAX);
 }
 
-/* Returns, as bits, the bullets in `candidates` that are in bullet i's cohort, or 0 if i is in none. The bits in
- * `candidates` are of i's block, and i is the lowest. Scanning the whole block is expensive, so the next *probes
- * bullets in `candidates` are probed first. If none of them is in the cohort, sets *probes to 1 and returns i alone. */
+/* Returns, as bits, the bullets in `candidates` that are in bullet i's cohort, or 0 if i is in none or its step ends
+ * in this frame. The bits in `candidates` are of i's block, and i is the lowest. Scanning the whole block is expensive,
+ * so the next *probes bullets in `candidates` are probed first. If none of them is in the cohort, sets *probes to 1 and
+ * returns i alone. */
 static uint64_t same_step_mask(const struct bullets *b, const struct motion_world *w, struct cohort *c, uint32_t i,
                                uint64_t candidates, int *probes)
 {
@@ -759,7 +760,7 @@ static int few_targets(const struct targets *t, uint32_t found[MAX_FEW_TARGETS])
     return n;
 }
 
-/* Sets dir[k] to the result of targets_aim for the k-th bullet of s, with the old dir[k] as `none`. */
+/* Sets dir[k] to the result of targets_aim for the k-th bullet of s, with the old dir[k] as `fallback`. */
 static void aim_batch(const struct bullets *b, const struct targets *t, const struct batch *s, ang *dir)
 {
     uint32_t target[MAX_FEW_TARGETS];

@@ -122,7 +122,7 @@ struct enemies_orbit {
 struct enemies_wander_area {
     fx x, y, reach_x, reach_y;
     uint32_t leg_interval,
-        leg_duration; /* frames from one leg to the next, and frames a leg takes; 1 <= leg <= every */
+        leg_duration; /* frames from one leg to the next, and frames a leg takes; 1 <= leg_duration <= leg_interval */
     enum ease ease;
 };
 
@@ -159,9 +159,9 @@ uint64_t enemies_scale_damage(uint64_t amount, int32_t share);
 /* Removes all enemies of `owner`, except dying ones, which despawn after their handlers have run. */
 void enemies_drop_owned(struct enemies *e, int64_t owner);
 
-/* Moves enemy i to (x, y) over the next `duration` calls of enemies_move, 1 <= over < 2^31, arriving exactly. After k
- * of n frames the enemy has covered motion_ease(ease, k, n) of the distance; each coordinate is rounded to the nearest
- * fx, ties to even. A part moves to the offset of (x, y) from its body's present position. */
+/* Moves enemy i to (x, y) over the next `duration` calls of enemies_move, 1 <= duration < 2^31, arriving exactly. After
+ * k of n frames the enemy has covered motion_ease(ease, k, n) of the distance; each coordinate is rounded to the
+ * nearest fx, ties to even. A part moves to the offset of (x, y) from its body's present position. */
 void enemies_move_to(struct enemies *e, uint32_t i, fx x, fx y, uint32_t duration, enum ease ease);
 
 /* Like enemies_move_to, but moves enemy i to its present position plus (dx, dy), or a part to the offset (dx, dy). */
@@ -199,9 +199,9 @@ uint16_t enemies_sprite(const struct enemies *e, const struct enemy_kinds *kinds
  * frames, including the present one. */
 void enemies_step_timers(struct enemies *e);
 
-/* Advances all moves by a frame, and marks enemies outside keep as ENEMY_LEAVING, except parts and undying or dying
- * enemies. w may be NULL if bodies are not enabled. Enemies move in slot order, except that a part moves after its
- * body, and an orbiting enemy after the enemy at its centre, unless the two wait for each other. */
+/* Advances all moves by a frame, and marks enemies outside *keep_box as ENEMY_LEAVING, except parts and undying or
+ * dying enemies. w may be NULL if bodies are not enabled. Enemies move in slot order, except that a part moves after
+ * its body, and an orbiting enemy after the enemy at its centre, unless the two wait for each other. */
 void enemies_move(struct enemies *e, const struct box *keep_box, struct enemies_world *w);
 
 /* Makes enemy i's move of this frame, unless that move is done or in progress. */

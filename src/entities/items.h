@@ -53,7 +53,7 @@ struct items {
     uint16_t *tag;
     uint32_t *born;        /* clock at spawn */
     uint8_t *pulled_by;    /* index of the player it flies to + 1; 0: it falls */
-    int32_t *frozen_left;  /* frames left frozen, or FROZEN_FOREVER; NULL (and `freeze_flags` NULL): not declared */
+    int32_t *frozen_left;  /* frames left frozen, or FROZEN_FOREVER; this and `freeze_flags`: NULL if not enabled */
     uint8_t *freeze_flags; /* FREEZE_LAST_MOVE flag */
     uint64_t *collected;   /* one bit per slot: the item is collected, and stays until the event handlers have run */
     uint32_t n_frozen;     /* number of items frozen in the last move */

@@ -132,7 +132,7 @@ void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
     slots_trim(&l->s);
 }
 
-/* While a ring is not full, its points are in the first `count` entries. */
+/* While a ring is not full, its points are in the first `n_points` entries. */
 void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i, struct box *box)
 {
     fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;

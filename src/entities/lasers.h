@@ -105,7 +105,7 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
                    struct slots **full_pool);
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i);
 
-/* Gets point k of curve i, 0 <= k < count; point 0 is the newest. */
+/* Gets point k of curve i, 0 <= k < n_points; point 0 is the newest. */
 static inline void lasers_point(const struct lasers *l, const struct laser_points *p, uint32_t i, uint32_t k, fx *x,
                                 fx *y)
 {

@@ -56,7 +56,7 @@ enum kind_row {
     ROW_CIRCLES = 1 /* first of up to three rows for the shape's other circles; only shape, a, b, x, y are used */
 };
 
-/* Groups of columns (slots.h) that a manifest enables for bullets, shots and enemies. */
+/* Groups of columns (slots.h) that a manifest enables. */
 enum {
     GROUP_VALUE = 1, /* first of MAX_VALUES groups, one per number declared by the game */
     MAX_VALUES = 4,
@@ -69,7 +69,7 @@ enum {
     GROUP_PIERCE  /* shots: piercing */
 };
 
-/* The columns of frozen entities: `frozen` is the frames left, or FROZEN_FOREVER; `freeze_flags` has these flags. */
+/* The columns of frozen entities: `frozen_left`, frames left or FROZEN_FOREVER; `freeze_flags`, with these flags. */
 enum {
     FROZEN_FOREVER = -1,
     FREEZE_ACTIVE = 1 << 0,   /* set by the freeze, cleared by the first move that finds no frames left */
@@ -208,7 +208,7 @@ enum emit_number {
     EMIT_NUMBER_BANK, /* the low 4 bits of the whole number */
     EMIT_NUMBER_DELAY,
     EMIT_NUMBER_DIR,
-    EMIT_NUMBER_SPEED, /* this and speed_to are clamped to -MAX_SPEED to MAX_SPEED */
+    EMIT_NUMBER_SPEED, /* clamped to -MAX_SPEED to MAX_SPEED, as is the EMIT_NUMBER_SIZE of a stack */
     EMIT_NUMBER_SIZE,
     EMIT_NUMBER_VALUE, /* first of MAX_VALUES numbers */
     EMIT_NUMBERS = EMIT_NUMBER_VALUE + MAX_VALUES

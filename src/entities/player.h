@@ -22,7 +22,7 @@ enum {
     PICTURE_ROW = -1, /* `radius` of a row that is not a kind but holds a picture of the kind declared after it */
 
     PLAYER_FOCUS = 1 << 0, /* moving slowly */
-    PLAYER_FLIP = 1 << 1,  /* left and right exchanged */
+    PLAYER_FLIP = 1 << 1,  /* drawn mirrored left to right */
     PLAYER_HIDDEN = 1 << 2,
     PLAYER_POSED = 1 << 3,    /* a script has chosen the picture; otherwise the movement does */
     PLAYER_PICTURE = 15 << 4, /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
@@ -56,9 +56,8 @@ struct player_kinds {
 struct player {
     struct slots s;
     uint8_t *in_game; /* PLAYER_IN_GAME, PLAYER_NO_FIRE and PLAYER_NO_MOVE; 0: not in the game */
-    uint32_t
-        *gen; /* incremented when the player leaves, up to RETIRED_GENERATION, which invalidates handles from earlier
-                    * games */
+    uint32_t *gen;    /* incremented when the player leaves, to invalidate handles from earlier games; at most
+                    * RETIRED_GENERATION */
     uint16_t *kind;
     fx *x, *y;
     fx *prev_x, *prev_y; /* before this frame's move; hit tests sweep from there */

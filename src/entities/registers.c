@@ -1,6 +1,6 @@
 /*
- * registers.c - counters of ships and of the run (registers.h). Most games have no registers that drain; they never
- * call registers_drain.
+ * registers.c - counters of ships and of the run (registers.h). Most games have no registers that drain; the board
+ * then never calls registers_drain.
  */
 #include "registers.h"
 #include "../base/int.h"

@@ -55,10 +55,10 @@ void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v);
 /* Returns whether a register is at its maximum; false if the register has no maximum. */
 bool registers_is_full(const struct registers *r, uint32_t row, uint32_t p);
 
-/* Resets player p's values of n rows, starting at row `first_run_row`, for a new game. */
+/* Resets player p's values of n rows, starting at row `first`, for a new game. */
 void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
-/* Drains player p's values of n rows, starting at row `first_run_row`, by one frame. */
+/* Drains player p's values of n rows, starting at row `first`, by one frame. */
 void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p);
 
 #endif

@@ -1,9 +1,9 @@
 /*
  * curtain.h - libcurtain: a game's board as function calls, for hosts that have their own main loop.
  *
- *     struct curtain_config how = { .rom = rom, .rom_size = size, .seed = 1 };
- *     size_t room = curtain_memory(&how, err, sizeof err);
- *     struct curtain *c = curtain_open(&how, malloc(room), room, err, sizeof err);
+ *     struct curtain_config config = { .rom = rom, .rom_size = size, .seed = 1 };
+ *     size_t needed = curtain_memory(&config, err, sizeof err);
+ *     struct curtain *c = curtain_open(&config, malloc(needed), needed, err, sizeof err);
  *     while (playing) {
  *         curtain_frame(c, pads);                 60 times a second
  *         show(curtain_picture(c), curtain_palette(c));
@@ -72,7 +72,7 @@ struct curtain_config {
     size_t nvram_size;
     const void *demo; /* a recorded run: supplies the start, and the pads when curtain_frame gets NULL; NULL: none */
     size_t demo_size;
-    size_t state_room;  /* bytes for the recorded pads of a state, 5 or more per change of pads; 0: 128 KiB */
+    size_t state_room;  /* bytes for a state's input log, 5 or more per input change; 0: 128 KiB */
     uint32_t snapshots; /* snapshots held in this process; curtain_load restores them without a replay; 0: 16 */
     bool alarm;         /* ignored; exists so that old hosts still compile */
 };
@@ -124,7 +124,7 @@ CURTAIN_API void curtain_interrupt(struct curtain *c);
 CURTAIN_API const char *curtain_attract(const struct curtain *c); /* name of a demo in the ROM */
 CURTAIN_API const char *curtain_asked(const struct curtain *c);   /* "settings" "replays" "practice" "keys" */
 CURTAIN_API const char *curtain_log(const struct curtain *c);     /* lines that end in \n */
-CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: what" and the traceback */
+CURTAIN_API const char *curtain_fault(const struct curtain *c);   /* "stages/one.lua:42: message" and the traceback */
 
 /* Returns the demo the last frame asks for, or NULL when it asks for none or the ROM does not contain that demo. To
  * show the demo, pass it as the .demo of another instance while this one is paused. */
@@ -191,7 +191,7 @@ CURTAIN_API bool curtain_ship(const struct curtain *c, int i, struct curtain_shi
 /* Returns a buffer size large enough for every state of this game. */
 CURTAIN_API size_t curtain_state_size(const struct curtain *c);
 
-/* Writes a state and returns its size in bytes, or 0 when `size` is too small or the run has more changes of pads than
+/* Writes a state and returns its size in bytes, or 0 when `size` is too small or the run has more input changes than
  * .state_room holds. */
 CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size_t err_size);
 
@@ -199,8 +199,8 @@ CURTAIN_API size_t curtain_save(struct curtain *c, void *state, size_t size, cha
 CURTAIN_API bool curtain_load(struct curtain *c, const void *state, size_t size, char *err, size_t err_size);
 
 /* Returns the run so far as a demo, which every Curtain can play and verify. Replays the run to record the demo, then
- * restores the board. Free the demo with curtain_demo_free. Returns NULL when memory is short, the run has more changes
- * of pads than .state_room holds, or the replay stops early. */
+ * restores the board. Free the demo with curtain_demo_free. Returns NULL when out of memory, when the run has more
+ * input changes than .state_room holds, or when the replay stops early. */
 CURTAIN_API void *curtain_demo(struct curtain *c, size_t *size, char *err, size_t err_size);
 CURTAIN_API void curtain_demo_free(void *demo);
 

@@ -40,7 +40,7 @@ struct curtain {
     uint64_t game_hash;
     struct lib_start run_start, state_start; /* start of this run; buffer for the start in a state that is being read */
     struct board *board;
-    uint8_t *ram, *scratch, *sound_tables; /* tables NULL: the game has no sound */
+    uint8_t *ram, *scratch, *sound_tables; /* sound_tables NULL: the game has no sound */
     size_t ram_size;
     struct fb fb;
     uint32_t rgb[256];
@@ -53,7 +53,7 @@ struct curtain {
     struct demo demo;               /* the demo that is playing; frames 0: none */
     struct pads_log log, state_log; /* log of this run; buffer for the log of a state that is being loaded */
     struct lib_snapshot
-        *snapshot; /* n of them: the first `n_key_snapshots` are key snapshots, the others are of saved states */
+        *snapshot; /* n_snapshots of them: first n_key_snapshots key snapshots, then snapshots of saved states */
     uint32_t n_snapshots, n_key_snapshots;
     uint64_t use_clock;              /* counts uses of snapshots */
     uint8_t *backup, *backup_output; /* snapshot and output of the current frame, restored after curtain_demo and when

@@ -26,7 +26,7 @@ struct pads_log {
     uint32_t run_frames; /* frames of the current entry so far */
     uint32_t frames;     /* all frames logged */
     uint64_t digest;
-    bool incomplete; /* entries were dropped, or PADS_LOG_MAX_FRAMES exceeded: the log is incomplete */
+    bool incomplete; /* entries were dropped, or `frames` exceeds PADS_LOG_MAX_FRAMES */
 };
 
 /* Empties the log. start_hash: a hash of how the run began. */

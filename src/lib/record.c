@@ -5,8 +5,8 @@
 #include "../base/err.h"
 #include "lib.h"
 
-/* Replays and records the run. Returns false and sets err when memory is short or the replay faults before the last
- * frame. */
+/* Replays and records the run. Returns false and sets err when out of memory, or when the replay faults before
+ * the last frame. */
 static bool record_replay(struct curtain *c, struct demo_writer *w, char *err, size_t err_size)
 {
     struct pads_reader pads = pads_log_reader(&c->log);

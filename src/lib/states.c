@@ -196,8 +196,8 @@ size_t curtain_save(struct curtain *c, void *state, size_t size, char *err, size
     return HEADER_SIZE + start + pads;
 }
 
-/* Checks the bytes of a state, reads its start into c->spare and points *pads at its pads. Returns false and sets err
- * for any bytes that cannot be loaded. */
+/* Checks the bytes of a state, reads its start into c->state_start and points *pads at its pads. Returns false and
+ * sets err for any bytes that cannot be loaded. */
 static bool read_state(struct curtain *c, const uint8_t *in, size_t size, struct pads_reader *pads, char *err,
                        size_t err_size)
 {

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 enum {
-    MAX_PARTS = 64,      /* state hashes in a track, one per part; a uint64_t holds a set of parts: 1 << part */
+    MAX_PARTS = 64,      /* most parts of a board or demo; a uint64_t holds a set of parts: 1 << part */
     MAX_NVRAM = 1 << 20, /* bytes, the largest NVRAM image (nvram.h); a game's own limit is board.nvram */
     MAX_TEXT = 65536     /* most bytes in a script string; a longer string raises FAULT_MEMORY */
 };

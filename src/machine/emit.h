@@ -41,8 +41,8 @@ struct emissions {
 /* Empties the queue. */
 void emit_clear(struct board *b);
 
-/* Queues the emit step st that bullet or shot i has reached. This is the `emit` callback of struct motion_world, whose
- * context is the board. Raises a Lua error when out of memory. */
+/* Queues emit step `step`, which bullet or shot i has reached. This is the `emit` callback of struct motion_world,
+ * whose context is the board. Raises a Lua error when out of memory. */
 void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t i, uint32_t step);
 
 /* Fires the queued emits, counts the work, and empties the queue. Call only inside vm_call. */

@@ -1,5 +1,5 @@
 /*
- * full.c - the log line of a full pool. A full pool is not an error: the new entity is not made, and `refused` is
+ * full.c - the log line of a full pool. A full pool is not an error: the new entity is dropped, and `refused` is
  * incremented. The first refusal of each pool in a run is logged, because an author who did not intend it would find
  * the cause hard to track down. Whether a refusal is the first follows from `refused`, so a run resumed from a snapshot
  * logs it in the same frame.

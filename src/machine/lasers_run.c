@@ -418,7 +418,7 @@ static void nearest_on_segment(fx x, fx y, fx ax, fx ay, fx *to_x, fx *to_y)
 
     if (projection == length_sq)
         return;
-    const int64_t fraction = projection * 65536 / length_sq; /* whole > part >= 0 */
+    const int64_t fraction = projection * 65536 / length_sq; /* length_sq > projection >= 0 */
     *to_x = (fx)(ax + ((int64_t)*to_x - ax) * fraction / 65536);
     *to_y = (fx)(ay + ((int64_t)*to_y - ay) * fraction / 65536);
 }

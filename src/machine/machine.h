@@ -1,5 +1,5 @@
 /*
- * machine.h - the internals of the board: every part, in the order of RAM and of the hash track.
+ * machine.h - the internals of the board: every part, in the order of RAM and of a demo's hashes.
  *
  * Three terms:
  *   chip  a struct of columns with the code that works on them, mostly in src/entities. A struct chip describes the
@@ -157,7 +157,7 @@ struct part {
 };
 enum {
     PARTS = 42,
-    PARTS_ALWAYS_HASHED = 20 /* these first parts always have a hash; the others have none if their capacity is 0 */
+    PARTS_ALWAYS_HASHED = 20 /* the first parts always have a hash; the others, only in games that use them */
 };
 extern const struct part machine_parts[PARTS];
 

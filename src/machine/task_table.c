@@ -67,7 +67,7 @@ struct tasks_context tasks_enter_scene(struct board *b, int64_t scene)
 {
     struct tasks_context was = { b->tasks.now_owner, b->tasks.now_scene };
 
-    /* entities made by an enemy without a scene must not end with the scene of its killer */
+    /* entities spawned by an enemy without a scene must not end with the scene of its killer */
     tasks_set_context(b, (struct tasks_context){ scene ? scene : was.scene ? 0 : was.owner, scene });
     return was;
 }

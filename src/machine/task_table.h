@@ -40,7 +40,7 @@ struct tasks {
     int32_t current;       /* slot of the running task, NO_SLOT: none */
     uint32_t skipped;      /* waits the running task has skipped in this turn */
     int64_t now_owner,
-        now_scene; /* owner of the tasks that the running script starts; scene of the entities that it makes */
+        now_scene; /* owner of the tasks that the running script starts; scene of the entities that it spawns */
 };
 
 extern const struct chip tasks_chip;
@@ -58,9 +58,9 @@ struct tasks_context {
 /* Returns the owner of the tasks that the running script starts. */
 int64_t tasks_current_owner(const struct board *b);
 
-/* Stores the owner of an enemy or sprite that the running script makes: the script's scene or, with `outlives_scene`,
+/* Stores the owner of an enemy or sprite that the running script spawns: the script's scene or, with `outlives_scene`,
  * none, so that the enemy or sprite outlives the scene. Returns false if the owner is a scene that has ended: scripts
- * can make no entities in it. */
+ * cannot spawn entities in it. */
 bool tasks_get_owner_of_new(const struct board *b, bool outlives_scene, int64_t *owner);
 
 /* Sets the owner and scene for an enemy's handler. If the enemy has a scene, the handler runs in that scene, which is

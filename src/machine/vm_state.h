@@ -24,7 +24,7 @@ enum {
     VM_PLACE_SIZE = 80 /* size of a buffer for "FILE:LINE: " */
 };
 
-/* Why a VM instruction counts as 1 + `extra` instructions: it may have to process n items of the kind `kind`. */
+/* A VM instruction counts as 1 + `extra` instructions if it may have to process n items of the kind `kind`. */
 enum vm_weight_kind {
     WEIGHT_TEXT,
     WEIGHT_ZEROS,

@@ -6,7 +6,7 @@
  *   u32 magic, u32 horizontal (0 or 1), u32 tops, u32 labels, u32 numbers, u32 words, u32 steps, u32 bytes of text
  *   i64 number[numbers]    the program's constants, Q31.32
  *   u32 top[tops]          places of the top actions, which run by themselves; in the document's order
- *   u32 label[labels]      labels of fired bullets: offset in the text, each ends with a NUL
+ *   u32 label[labels]      labels of fired bullets: offsets in the text of NUL-terminated strings
  *   u32 word[words]        the commands
  *   u32 step[steps]        the steps that compute values
  *   text

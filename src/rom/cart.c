@@ -26,7 +26,7 @@ static bool find_lump(const struct rom *rom, const char *name, struct lump *l)
     return i >= 0;
 }
 
-/* Finds the lump named folder + name + tail. Returns false if there is no such lump. */
+/* Finds the lump named folder + name + suffix. Returns false if there is no such lump. */
 static bool find_lump_in(const struct rom *rom, const char *folder, const char *name, const char *suffix,
                          struct lump *l)
 {
@@ -440,7 +440,7 @@ static bool map_header_ok(const struct map *m)
            m->tiles >= 1 && m->bank <= 15;
 }
 
-/* Checks a tile: tile 0 must be empty, pixels must be 0 or in the bank, and m->solid must be 1 if no pixel is 0,
+/* Checks a tile: tile 0 must be empty, pixels must be 0 or in the bank, and m->solid[tile] must be 1 if no pixel is 0,
  * otherwise 0. */
 static bool tile_ok(const struct map *m, int tile)
 {

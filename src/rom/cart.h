@@ -6,28 +6,28 @@
  *                         of which a ROM can lack some
  *         palette/main    768 bytes, 256 x R G B; palette/X: further palettes
  *         shades          CART_SHADES_SIZE bytes, for palette/main: for each of 256 entries, the entry shown where a
- *                         view dims (board.h) by a quarter; then by a half; then by three quarters; older ROMs lack it
+ *                         view dims (view.h) by a quarter; then by a half; then by three quarters; older ROMs lack it
  *         shade/X         like shades, but for palette/X; only if it differs from shades
  *         blend/X         CART_BLEND_SIZE bytes: the palette entry for each entry underneath (256 * entry) and each
  *                         entry on top; at most CART_MAX_BLENDS lumps
  *         blends/P/X      the table of blend X while palette/P is loaded; only if it differs from blend/X
  *         fonts/X         a proportional font: face.h
  *         font            64 bytes a character from 32 on, 8x8 shades 0..15
- *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames every rotations bank,
- *                         6 zero bytes; struct sprite), then frames * rotations pictures of pitch * h bytes;
+ *         gfx/X           a sprite: CART_GFX_HEADER bytes (u16 w h pitch, i16 ox oy, u16 frames frame_ticks rotations
+ *                         bank, 6 zero bytes; struct sprite), then frames * rotations pictures of pitch * h bytes;
  *                         picture = frame * rotations + rotation
  *         hit/X           the hitbox drawn with sprite X, CART_HIT_SIZE bytes: u32 shape (motion.h), u32 rows, then
  *                         four times i32 a b x y, as in the rows of a kind (a capsule: x, y is one end of its axis);
  *                         unused rows are 0. Ticks read this lump
  *         lang/X          a language: words.h
  *         bulletml/X      a BulletML document's program: bulletml.h
- *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 columns rows side tiles bank whole, 4 zero
- *                         bytes); columns * rows tile numbers, u16, row by row; a byte per tile, 1: solid, none of its
- *                         pixels is transparent; then the tiles, side * side bytes each. Tile 0 is empty; whole:
- *                         1 if the tiles of all cells are solid
+ *         map/X           a map of tiles: CART_MAP_HEADER bytes (u16 cols rows tile_side tiles bank all_solid, 4 zero
+ *                         bytes; struct map); cols * rows tile numbers, u16, row by row; a byte per tile, 1: solid,
+ *                         none of its pixels is transparent; then the tiles, tile_side * tile_side bytes each. Tile 0
+ *                         is empty; all_solid: 1 if the tiles of all cells are solid
  *         demo/X          demos
  *         tune/X          a piece of music: tune.h; ticks read this lump
- *         sound/X         a sound: tune.h, with its recording at the end
+ *         sound/X         a sound: tune.h, with its samples at the end
  *         wave/X          samples of the piece of music X, if it is a stream: adpcm.h
  *         data/X          text files for rom.text
  */
@@ -66,8 +66,9 @@ enum {
     CART_MAX_BULLETML = 1024
 };
 
-/* Sounds that play automatically if the game has them; cart_cues has their names. */
 enum { TUNES_FIRST_PLACE = 16 /* the place of the first sound or piece of music */ };
+
+/* Sounds that play automatically if the game has them; cart_cues has their names. */
 enum cart_cue {
     CUE_SHOT,
     CUE_HIT,
@@ -78,7 +79,7 @@ enum cart_cue {
     CUE_WARNING,
     CUE_MENU,
     CUE_EXTEND,
-    /* The standard library plays the following sounds, "warning" and "menu" by name. */
+    /* The standard library plays these sounds, as well as "warning" and "menu", by name. */
     CUE_SPELL,
     CUE_BONUS,
     CUE_TIME,
@@ -100,7 +101,7 @@ struct cart_look {
     uint8_t mix[CART_MAX_BLENDS]; /* enum blit_mix: the rule with the same results as the table, or BLIT_TABLE */
 };
 
-/* The folders of the ROM whose lumps are numbered, in the order of their names. */
+/* The folders of the ROM whose lumps have indices, ascending by name. */
 enum cart_folder {
     CART_SPRITES,
     CART_PALETTES,

@@ -201,7 +201,7 @@ static bool check_extends(const struct manifest *m, char *err, size_t err_size)
     return true;
 }
 
-/* Returns whether the first n of `max` words are valid and distinct, and the rest are zero. */
+/* Returns whether the first n of `max` names are valid and distinct, and the rest are zero. */
 static bool setting_names_ok(const char names[][MAX_SETTING_NAME], int n, int max)
 {
     for (int i = 0; i < n; i++) {

@@ -50,7 +50,7 @@ struct manifest {
     int32_t lines;                /* capacity for lines of text; default 0 */
     int32_t wide;                 /* 1: a text cell stores a font and any character; 0: codes up to 255 */
     int32_t bg;                   /* 1: the game has backgrounds, which need maps */
-    int32_t lasers, curve_points; /* capacities; points: of all curves together, allocated in units of 32 */
+    int32_t lasers, curve_points; /* capacities; curve_points: of all curves together, allocated in units of 32 */
     int32_t registers;            /* capacity: of all ships and the run together */
     int32_t options;              /* capacity: options active at a time; default 0 */
     int32_t bodies;               /* 1: enemies have rates and parts, and can orbit and wander */
@@ -121,7 +121,7 @@ struct art_sprite {
     char tag[ART_NAME]; /* selects the frames of an Aseprite file; "": all */
     int32_t x, y, w, h;
     int32_t frames, frame_ticks, rotations;
-    int32_t scale_percent; /* scale: percent of the size on the sheet */
+    int32_t scale_percent; /* percent of the size on the sheet */
     int32_t ox, oy;        /* origin, in px of the sheet */
     bool has_origin;       /* ox, oy are set; otherwise the origin is the centre */
 };
@@ -214,7 +214,7 @@ uint32_t manifest_pack(const struct manifest *m, uint8_t out[MANIFEST_BYTES]);
 bool manifest_unpack(const uint8_t *data, size_t size, struct manifest *m, char *err, size_t err_size);
 
 /* Reads the text of rom.lua, n bytes. file is the file's name in messages. folder is the default of the id; invalid
- * characters in it become _. work is MANIFEST_SCRATCH_SIZE bytes of scratch memory, 16-byte aligned: the text is Lua,
+ * characters in it become _. scratch is MANIFEST_SCRATCH_SIZE bytes, 16-byte aligned: the text is Lua,
  * which runs without functions and with bounded memory and time. On failure returns false, with one sentence in err
  * ("rom.lua: board.bulets: unknown name (did you mean "bullets"?)"). */
 bool manifest_read(const char *text, size_t n, const char *file, const char *folder, struct manifest *m,

@@ -1,7 +1,6 @@
 /*
- * rom.c - see rom.h. rom_open makes all checks; the other functions read without checking. rom_open accepts only the
- * layout that rom_write writes, in which names ascend, data ascends and nothing overlaps; but gaps between sections are
- * allowed.
+ * rom.c - see rom.h. rom_open makes all checks; the other functions read without checking. rom_open accepts layouts in
+ * which names ascend, all data follows the names, and data ascends without overlap; gaps are allowed.
  */
 #include "rom.h"
 

@@ -26,7 +26,7 @@ struct work_state {
     struct shot shot;
     struct param_values action_params, fire_params,
         bullet_params;           /* parameters of the action, the fireRef and the bulletRef */
-    struct param_values *params; /* the parameters that expressions use now: own, fire or bullet */
+    struct param_values *params; /* the parameters that expressions use now: one of the three above */
     int64_t fire_value[ML_PARAMS], bullet_value[ML_PARAMS];
     bool yields;    /* the remaining commands run in the next frame */
     uint64_t steps; /* expression steps not charged yet */

@@ -61,7 +61,7 @@ void bulletml_retain_list(struct board *b, uint32_t list);
 void bulletml_release_list(struct board *b, uint32_t list);
 uint32_t bulletml_new_list(struct board *b, const int64_t *value, int n);
 
-/* Returns the document's direction from the runner to the nearest player, in degrees, Q31.32. */
+/* Returns the direction from the runner to the nearest player, in the document's degrees, Q31.32. */
 int64_t bulletml_aim_direction(const struct turn *t);
 
 /* Raises a script fault that names the runner's document and the line of command w. */

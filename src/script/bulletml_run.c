@@ -478,7 +478,7 @@ static bool run_bullet(struct turn *t)
 
     if (!slots_has(&b->bullets.s, bullet, handle_gen(r->bullet[i])) || b->bullets.motion[bullet])
         return false;
-    /* With `frozen` 0 the bullet resumes in this frame's move. */
+    /* With `frozen_left` 0 the bullet resumes in this frame's move. */
     if (b->bullets.freeze_flags && b->bullets.freeze_flags[bullet] && b->bullets.frozen_left[bullet]) {
         postpone_runner(r, i);
         return true;

@@ -615,7 +615,7 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a);
 
-    if (b->start.practice.invincible) /* tested only here; does not affect `safe`, which scripts read and write */
+    if (b->start.practice.invincible) /* checked here, not through `safe`, which scripts read and write */
         return;
     /* An earlier handler may have removed the entity that hit the player. */
     if (!board_alive(b, e->a) || b->player.safe_left[p] || b->player.deathbomb_left[p] || !still_exists(b, e->b))

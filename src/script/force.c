@@ -7,7 +7,7 @@
 #include "events_run.h"
 
 enum {
-    SAFE_FRAMES = 60 * 60, /* frames */
+    SAFE_FRAMES = 60 * 60, /* a minute */
     DAMAGE_HP = 5000       /* few enough that an enemy meant to be indestructible survives */
 };
 

@@ -19,7 +19,7 @@ uint64_t profile_work(const struct profile_line *line)
     return line->instructions + line->calls;
 }
 
-/* Returns the entry for `place`, adding it if it is new, or `other` if there is no space for it. */
+/* Returns the entry for `place`, adding it if it is new, or `overflow` if there is no space for it. */
 static struct profile_line *find_entry(struct profile *p, const char *place, size_t n)
 {
     uint32_t i = (uint32_t)hash_bytes(HASH_START, place, n) % PROFILE_CAPACITY;
@@ -87,8 +87,8 @@ static struct profile_line *find_line(struct profile *p, lua_State *L, lua_Debug
     return find_entry_for(p, ar);
 }
 
-/* Adds the work and allocations since settle was last called to the last instruction's line. A board that was reset has
- * a new heap, whose count of allocated bytes starts at 0. */
+/* Adds the work and allocations since the previous call to the last instruction's line. A board that was reset has a
+ * new heap, whose count of allocated bytes starts at 0. */
 static void attribute_work(struct profile *p, const struct vm *vm)
 {
     const uint64_t allocated = heap_work(vm->heap);

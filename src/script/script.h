@@ -38,9 +38,9 @@ bool script_normalize_name(const char *name, char out[SCRIPT_NAME_BYTES]);
 bool script_compile(const char *text, size_t n, const char *chunk, void *scratch, size_t scratch_size, char *err,
                     size_t err_size);
 
-/* Runs script_scan, then checks the syntax with the Lua compiler. chunk is e.g. "@stages/one.lua"; work is scratch_size
- * bytes of scratch, 16-byte aligned, at least HEAP_MIN. Returns false on an error, including too little scratch, and
- * writes "stages/one.lua:42: what" to err. */
+/* Runs script_scan, then checks the syntax with the Lua compiler. chunk: e.g. "@stages/one.lua". scratch: scratch_size
+ * bytes, 16-byte aligned, at least HEAP_MIN. Returns false on an error, including too little scratch, and writes
+ * "stages/one.lua:42: what" to err. */
 bool script_check(const char *text, size_t n, const char *chunk, void *scratch, size_t scratch_size, char *err,
                   size_t err_size);
 

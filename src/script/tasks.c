@@ -7,7 +7,7 @@
 #include "../machine/machine.h"
 #include "vm.h"
 
-static const char threads_key = 0; /* registry: slot + 1 -> thread; -slot - 1 -> the string that tasks.from points to */
+static const char threads_key = 0; /* registry: slot + 1 -> thread; -slot - 1 -> the string that `origin` points to */
 
 static void push_threads(lua_State *L)
 {

@@ -5,7 +5,7 @@
  * is in the columns of struct tasks. A scope is a task without a body: it only owns other tasks.
  *
  * A scene is a scope that also owns the enemies, sprites and lines spawned by the code running in it: its tasks, the
- * tasks of its enemies, sprites, bullets and shots, and its enemies' own handlers. Ending a scene removes these
+ * tasks of its enemies, sprites, bullets, shots and lasers, and its enemies' own handlers. Ending a scene removes these
  * entities, and none can be added to it afterwards.
  */
 #ifndef SCRIPT_TASKS_H

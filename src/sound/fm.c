@@ -1,8 +1,8 @@
 /*
  * fm.c - see fm.h. Sines are computed in 16-bit lanes. Within a quarter turn of a crest, a sine is a polynomial in w,
- * the square of the distance from the crest: cos = 1 - w - w (a - w (b - c w)), with a, b, c fitted to 2^-16. Compilers
- * do not emit the instruction for the high half of a product, so SSE2 builds use its builtin, with bit-identical
- * results. Compilers can vectorise all other loops for any width.
+ * the square of the distance from the crest: cos = 1 - w - w (a - w (b - c w)), with a, b, c fitted to within about
+ * 2^-16. Compilers do not emit the instruction for the high half of a product, so SSE2 builds use its builtin, with
+ * bit-identical results. Compilers can vectorise all other loops for any width.
  */
 #include "fm.h"
 

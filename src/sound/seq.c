@@ -165,7 +165,7 @@ bool seq_has_ended(const struct seq *s)
 }
 
 /* Reads the conductor's events from the current position on, ignoring their times: up to the end of the loop, then the
- * whole loop once more. A run of simultaneous events that wraps around stops before the position where it started,
+ * whole loop again. A run of simultaneous events that wraps around stops before the position where it started,
  * because a loop has a length; so the run passes the loop's end only once. */
 bool seq_has_mark_ahead(const struct seq *s, const struct tune *t, int mark, uint32_t *work)
 {

@@ -42,7 +42,7 @@ struct seq {
     uint32_t frames_ahead,
         frames_skipped; /* frames by which the music is ahead of the stage's clock; frames skipped in total */
     uint64_t started[SEQ_MAX_PIECES / 64]; /* a bit for each piece that has started in this game */
-    uint16_t suspended_count; /* number of suspended pieces; their tune, mark, marks, tempo and pos are below */
+    uint16_t suspended_count; /* number of suspended pieces; their tune, mark, marks_passed, tempo and pos are below */
     uint16_t suspended_tune[SEQ_MAX_SUSPENDED], suspended_mark[SEQ_MAX_SUSPENDED];
     uint32_t suspended_marks_passed[SEQ_MAX_SUSPENDED], suspended_tempo[SEQ_MAX_SUSPENDED];
     uint64_t suspended_pos[SEQ_MAX_SUSPENDED];
@@ -79,8 +79,8 @@ void seq_drop_from(struct seq *s, int i);
 void seq_drop_suspended(struct seq *s, int i);
 void seq_resume(struct seq *s);
 
-/* Returns the position among the suspended pieces of the last one that is a given piece, or -1. index: the piece's
- * index in the ROM's music + 1. */
+/* Returns the index of the last suspended piece that is the given piece, or -1 if there is none. index: the given
+ * piece's index in the ROM's music + 1. */
 int seq_find_suspended(const struct seq *s, uint16_t index);
 
 /* Returns whether all tracks of the current piece have ended. */

@@ -65,8 +65,8 @@ const uint8_t *tune_inst(const struct tune *t, int i)
     return t->data + insts_offset(t) + INST_BYTES * (size_t)i;
 }
 
-/* begins returns the offset where track i starts (-1: the conductor); loops, the offset where its loop starts, or 0 if
- * it has none. */
+/* track_start returns the offset where track i starts (-1: the conductor); track_loop, the offset where its loop
+ * starts, or 0 if it has none. */
 static uint32_t track_start(const struct tune *t, int i)
 {
     return bytes_get32(t->data + TRACK_TABLE + TRACK_ENTRY_BYTES * (i + 1));

@@ -189,7 +189,7 @@ void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, u
 
 /* ---- low-pass filters ---- */
 
-/* Filters the group of samples that starts at x with a row of `low`; -1: copies the group unchanged. */
+/* Filters the group of samples that starts at x with a row of `low_pass`; -1: copies the group unchanged. */
 static void filter_group(const struct snd_tables *t, int row, const int16_t *x, int16_t out[GROUP])
 {
     if (row < 0) {

@@ -10,8 +10,9 @@
  * or graze ring, and the player's movement. Shots against enemies are in hit_shots.c.
  *
  * Entities that leave the field are tested too, because they may touch something on the way out. bullets_move holds the
- * bullets that leave near a player, and all shots that leave. hit_run releases the held bullets that touch no player,
- * hit_shots the held shots that hit nothing, and events_run all others.
+ * bullets that leave near a player (all that leave, if shots or bullets can hit them), and all shots that leave while
+ * there is anything to hit. If only bullets near a player are held, hit_run releases those that touch no player.
+ * hit_shots releases the held shots that hit nothing, and events_run all others.
  */
 #include "../../base/int.h"
 #include "hit.h"

@@ -58,7 +58,7 @@ static bool all_beyond_side(const struct box *w, const struct point *p, int n)
     return left == n || right == n || above == n || below == n;
 }
 
-/* Returns whether the box around curve i's points, including the point dropped last, touches box w. */
+/* Returns whether the box around curve i's points and the previous position of its tail touches box w. */
 static bool curve_is_near(const struct board *b, uint32_t i, const struct box *w)
 {
     struct box box;

@@ -4,8 +4,8 @@
  * The bullets of a pair's second tag are sorted into the cells of a grid by their positions before the move. The
  * bullets of a cell are linked by the column `next`. A bullet of the first tag searches the cells of a box: the box
  * around its path, grown by its extent and by the largest sum of extent and move of a bullet in the grid. Bullets of
- * the second tag for which this sum exceeds FAR cells are in a separate list, which every search includes, so that a
- * few large or fast bullets do not widen every search.
+ * the second tag for which this sum exceeds MAX_SPAN cells are in a separate list, which every search includes, so that
+ * a few large or fast bullets do not widen every search.
  *
  * Each bullet is tested along its path of the frame or, if its kind is not swept, at its final position.
  */
@@ -24,7 +24,7 @@ enum {
     WORK_PER_VISIT = 3,
     WORK_PER_TEST = 4
 };
-static const uint32_t END_OF_LIST = UINT32_MAX; /* the end of a list */
+static const uint32_t END_OF_LIST = UINT32_MAX;
 
 /* The bullets of a pair's second tag, sorted into the grid. */
 struct grid {
@@ -38,7 +38,7 @@ struct grid {
     int shift;                      /* log2 of a cell's side */
     int64_t cols, rows;
     int64_t reach_x, reach_y; /* farthest that a bullet in a cell extends from its position before the move */
-    uint32_t list[LISTS];     /* first slot of each cell, row by row, or END_OF_LIST; at the end, of the far bullets */
+    uint32_t list[LISTS];     /* first slot of each cell, row by row, or END_OF_LIST; last: of the separate list */
 };
 
 /* A search by a bullet of the first tag. */

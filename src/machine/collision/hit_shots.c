@@ -37,7 +37,7 @@ enum {
 };
 
 /* The position of an enemy before its move, relative to the grid's top left corner. distance_key: the squared distance
- * from that corner times 2^bits, with the enemy's slot in the low bits. */
+ * from that corner times 2^slot_bits, with the enemy's slot in the low bits. */
 struct place {
     uint32_t x, y;
     int64_t distance_key;
@@ -56,7 +56,7 @@ struct grid {
     int64_t spread;             /* cells above and below its own in which an enemy is also listed: 1 or 0 */
     int slot_bits;              /* number of bits of a slot number */
     uint32_t slot_mask;         /* mask of a slot number */
-    int64_t key_factor;         /* -2 * 2^bits */
+    int64_t key_factor;         /* -2 * 2^slot_bits */
     bool dense;                 /* use target_nearest */
     uint16_t slot[MAX_ENEMIES]; /* slots of the enemies, not sorted */
     struct place place[MAX_ENEMIES + BATCH];
@@ -336,9 +336,9 @@ static uint32_t target_by_rings(struct board *b, const struct grid *g, const str
 
 /*
  * Returns the key of an enemy for a shot; the nearest enemy has the lowest key. The key is the squared distance between
- * enemy and shot, minus the squared distance between the shot and the grid's corner, times 2^bits, with the enemy's
- * slot in the low bits. (x, y): the shot's position relative to the corner, times -2^(bits + 1). The
- * sum fits in an int64_t; its terms may not.
+ * enemy and shot, minus the squared distance between the shot and the grid's corner, times 2^slot_bits, with the
+ * enemy's slot in the low bits. (x, y): the shot's position relative to the corner, times key_factor. The sum fits in
+ * an int64_t; its terms may not.
  */
 static inline int64_t place_key(const struct place *p, int64_t x, int64_t y)
 {

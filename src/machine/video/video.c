@@ -87,7 +87,7 @@ static void paint_sprite(struct draw_target *c, uint16_t sprite, uint32_t age, f
     c->drawn_count++;
 }
 
-/* Like put, but through a batch. */
+/* Like paint_sprite, but through a batch. */
 static void queue_sprite(struct video_batch *q, uint16_t sprite, uint32_t age, fx x, fx y, uint8_t bank, unsigned flip,
                          unsigned blend)
 {

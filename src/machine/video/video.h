@@ -99,7 +99,7 @@ void video_draw_bg(struct draw_target *c, bool front);
 /* Returns whether the background covers the whole field, so that the field need not be cleared. */
 bool video_bg_covers(const struct board *b);
 
-/* Draws, in slot order, the lasers that hurt enemies (shoot) or all other lasers (!shoot). */
+/* Draws, in slot order, the lasers that hurt enemies (shoots) or all other lasers (!shoots). */
 void video_draw_lasers(struct draw_target *c, bool shoots);
 
 /* The work of drawing the picture, what takes the largest share of it, and how to reduce that share. All 0 if an upper

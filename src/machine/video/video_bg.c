@@ -118,7 +118,7 @@ static int shaken_y(const struct draw_target *c)
 }
 
 /* The part of a layer's map that rows of the field show. Columns [from, to) of the field show the map's pixels from
- * column x, row my on. */
+ * column map_x, row map_y on. */
 struct shown_rows {
     int64_t map_left; /* the map's left edge, px to the right of the field's left edge */
     int64_t from, to, map_x, map_y;

@@ -62,7 +62,7 @@ struct window {
     uint32_t base;      /* added to the offset of a bullet's pixel to get its list entry */
 
     /* Whether bullets listed by slot are clipped when they are drawn. If so, any bullet may be listed by slot, and
-     * bullets of kinds that are not alike may also be listed as destinations. False for a layer. */
+     * bullets of kinds without `same_picture` may also be listed as destinations. False for a layer. */
     bool clips;
 };
 
@@ -270,7 +270,7 @@ static uint32_t listed_count(const struct lists *l, uint16_t kind)
 
 /* Computes the list entry of each bullet in a block, without its bank. Returns whether all bullets are in the window,
  * so that none needs clipping, whatever its kind. Each axis is range-checked with one signed comparison, as in
- * bullets.c. */
+ * bullets_move.c. */
 static bool find_entries(const fx *restrict x, const fx *restrict y, uint32_t *restrict entries, const struct window *t)
 {
     const uint32_t sign = (uint32_t)1 << 31, pitch = (uint32_t)t->fb->pitch, from = t->base;

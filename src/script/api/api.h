@@ -65,7 +65,8 @@ void api_names_push(lua_State *L, enum name_kind kind, int index);
 /* Pushes the declared name nearest to a misspelt one, or nil. */
 void api_names_suggest(lua_State *L, enum name_kind kind, const char *name);
 
-/* Makes every later read of a reserved field a fault. Call this after all tables have been created. */
+/* Makes later reads of missing fields of library tables explain why the field is missing (api_fault_missing_field).
+ * Call this after all tables have been created. */
 void api_reserved_install(lua_State *L);
 
 /* api_intern_tag returns the number of the tag whose name is at stack index `at`, and assigns a number to a new tag;
@@ -87,8 +88,8 @@ void api_bomb_ensure_stock(lua_State *L, struct board *b, uint32_t p);
  * started. */
 bool api_bomb_start(lua_State *L, struct board *b, uint32_t p);
 
-/* Pops a list of items packed by api_push_folded_drops and drops the items at (x, y). Drops nothing if the popped value
- * is not such a list. */
+/* Pops a list of items packed by api_push_drops and drops the items at (x, y). Drops nothing if the popped value is not
+ * such a list. */
 void api_drop_items(lua_State *L, struct board *b, fx x, fx y);
 
 /* Indices of the parameters PLACE, which are consecutive in every entry: the position x, y or the thing `from`, offset
@@ -117,7 +118,8 @@ bool api_read_place(lua_State *L, struct board *b, const char *entry, const stru
 enum { ALIGN_LEFT, ALIGN_CENTER, ALIGN_RIGHT }; /* values of A_ALIGN */
 
 /* Between two frames, runs f(L) in protected mode, then handles the events that f raised. Using more work than `limit`
- * is a fault. Returns false on a fault, which is not reported in the board's `out`. Printed text is in out->log. */
+ * is a fault. Returns false on a fault, which is not reported in the output's `out`. Printed text is in the output's
+ * `log`. */
 bool api_run_between_frames(struct board *b, lua_CFunction f, uint64_t limit);
 
 /* Fills the table rom (api_board.c). */

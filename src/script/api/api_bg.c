@@ -322,7 +322,7 @@ static int bg_plane(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* Reads the list of distances at stack index `at` into px. Returns the number of elements; raises an error if it
+/* Reads the list of distances at stack index `at` into `offsets`. Returns the number of elements; raises an error if it
  * exceeds `capacity`. */
 static uint32_t read_line_offsets(lua_State *L, int at, fx *offsets, uint32_t capacity)
 {
@@ -344,8 +344,8 @@ static uint32_t read_line_offsets(lua_State *L, int at, fx *offsets, uint32_t ca
     return (uint32_t)n;
 }
 
-/* Sets the line offsets of layer i from the list. Folds the numbers, because the call itself does not fold the contents
- * of a table. */
+/* Sets the line offsets of layer i from the list at `at`. Folds the numbers, because the call itself does not fold the
+ * contents of a table. */
 static void set_line_offsets(lua_State *L, struct board *b, uint32_t i, int at)
 {
     fx offsets[MAX_LINES];
@@ -387,7 +387,7 @@ static int bg_lines(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* ---- sys: called by bg.lua and boss.lua ---- */
+/* ---- sys: called by bg.lua ---- */
 
 static const struct api_param fade_params[] = { PARAM("n", A_INT, REQ, 0, UINT16_MAX, "frames", NULL, "") };
 static const struct api_param shown_params[] = { PARAM("n", A_INT, OPT, 0, UINT16_MAX, NULL, NULL, "") };

@@ -10,7 +10,7 @@
 
 /* ---- boss.def ---- */
 
-/* State while reading a boss: stack indices, and whether a phase with `has_last` was found. */
+/* State while reading a boss: stack indices, and whether a phase with `last = true` was found. */
 struct boss_reader {
     lua_State *L;
     int boss, cast, ids, phases; /* cast: set of the members' names; 0: no cast */
@@ -215,7 +215,8 @@ static void check_bonus(lua_State *L, int at, const char *id)
     lua_pop(L, 1);
 }
 
-/* Pushes the leader of the phase at `at`: the first cast member with a bar in it. */
+/* Pushes the leader of the phase at `at`: the first cast member with a bar in it or, if there is none, the first
+ * member. */
 static void push_leader(struct boss_reader *r, int at)
 {
     lua_State *L = r->L;
@@ -359,7 +360,7 @@ static void read_phases(struct boss_reader *r)
 static const struct api_param table_req[] = { PARAM("boss", A_TABLE, REQ, 0, 0, NULL, NULL, "") };
 
 /* Converts the table of checked boss.def arguments into the boss, in place. Returns whether the boss has a phase with
- * `has_last`. */
+ * `last = true`. */
 static int sys_boss(lua_State *L, struct board *b, struct api_value *v)
 {
     struct boss_reader r = { .L = L, .boss = v[0].at };

@@ -102,7 +102,7 @@ static void set_cloud(struct bullet_kinds *k, int i, uint16_t sprite)
     k->flags[i] |= KIND_CLOUDED;
 }
 
-/* Declares a kind of bullet or shot from all its arguments except graze and damage; returns the kind's index. */
+/* Declares a kind of bullet or shot from the arguments common to bullet.def and shot.def; returns the kind's index. */
 static int define_kind(lua_State *L, struct bullet_kinds *k, enum name_kind names, const char *entry,
                        struct api_value *v)
 {
@@ -533,7 +533,7 @@ static void set_coordinate(struct bullets *s, uint32_t i, int p, int64_t v)
     }
 }
 
-/* Stops the running motion step, if it leads bullet i, from doing so after a script writes the position. */
+/* After a script wrote bullet i's position, ends the lead of the running motion step (DOES_LEAD), if it leads. */
 static void end_lead(const struct board *b, struct bullets *s, uint32_t i)
 {
     if (!s->motion[i] || !(s->step_flags[i] & STEP_BEGUN))

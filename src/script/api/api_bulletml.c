@@ -134,7 +134,7 @@ static int read_params(lua_State *L, struct board *b, int at, int64_t out[ML_PAR
         lua_rawgeti(L, at, (lua_Integer)i + 1);
         api_fold(L, b, -1);
         api_check(L, entry_name, &param, lua_gettop(L), &v);
-        const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: q32 requires |v| < 2^19 */
+        const int64_t whole = (int64_t)v.n; /* the whole part is converted separately: to_q32 requires |v| < 2^19 */
         out[i] = whole * ML_ONE + to_q32(v.n - (double)whole);
     }
     return (int)n;

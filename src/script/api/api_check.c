@@ -206,7 +206,7 @@ static const char *const kind_nouns[] = { "bullet kind", "shot kind", "enemy kin
                                           "spark kind",  "item kind", "laser kind", "option kind" };
 enum { KIND_NOUNS = sizeof kind_nouns / sizeof *kind_nouns };
 
-/* Returns the noun ("bullet") of the sort of kind that is declared under that name, or NULL. */
+/* Returns the noun ("bullet kind") of the sort of kind that is declared under that name, or NULL. */
 static const char *find_kind_noun(lua_State *L, const char *name)
 {
     for (int k = 0; k < KIND_NOUNS; k++)
@@ -454,7 +454,7 @@ static void check_hit(lua_State *L, const char *entry, const struct api_param *p
 
 typedef void check_function(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v);
 
-/* The check of each type. A new type needs a row here, and in WORDS if it is a word list. */
+/* The check of each type. A new type needs a row here, and in word_lists if it is a word list. */
 static check_function *const checks[] = {
     [A_INT] = check_int,
     [A_COUNT] = check_int,

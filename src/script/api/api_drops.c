@@ -21,7 +21,7 @@ int64_t api_read_named_number(lua_State *L, const char *entry, const char *param
 
 enum { DROP_BYTES = 4 /* bytes per list entry: kind and number, 16 bits each */ };
 
-/* Returns whether a string of `size` bytes (NULL: none) has the format of a list made by api_push_folded_drops. */
+/* Returns whether a string of `size` bytes (NULL: none) has the format of a list made by api_push_drops. */
 static bool is_packed_drops(const struct board *b, const uint8_t *list, size_t size)
 {
     if (!list || size % DROP_BYTES || size > MAX_ITEM_NAMES * DROP_BYTES)

@@ -162,8 +162,8 @@ static const struct api_param spawn_params[] = {
           "damage multiplier; overrides its kind's; needs `board = { bodies = true }`"),
 };
 
-/* Starts a task owned by enemy h. The function at stack index `at` receives h, then the n values on top of the stack
- * (popped). */
+/* Starts a task owned by enemy h. Pops n values and the function below them; the function receives h, then the
+ * values. */
 static void start_task(lua_State *L, struct board *b, int64_t h, int n)
 {
     lua_pushinteger(L, h);
@@ -188,8 +188,8 @@ void api_push_path_module(lua_State *L, const char *entry, int at, const char *m
     lua_pop(L, 1);
 }
 
-/* Starts an enemy's route. path.lua implements routes: path.place returns the start position, path.travel follows the
- * route and removes the enemy. */
+/* Stores the start position of an enemy's route. path.lua implements routes: path.place returns the position,
+ * path.travel follows the route and removes the enemy. */
 static void get_path_start(lua_State *L, const struct api_value *v, fx *x, fx *y)
 {
     double px, py;
@@ -682,8 +682,8 @@ static int enemy_kill(lua_State *L, struct board *b, struct api_value *v)
     return api_enemy_apply_verb(L, b, kill_one, v);
 }
 
-/* Also removes enemies that left in this frame but can still be read (board_is_readable), so that their pending hits
- * have no effect. */
+/* Also removes enemies that left the field in this frame but can still be read (board_is_readable), so that their
+ * pending hits have no effect. */
 static int enemy_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[ARG_SELF].i;

@@ -17,7 +17,7 @@ int api_error(lua_State *L, const char *entry, const char *format, ...)
     return vm_fault(L, FAULT_SCRIPT, "%s: %s", entry, message);
 }
 
-/* ---- places of calls, for errors found later ---- */
+/* ---- locations of declarations, for errors found later ---- */
 
 static const char locations_key = 0; /* registry: "ENTRY NAME" -> "FILE:LINE: " */
 

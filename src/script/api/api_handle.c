@@ -237,7 +237,7 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     return 1;
 }
 
-enum { READ_WORK = 4, WRITE_WORK = 6 /* work added to that of the VM instruction; a guard checks the sum later */ };
+enum { READ_WORK = 4, WRITE_WORK = 6 /* added to the VM instruction's work; vm_count.c checks the sum later */ };
 
 static int get_property(lua_State *L)
 {

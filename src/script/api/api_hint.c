@@ -1,6 +1,6 @@
 /*
- * api_hint.c - errors about unknown names: in tables with named keys, which key is reported; the suggestion is the
- * nearest known name or, if none is near, a list of the known names if it is short.
+ * api_hint.c - errors about unknown names, and reading tables of settings. An error suggests the nearest known name or,
+ * if none is near, lists the known names if the list is short.
  */
 #include <stdio.h>
 #include <string.h>

@@ -33,7 +33,7 @@ static const struct api_param def_params[] = {
 
 static const char def_entry[] = "item.def";
 
-/* Returns the number of a register in the list of registers that items give or fill; adds a new register to the
+/* Returns the number of a register in the list of registers that `gives` and `full` name; adds a new register to the
  * list. */
 static int intern_register(lua_State *L, const char *name)
 {
@@ -48,7 +48,7 @@ static int intern_register(lua_State *L, const char *name)
     return i;
 }
 
-/* Reads the argument `score`: n, or { low, high }. */
+/* Reads the field `score` of `gives`: n, or { low, high }. */
 static void read_score(lua_State *L, struct item_kinds *k, int32_t i, int gives_at)
 {
     static const struct api_param score_span = { "gives.score", A_SPAN, REQ, 0, ITEM_MAX_POINTS, NULL, NULL, NULL };
@@ -303,8 +303,8 @@ static const struct api_param self_params[] = { SELF_PARAM };
 
 typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
 
-/* Pulls item i to the given player or, if none is given, to the nearest. A player who is dead or not in the game
- * attracts nothing. */
+/* Pulls item i to the given player or, if none is given, to the nearest. A player who is not in the game attracts
+ * nothing. */
 static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
 {
     const struct targets t = board_player_targets(b);

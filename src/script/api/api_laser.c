@@ -536,7 +536,7 @@ const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1,
 /* ---- verbs ---- */
 
 enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
-enum { ARG_SELF, ARG_BY /* or add */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
+enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
 
 static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
 {

@@ -510,8 +510,8 @@ static void add_bounce(lua_State *L, struct program_reader *r, const struct api_
     s->duration = v[M_OVER].given ? get_frames(&v[M_OVER]) : UINT32_MAX;
 }
 
-/* Reads a `loop` or `is_bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in
- * one frame. */
+/* Reads a `loop` or `bounce` step and its nested steps from the table at `at`. Returns how many steps it can run in one
+ * frame. */
 static uint64_t read_loop(lua_State *L, struct program_reader *r, int at, int depth, const struct api_value v[M_KEYS],
                           int step, bool *timed)
 {

@@ -33,7 +33,7 @@ void api_open_names(lua_State *L)
     }
 }
 
-/* Makes room for n names; the capacity doubles. */
+/* Makes the list at least n names long; doubles its capacity as needed. */
 static void reserve_names(lua_State *L, enum name_kind kind, uint32_t n)
 {
     struct name_list *t = &vm_board(L)->names[kind];

@@ -83,7 +83,7 @@ static fx read_axis(lua_State *L, const char *setting, int axis)
     return v.f;
 }
 
-/* Reads { { dx, dy }, .. } at `at`; returns the number of places. */
+/* Reads { { dx, dy }, .. } at `at`; returns the number of positions. */
 static uint32_t read_positions(lua_State *L, const char *setting, int at, fx positions[OPTION_MAX_PER_SHIP][2])
 {
     const lua_Unsigned n = lua_rawlen(L, at);

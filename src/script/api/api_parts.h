@@ -422,7 +422,7 @@ void api_check_around(lua_State *L, const struct bullets *s, const char *entry, 
  * value's NAMED_BITS (motion.h). */
 uint64_t api_find_step_value(lua_State *L, int step, const char *key, int at);
 
-/* Read the table of settings, at stack index `at`, of a step emit or wait_for (api_step.c). */
+/* Read the table of settings, at stack index `at`, of an `emit` or `wait_for` step (api_step.c). */
 enum { EMIT_PARAMS = 17, AWAIT_PARAMS = 5 };
 extern const struct api_param api_emit_params[EMIT_PARAMS], api_await_params[AWAIT_PARAMS];
 void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e);
@@ -485,8 +485,8 @@ int64_t api_read_named_number(lua_State *L, const char *entry, const char *param
 void api_push_drops(lua_State *L, const char *entry, int at);
 void api_push_folded_drops(lua_State *L, const char *entry, int at);
 
-/* Raises an error if an item gives a register that neither a ship nor the run has, or fills a register that has no max
- * on any ship or in the run. */
+/* Raises an error if an item's `gives` or `full` names a register that neither a ship nor the run has, or its `full`
+ * names one that has no max on any ship or in the run. */
 void api_items_check(lua_State *L, struct board *b);
 
 /* Reads the argument `options` of player.def for that kind of ship. */
@@ -506,7 +506,7 @@ int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 enum { REGISTER_SETTINGS = 10 };
 extern const struct api_param api_register_settings[REGISTER_SETTINGS];
 
-/* Returns the number of the register named by the argument `what`; raises an error if it is unknown. */
+/* Returns the number of the register `name`; if there is none, raises an error about the argument `what`. */
 int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
 
 /* Returns the integer at `at`, to be written to a register. Raises an error for anything but an integer up to

@@ -69,7 +69,7 @@ static const char *read_choice(lua_State *L, const char *entry, const char *name
     return NULL;
 }
 
-/* Returns the integer in v, or `fallback` if v is not given. */
+/* Returns the integer in v (DRAIN_FOREVER for forever), or `fallback` if v is not given. */
 static int32_t read_setting(const struct api_value *v, int32_t fallback)
 {
     if (!v->given)

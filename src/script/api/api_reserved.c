@@ -24,7 +24,7 @@ static bool has_word(const char *words, const char *word)
     return false;
 }
 
-/* Returns whether `owner` is the row's name. In `owner`, a quoted detail may follow the name (api_push_checked). */
+/* Returns whether `owner` is `row`, the owner of a row, or `row` followed by a quoted detail (api_push_checked). */
 static bool is_owner(const char *row, const char *owner)
 {
     size_t n = strlen(row);
@@ -111,7 +111,7 @@ void api_reserved_install(lua_State *L)
     for (size_t i = 0; i < sizeof reserved / sizeof *reserved; i++)
         if (reserved[i].separator == '.' && reserved[i].owner[0])
             explain_missing(L, reserved[i].owner);
-    explain_missing(L, "text"); /* its fields that come late */
+    explain_missing(L, "text"); /* for text.line, which rom.lua may disable */
     for (int i = 0; i < STD_MODULES; i++)
         if (std_extended_table(i))
             explain_missing(L, std_extended_table(i));

@@ -110,7 +110,7 @@ static int angle_to(lua_State *L, struct board *b, struct api_value *v)
 
     if (!read_position(L, b, "angle.to", "a", v[ARG_A].at, &ax, &ay) ||
         !read_position(L, b, "angle.to", "b", v[ARG_B].at, &bx, &by) || (ax == bx && ay == by))
-        lua_pushnumber(L, 90); /* same position: down, as for `aim` */
+        lua_pushnumber(L, 90); /* dead thing or same position: down, as for `aim` */
     else
         lua_pushnumber(L, trig_to_degrees(trig_atan2(fx_sub(by, ay), fx_sub(bx, ax))));
     return 1;

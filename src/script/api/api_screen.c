@@ -54,7 +54,7 @@ static const struct api_param put_params[] = {
 
 #define OVER_BLEND_ERROR "sprites in layer \"over\" cannot blend"
 
-/* Raises an error unless the position is given by exactly one of x, y and follow. */
+/* Raises an error unless the position is given either by x and y or by follow, or if arguments cannot be combined. */
 static void check_put(lua_State *L, const struct api_value *v)
 {
     const bool has_xy = v[PUT_X].given && v[PUT_Y].given;

@@ -219,7 +219,7 @@ static int sys_tell_keys(lua_State *L, struct board *b, struct api_value *v)
     return 0;
 }
 
-/* Stores { name, value } at place i of the list on top of the stack. */
+/* Stores { name, value } at index i of the list on top of the stack. */
 static void set_register_entry(lua_State *L, const char *name, int32_t value, int i)
 {
     lua_createtable(L, 0, 2);
@@ -758,7 +758,7 @@ static int sys_on(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-/* The range is twice the world's, because a position may be up to WORLD px away from a thing anywhere in the world. */
+/* The range is twice the world's, because a position may be WORLD_EDGE px away from a thing anywhere in the world. */
 static const struct api_param sys_aim_params[] = {
     PARAM("x", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),
     PARAM("y", A_FX, REQ, -2 * WORLD_EDGE, 2 * WORLD_EDGE, "px", NULL, ""),

@@ -54,9 +54,9 @@ enum api_type {
     A_DEPTH,       /* whether a background layer is behind or in front of all things */
     A_ALIGN,
     A_FIRE,         /* what a pattern fires */
-    A_EMIT_FIRE,    /* what the step emit fires */
+    A_EMIT_FIRE,    /* what an `emit` step fires */
     A_MEET,         /* which of two colliding bullets are removed */
-    A_EMIT_PATTERN, /* a pattern of the step emit */
+    A_EMIT_PATTERN, /* a pattern of an `emit` step */
     A_DOWN,         /* how many bars of a cast must be emptied */
     A_HOST_SCREEN,  /* a host screen */
 };
@@ -190,8 +190,9 @@ bool api_can_die(enum handle_kind kind);
 /* The message for a name reserved for a later feature. */
 #define RESERVED_MESSAGE "is reserved for a later version"
 
-/* Returns whether a name is reserved. how '.': as a field of the table `owner` ("board"; "": the globals); '{': as an
- * argument of the function `owner` ("bullet.fire"); ':': as a property or verb of the thing `owner` ("bullet"). */
+/* Returns whether a name is reserved. `separator` is '.' for a field of the table `owner` ("board"; "": the globals),
+ * '{' for an argument of the function `owner` ("bullet.fire"), and ':' for a property or verb of the thing `owner`
+ * ("bullet"). */
 bool api_is_reserved(const char *owner, char separator, const char *name);
 
 /* If the table, thing or group of that name ("item", "items") is disabled, returns the text for the %s of

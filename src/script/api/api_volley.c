@@ -1,7 +1,7 @@
 /*
  * api_volley.c - pattern.ring, fan, arc, stack and line as one call that fires all their bullets. It fires exactly the
  * same bullets as the loops in scripts/pattern.lua, in a tenth of the time. Only the loops handle `each`, lasers, and
- * arguments that only some of the bullets reject. The digest folds a volley as one call, because its arguments
+ * arguments that are invalid for only some of the bullets. The digest folds a volley as one call, because its arguments
  * determine all of its bullets.
  */
 #include <string.h>

@@ -48,7 +48,7 @@ static int math_tan(lua_State *L)
     return 1;
 }
 
-/* Returns v * 2^by, rounded to nearest with ties to even, clamped to fx. */
+/* Returns v * 2^exponent, rounded to nearest with ties to even, clamped to fx. */
 static fx scale_to_fx(double v, int exponent)
 {
     double s = rint(ldexp(v, exponent));

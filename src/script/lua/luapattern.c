@@ -55,8 +55,8 @@ struct capture {
 struct matcher {
     lua_State *L;
     struct op *ops;
-    const char *subject, *subject_end; /* the subject */
-    uint64_t work;                     /* not yet charged */
+    const char *subject, *subject_end;
+    uint64_t work; /* not yet charged */
     int capture_count;
     struct capture capture[MAX_CAPTURES];
 };
