@@ -14,11 +14,6 @@ enum {
 
 static const char lines_entry[] = "bg.lines", fog_entry[] = "plane: fog";
 
-static double q16_to_double(int64_t q16)
-{
-    return (double)q16 / 65536;
-}
-
 static void push_string_or_nil(lua_State *L, const char *name)
 {
     if (name)
@@ -32,98 +27,55 @@ static void push_string_or_nil(lua_State *L, const char *name)
 enum { P_MAP, P_X, P_Y, P_VX, P_VY, P_LAYER, P_BANK, P_BLEND, P_HIDDEN, P_SHARED };
 
 #define SHARED_PROPS                                                                                                   \
-    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE },        \
+    { PARAM("map", A_MAP, OPT, 0, 0, NULL, NULL, "name of its map in rom.lua; nil turns it off"), PROP_WRITE,          \
+      COMPUTED },                                                                                                      \
         { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "left edge of a layer's map in the field, or position of a plane's eye over the map; increases by "    \
                 "`vx` every frame"),                                                                                   \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, STORED(STORED_Q16, bg.x) },                                                                      \
         { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "top edge of a layer's map in the field, or position of a plane's eye over the map; increases by "     \
                 "`vy` every frame"),                                                                                   \
-          PROP_WRITE },                                                                                                \
-        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE },         \
-        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE },                 \
+          PROP_WRITE, STORED(STORED_Q16, bg.y) },                                                                      \
+        { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed to the right"), PROP_WRITE,           \
+          STORED(STORED_FX, bg.vx) },                                                                                  \
+        { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed down"), PROP_WRITE,                   \
+          STORED(STORED_FX, bg.vy) },                                                                                  \
         { PARAM("layer", A_DEPTH, REQ, 0, 0, NULL, NULL,                                                               \
                 "drawing order; `back` is behind all things, and `front` is in front of all sprites"),                 \
-          PROP_WRITE },                                                                                                \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE }, \
-        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },              \
+          PROP_WRITE, COMPUTED },                                                                                      \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the tiles"), PROP_WRITE,   \
+          STORED(STORED_U8, bg.bank) },                                                                                \
+        { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },    \
     {                                                                                                                  \
-        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves"), PROP_WRITE                \
+        PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves"), PROP_WRITE,               \
+            FLAG_OF(bg.flags, BG_HIDDEN)                                                                               \
     }
 
-static void get_shared(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct bg *g = &b->bg;
     const int blend = (g->flags[i] & BG_BLEND) / BG_BLEND_ONE;
 
-    switch (p) {
-    case P_MAP:
+    if (p == P_MAP)
         push_string_or_nil(L, g->map[i] ? cart_name(&b->cart, CART_MAPS, g->map[i] - 1) : NULL);
-        break;
-    case P_X:
-        lua_pushnumber(L, q16_to_double(g->x[i]));
-        break;
-    case P_Y:
-        lua_pushnumber(L, q16_to_double(g->y[i]));
-        break;
-    case P_VX:
-        lua_pushnumber(L, fx_to_double(g->vx[i]));
-        break;
-    case P_VY:
-        lua_pushnumber(L, fx_to_double(g->vy[i]));
-        break;
-    case P_LAYER:
-        lua_pushstring(L, g->flags[i] & BG_FRONT ? "front" : "back");
-        break;
-    case P_BANK:
-        lua_pushinteger(L, g->bank[i]);
-        break;
-    case P_BLEND:
+    else if (p == P_BLEND)
         push_string_or_nil(L, blend ? cart_name(&b->cart, CART_BLENDS, blend - 1) : NULL);
-        break;
-    default:
-        lua_pushboolean(L, g->flags[i] & BG_HIDDEN);
-    }
+    else
+        lua_pushstring(L, g->flags[i] & BG_FRONT ? "front" : "back");
 }
 
-static void set_flag(struct bg *g, uint32_t i, unsigned flag, bool on)
-{
-    g->flags[i] = (uint8_t)(on ? g->flags[i] | flag : g->flags[i] & ~flag);
-}
-
-static void set_shared(struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_layer(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct bg *g = &b->bg;
 
-    switch (p) {
-    case P_MAP:
+    (void)L;
+    if (p == P_MAP)
         g->map[i] = (uint16_t)v->i;
-        break;
-    case P_X:
-        g->x[i] = v->f;
-        break;
-    case P_Y:
-        g->y[i] = v->f;
-        break;
-    case P_VX:
-        g->vx[i] = v->f;
-        break;
-    case P_VY:
-        g->vy[i] = v->f;
-        break;
-    case P_LAYER:
-        set_flag(g, i, BG_FRONT, v->i);
-        break;
-    case P_BANK:
-        g->bank[i] = (uint8_t)v->i;
-        break;
-    case P_BLEND:
+    else if (p == P_BLEND)
         g->flags[i] = (uint8_t)((g->flags[i] & ~BG_BLEND) | v->i * BG_BLEND_ONE);
-        break;
-    default:
-        set_flag(g, i, BG_HIDDEN, v->i);
-    }
+    else
+        g->flags[i] = (uint8_t)(v->i ? g->flags[i] | BG_FRONT : g->flags[i] & ~BG_FRONT);
 }
 
 /* ---- layers ---- */
@@ -132,27 +84,11 @@ enum { P_WRAP = P_SHARED, LAYER_PROPS };
 
 static const struct api_prop layer_props[LAYER_PROPS] = {
     SHARED_PROPS,
-    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE },
+    { PARAM("wrap", A_BOOL, REQ, 0, 0, NULL, NULL, "true if its map repeats in all directions"), PROP_WRITE,
+      FLAG_OF(bg.flags, BG_WRAP) },
 };
 
-static void get_layer(lua_State *L, struct board *b, uint32_t i, int p)
-{
-    if (p == P_WRAP)
-        lua_pushboolean(L, b->bg.flags[i] & BG_WRAP);
-    else
-        get_shared(L, b, i, p);
-}
-
-static void set_layer(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
-{
-    (void)L;
-    if (p == P_WRAP)
-        set_flag(&b->bg, i, BG_WRAP, v->i);
-    else
-        set_shared(b, i, p, v);
-}
-
-const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROPS, get_layer, set_layer };
+const struct api_thing api_layer_thing = { "layer", layer_props, LAYER_PROPS, .get = get_layer, .set = set_layer };
 
 /* ---- the plane ---- */
 
@@ -162,16 +98,18 @@ enum { FOG_TO, FOG_FAR, FOG_PARAMS };
 static const struct api_prop plane_props[PLANE_PROPS] = {
     SHARED_PROPS,
     { PARAM("horizon", A_INT, REQ, -1024, 1024, "px", NULL, "distance of the horizon from the top of the field"),
-      PROP_WRITE },
-    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE },
-    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction in which the eye looks; 270 is up the map"), PROP_WRITE },
+      PROP_WRITE, STORED(STORED_I16, bg.horizon) },
+    { PARAM("height", A_FX, REQ, 1, 1024, "px", NULL, "height of the eye above the plane"), PROP_WRITE,
+      STORED(STORED_FX, bg.height) },
+    { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction in which the eye looks; 270 is up the map"), PROP_WRITE,
+      STORED(STORED_ANG, bg.dir) },
     { PARAM("ceiling", A_BOOL, REQ, 0, 0, NULL, NULL,
             "true for a ceiling above the horizon instead of a floor below it"),
-      PROP_WRITE },
+      PROP_WRITE, FLAG_OF(bg.flags, BG_CEILING) },
     { PARAM("fog", A_TABLE, OPT, 0, 0, NULL, NULL,
             "{ to = 0xRRGGBB, far = px }: colour that the plane fades to with distance, and the distance at which only "
             "that colour is left; nil for no fog"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
 };
 
 static const struct api_param fog_params[FOG_PARAMS] = {
@@ -194,27 +132,10 @@ static void push_fog(lua_State *L, const struct bg *g)
 
 static void get_plane(lua_State *L, struct board *b, uint32_t i, int p)
 {
-    const struct bg *g = &b->bg;
-
-    switch (p) {
-    case P_HORIZON:
-        lua_pushinteger(L, g->horizon[i]);
-        break;
-    case P_HEIGHT:
-        lua_pushnumber(L, fx_to_double(g->height[i]));
-        break;
-    case P_DIR:
-        lua_pushnumber(L, trig_to_degrees(g->dir[i]));
-        break;
-    case P_CEILING:
-        lua_pushboolean(L, g->flags[i] & BG_CEILING);
-        break;
-    case P_FOG:
-        push_fog(L, g);
-        break;
-    default:
-        get_shared(L, b, i, p);
-    }
+    if (p == P_FOG)
+        push_fog(L, &b->bg);
+    else
+        get_layer(L, b, i, p);
 }
 
 /* Builds the tables of shades at offset `at` for a fade to the colour `colour`. */
@@ -262,30 +183,13 @@ static void set_fog(lua_State *L, struct board *b, const struct api_value *v)
 
 static void set_plane(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    struct bg *g = &b->bg;
-
-    switch (p) {
-    case P_HORIZON:
-        g->horizon[i] = (int16_t)v->i;
-        break;
-    case P_HEIGHT:
-        g->height[i] = v->f;
-        break;
-    case P_DIR:
-        g->dir[i] = v->a;
-        break;
-    case P_CEILING:
-        set_flag(g, i, BG_CEILING, v->i);
-        break;
-    case P_FOG:
+    if (p == P_FOG)
         set_fog(L, b, v);
-        break;
-    default:
-        set_shared(b, i, p, v);
-    }
+    else
+        set_layer(L, b, i, p, v);
 }
 
-const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, get_plane, set_plane };
+const struct api_thing api_plane_thing = { "plane", plane_props, PLANE_PROPS, .get = get_plane, .set = set_plane };
 
 /* ---- bg.layer, bg.plane, bg.lines ---- */
 

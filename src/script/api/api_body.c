@@ -188,11 +188,9 @@ static int enemy_parts(lua_State *L, struct board *b, struct api_value *v)
 void api_body_get(lua_State *L, const struct board *b, uint32_t i, enum api_body_prop p)
 {
     const struct enemies *e = &b->enemies;
-    const fx values[] = {
-        [BODY_RATE] = e->rate[i], [BODY_DX] = e->dx[i], [BODY_DY] = e->dy[i], [BODY_SHARE] = e->share[i]
-    };
+    const fx values[] = { [BODY_DX] = e->dx[i], [BODY_DY] = e->dy[i], [BODY_SHARE] = e->share[i] };
 
-    if (p != BODY_RATE && !e->body[i])
+    if (!e->body[i])
         lua_pushnil(L);
     else if (p == BODY_FOLLOW)
         lua_pushinteger(L, board_handle(b, H_ENEMY, e->body[i] - 1));
@@ -206,10 +204,6 @@ void api_body_set(lua_State *L, struct board *b, uint32_t i, enum api_body_prop 
     struct enemies *e = &b->enemies;
     const uint32_t body = e->body[i] - 1u;
 
-    if (p == BODY_RATE) {
-        e->rate[i] = v;
-        return;
-    }
     if (!e->body[i])
         vm_fault(L, FAULT_SCRIPT, "enemy: %s: this enemy is not a part (enemy.spawn { follow = .. } spawns one)",
                  names[p]);

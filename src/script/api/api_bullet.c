@@ -394,59 +394,61 @@ static const struct api_param bullet_sweep_params[] = {
 
 /* ---- properties ---- */
 
-#define FLIGHT_PROPS(kind_type)                                                                                        \
+#define FLIGHT_PROPS(kind_type, pool)                                                                                  \
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
             "horizontal position in the field; a write teleports it, without collisions on the way"),                  \
-      PROP_WRITE },                                                                                                    \
+      PROP_WRITE, COMPUTED },                                                                                          \
         { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "vertical position in the field; a write teleports it, without collisions on the way"),                \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL, "direction of flight, 0 to 360; unchanged at speed 0"),           \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, STORED(STORED_ANG, pool.dir), .is_set = true },                                                  \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                           \
                 "speed of flight; if negative, it flies backwards"),                                                   \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
                 "horizontal velocity; a write changes `dir` and `speed`"),                                             \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
                 "vertical velocity; a write changes `dir` and `speed`"),                                               \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("kind", kind_type, REQ, 0, 0, NULL, NULL,                                                              \
                 "name of its kind; a write also sets `bank` to the bank of the new kind"),                             \
-          PROP_WRITE },                                                                                                \
-        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"),              \
-          PROP_WRITE },                                                                                                \
-        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },                       \
+          PROP_WRITE, COMPUTED },                                                                                      \
+        { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,  \
+          STORED(STORED_U8, pool.bank) },                                                                              \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,                         \
+          STORED(STORED_TAG, pool.tag) },                                                                              \
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program it runs, or nil; a write starts the program from its first step"),                     \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
                 "frames since it was fired, not counting its delay or frozen frames"),                                 \
-          PROP_READ },                                                                                                 \
+          PROP_READ, COMPUTED },                                                                                       \
     {                                                                                                                  \
         PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                    \
               "frames it stays frozen, or forever; 0 unfreezes it"),                                                   \
-            PROP_WRITE                                                                                                 \
+            PROP_WRITE, STORED(STORED_COUNT, pool.frozen_left), .is_set = true                                         \
     }
 
 #define HP_PROP                                                                                                        \
     {                                                                                                                  \
         PARAM("hp", A_COUNT, REQ, 0, INT32_MAX, NULL, NULL,                                                            \
               "damage it can still take, or forever; at 0, shots pass through it"),                                    \
-            PROP_WRITE                                                                                                 \
+            PROP_WRITE, COMPUTED                                                                                       \
     }
 
 static const struct api_prop bullet_props[] = {
-    FLIGHT_PROPS(A_BULLET_KIND),
-    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left before it flies; 0 once it flies"), PROP_READ },
+    FLIGHT_PROPS(A_BULLET_KIND, bullets),
+    { PARAM("delay", A_INT, REQ, 0, 0, NULL, NULL, "frames left before it flies; 0 once it flies"), PROP_READ,
+      COMPUTED },
     HP_PROP,
 };
 static const struct api_prop shot_props[] = {
-    FLIGHT_PROPS(A_SHOT_KIND),
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ }
+    FLIGHT_PROPS(A_SHOT_KIND, shots),
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who fired it, or nil"), PROP_READ, COMPUTED }
 };
 
 /* Pushes a Q32 number as a double. The conversion is exact, because positions and speeds have 48 bits. */
@@ -466,9 +468,6 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
         bullets_position(s, i, &x, &y);
         push_q32(L, p == FLIGHT_X ? x : y);
         break;
-    case FLIGHT_DIR:
-        lua_pushnumber(L, trig_to_degrees(s->dir[i]));
-        break;
     case FLIGHT_SPEED:
         push_q32(L, bullets_speed(s, i));
         break;
@@ -479,12 +478,6 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
         break;
     case FLIGHT_KIND:
         api_names_push(L, names, bullets_kind(s, kinds, i));
-        break;
-    case FLIGHT_BANK:
-        lua_pushinteger(L, s->bank[i]);
-        break;
-    case FLIGHT_TAG:
-        api_push_tag(L, s->tag[i]);
         break;
     case FLIGHT_MOTION:
         if (s->motion[i])
@@ -500,9 +493,6 @@ void api_get_flight(lua_State *L, struct board *b, const struct bullets *s, enum
         break;
     case FLIGHT_AGE:
         lua_pushinteger(L, bullets_age(s, i, b->core.clock));
-        break;
-    case FLIGHT_FROZEN:
-        api_push_count(L, s->frozen_left[i]);
         break;
     default:
         if (s->player[i])
@@ -572,12 +562,6 @@ void api_set_flight(lua_State *L, struct board *b, struct bullets *s, const stru
     case FLIGHT_KIND:
         bullets_set_kind(s, kinds, i, (uint16_t)v->i);
         break;
-    case FLIGHT_BANK:
-        s->bank[i] = (uint8_t)v->i;
-        break;
-    case FLIGHT_TAG:
-        s->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
-        break;
     case FLIGHT_FROZEN:
         bullets_freeze(s, i, api_to_count(v));
         break;
@@ -634,63 +618,22 @@ static void set_shot(lua_State *L, struct board *b, uint32_t i, int p, const str
 
 /* ---- groups' properties ---- */
 
-#define COUNT_PROP(what)                                                                                               \
-    {                                                                                                                  \
-        PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
-              "number of live " what " with the tag; no other property of a group can be read"),                       \
-            PROP_READ                                                                                                  \
-    }
-static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND), COUNT_PROP("bullets"), HP_PROP };
-static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND), COUNT_PROP("shots") };
-
-static void count_tagged(lua_State *L, const struct bullets *s, uint32_t tag)
-{
-    lua_Integer n = 0;
-
-    EACH_LIVE (i, &s->s)
-        n += api_has_tag(s->tag, i, tag);
-    vm_charge(L, s->s.live);
-    lua_pushinteger(L, n);
-}
-
-static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
-{
-    if (p != FLIGHT_SHARED)
-        vm_fault(L, FAULT_SCRIPT, "group: %s cannot be read from a group (only `count` can)",
-                 group_props[p].param.name);
-    count_tagged(L, &b->bullets, tag);
-}
-
-static void get_shots(lua_State *L, struct board *b, uint32_t tag, int p)
-{
-    if (p != FLIGHT_SHARED)
-        vm_fault(L, FAULT_SCRIPT, "shots: %s cannot be read from a group (only `count` can)",
-                 shots_props[p].param.name);
-    count_tagged(L, &b->shots, tag);
-}
+static const struct api_prop group_props[] = { FLIGHT_PROPS(A_BULLET_KIND, bullets), COUNT_PROP("bullets"), HP_PROP };
+static const struct api_prop shots_props[] = { FLIGHT_PROPS(A_SHOT_KIND, shots), COUNT_PROP("shots") };
 
 enum { WRITE_WORK = 10, ACT_WORK = 2, AIM_WORK = 4 /* work per entity of a group */ };
 
-static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
-{
-    vm_charge(L, WRITE_WORK * (uint64_t)b->bullets.s.live);
-    EACH_LIVE (i, &b->bullets.s)
-        if (api_has_tag(b->bullets.tag, i, tag))
-            set_bullet(L, b, i, p, v);
-}
-
-static void set_shots(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
-{
-    vm_charge(L, WRITE_WORK * (uint64_t)b->shots.s.live);
-    EACH_LIVE (i, &b->shots.s)
-        if (api_has_tag(b->shots.tag, i, tag))
-            set_shot(L, b, i, p, v);
-}
-
-const struct api_thing api_bullet_thing = { "bullet", bullet_props, FLIGHT_HP + 1, get_bullet, set_bullet };
-const struct api_thing api_shot_thing = { "shot", shot_props, FLIGHT_SHARED + 1, get_shot, set_shot };
-const struct api_thing api_group_thing = { "group", group_props, FLIGHT_HP + 1, get_group, set_group };
-const struct api_thing api_shots_thing = { "shots", shots_props, FLIGHT_SHARED + 1, get_shots, set_shots };
+const struct api_thing api_bullet_thing = {
+    "bullet", bullet_props, FLIGHT_HP + 1, get_bullet, set_bullet, POOL(bullets)
+};
+const struct api_thing api_shot_thing = { "shot",          shot_props,      FLIGHT_SHARED + 1,
+                                          .get = get_shot, .set = set_shot, POOL(shots) };
+const struct api_thing api_group_thing = {
+    "group", group_props, FLIGHT_HP + 1, POOL(bullets), .member = &api_bullet_thing, .write_work = WRITE_WORK
+};
+const struct api_thing api_shots_thing = {
+    "shots", shots_props, FLIGHT_SHARED + 1, POOL(shots), .member = &api_shot_thing, .write_work = WRITE_WORK
+};
 
 /* ---- verbs of bullets, shots and groups ---- */
 

@@ -228,13 +228,13 @@ static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position from which the document fires; if the document follows a thing (`from`), the thing's "
             "position"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, ml_roots.x) },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position from which the document fires; if the document follows a thing (`from`), the thing's "
             "position"),
-      PROP_WRITE },
-    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE },
-    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ },
+      PROP_WRITE, STORED(STORED_FX, ml_roots.y) },
+    { PARAM("rank", A_NUM, REQ, 0, 1, NULL, NULL, "value of $rank in the document"), PROP_WRITE, COMPUTED },
+    { PARAM("name", A_STR, REQ, 0, 0, NULL, NULL, "name of the document"), PROP_READ, COMPUTED },
 };
 
 static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
@@ -243,22 +243,17 @@ static void get_bulletml(lua_State *L, struct board *b, uint32_t i, int p)
 
     if (p == R_NAME)
         lua_pushstring(L, cart_name(&b->cart, CART_BULLETML, o->program[i]));
-    else if (p == R_RANK)
+    else
         lua_pushnumber(L, (double)o->rank[i] / 4294967296.0);
-    else
-        lua_pushnumber(L, fx_to_double((p == R_X ? o->x : o->y)[i]));
 }
 
-static void set_bulletml(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_rank(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
-    (void)L;
-    if (p == R_RANK)
-        b->ml_roots.rank[i] = to_q32(v->n);
-    else
-        (p == R_X ? b->ml_roots.x : b->ml_roots.y)[i] = v->f;
+    (void)L, (void)p;
+    b->ml_roots.rank[i] = to_q32(v->n);
 }
 
-const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, get_bulletml, set_bulletml };
+const struct api_thing api_bulletml_thing = { "bulletml", props, PROPS, .get = get_bulletml, .set = set_rank };
 
 static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 << H_BULLETML, 0, NULL, NULL,
                                                       "the thing itself") };

@@ -240,90 +240,43 @@ static void check_name(lua_State *L, const char *entry, const struct api_param *
     api_error(L, entry, "unknown %s \"%s\"%s", noun, lua_tostring(L, at), api_hint_push(L, &hint, "declared"));
 }
 
-static void check_sprite(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
+/* The names that rom.lua declares: the list of the ROM, and in messages the noun and a name's place in the sentence. */
+static const struct cart_type {
+    enum cart_folder folder;
+    const char *noun, *form;
+    bool is_listed; /* a message lists the declared names, which are few */
+} cart_types[] = {
+    [A_SPRITE] = { CART_SPRITES, "sprite", "a sprite name", false },
+    [A_BLEND] = { CART_BLENDS, "blend", "a blend name", true },
+    [A_FONT] = { CART_FACES, "font", "a font name", true },
+    [A_MAP] = { CART_MAPS, "map", "a map name", true },
+    [A_SOUND] = { CART_SOUNDS, "sound", "a sound name", false },
+    [A_TUNE] = { CART_TUNES, "music", "a music name", false },
+};
+
+/* Sets v->i to the index of a name declared in rom.lua, or to 1 + it (see enum api_type). */
+static void check_cart_name(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
 {
     const struct cart *cart = &vm_board(L)->cart;
-    const char *found = NULL;
-    int best = EDIT_FAR;
-
-    check_type(L, entry, p, at, LUA_TSTRING, "a sprite name");
-    v->i = cart_find(cart, CART_SPRITES, lua_tostring(L, at));
-    if (v->i >= 0)
-        return;
-    for (int i = 0; i < cart->count[CART_SPRITES]; i++)
-        api_suggest_nearer(lua_tostring(L, at), cart_name(cart, CART_SPRITES, i), &best, &found);
-    if (!found)
-        api_error(L, entry, "unknown sprite \"%s\" (declare it in rom.lua)", lua_tostring(L, at));
-    api_error(L, entry, "unknown sprite \"%s\" (did you mean \"%s\"?)", lua_tostring(L, at), found);
-}
-
-static void check_face(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
-{
-    const struct cart *cart = &vm_board(L)->cart;
+    const struct cart_type *type = &cart_types[p->type];
     struct api_hint hint;
 
-    check_type(L, entry, p, at, LUA_TSTRING, "a font name");
-    v->i = cart_find(cart, CART_FACES, lua_tostring(L, at)) + 1;
-    if (v->i > 0)
-        return;
-    api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->count[CART_FACES]; i++)
-        api_hint_add(&hint, cart_name(cart, CART_FACES, i));
-    api_error(L, entry, "unknown font \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
-}
-
-static void check_blend(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
-{
-    const struct cart *cart = &vm_board(L)->cart;
-    struct api_hint hint;
-
-    check_type(L, entry, p, at, LUA_TSTRING, "a blend name");
-    v->i = cart_find(cart, CART_BLENDS, lua_tostring(L, at)) + 1;
-    if (v->i > 0)
-        return;
-    api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->count[CART_BLENDS]; i++)
-        api_hint_add(&hint, cart_name(cart, CART_BLENDS, i));
-    api_error(L, entry, "unknown blend \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
-}
-
-static void check_map(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
-{
-    const struct cart *cart = &vm_board(L)->cart;
-    struct api_hint hint;
-
-    check_type(L, entry, p, at, LUA_TSTRING, "a map name");
-    v->i = cart_find(cart, CART_MAPS, lua_tostring(L, at)) + 1;
-    if (v->i > 0)
-        return;
-    api_hint_begin(&hint, lua_tostring(L, at));
-    for (int i = 0; i < cart->count[CART_MAPS]; i++)
-        api_hint_add(&hint, cart_name(cart, CART_MAPS, i));
-    api_error(L, entry, "unknown map \"%s\"%s", lua_tostring(L, at), api_hint_push(L, &hint, "in rom.lua"));
-}
-
-/* Sets v->i to 1 + the index of a sound or a piece of music in rom.lua. */
-static void check_tune(lua_State *L, const char *entry, const struct api_param *p, int at, struct api_value *v)
-{
-    const struct cart *cart = &vm_board(L)->cart;
-    const bool is_sound = p->type == A_SOUND;
-    const enum cart_folder folder = is_sound ? CART_SOUNDS : CART_TUNES, other = is_sound ? CART_TUNES : CART_SOUNDS;
-    const char *found = NULL, *noun = is_sound ? "sound" : "music";
-    int best = EDIT_FAR;
-
-    check_type(L, entry, p, at, LUA_TSTRING, is_sound ? "a sound name" : "a music name");
+    check_type(L, entry, p, at, LUA_TSTRING, type->form);
     const char *name = lua_tostring(L, at);
-    v->i = cart_find(cart, folder, name) + 1;
-    if (v->i > 0)
+    const int found = cart_find(cart, type->folder, name);
+    v->i = found + (p->type != A_SPRITE);
+    if (found >= 0)
         return;
-    for (int i = 0; i < cart->count[folder]; i++)
-        api_suggest_nearer(name, cart_name(cart, folder, i), &best, &found);
-    if (cart_find(cart, other, name) >= 0)
-        api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", noun, name,
-                  is_sound ? "music" : "sounds");
-    if (!found)
-        api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", noun, name);
-    api_error(L, entry, "unknown %s \"%s\" (did you mean \"%s\"?)", noun, name, found);
+    const enum api_type other = p->type == A_SOUND ? A_TUNE : A_SOUND;
+    if ((p->type == A_SOUND || p->type == A_TUNE) && cart_find(cart, cart_types[other].folder, name) >= 0)
+        api_error(L, entry, "unknown %s \"%s\" (rom.lua declares it in `%s`)", type->noun, name,
+                  other == A_TUNE ? "music" : "sounds");
+    api_hint_begin(&hint, name);
+    for (int i = 0; i < cart->count[type->folder]; i++)
+        api_hint_add(&hint, cart_name(cart, type->folder, i));
+    if (!type->is_listed && !hint.nearest)
+        api_error(L, entry, "unknown %s \"%s\" (declare it in rom.lua)", type->noun, name);
+    api_error(L, entry, "unknown %s \"%s\"%s", type->noun, name, api_hint_push(L, &hint, "in rom.lua"));
 }
 
 const char *const api_layers[LAYERS] = { "back", "middle", "front", "over" };
@@ -479,12 +432,12 @@ static check_function *const checks[] = {
     [A_ITEM_KIND] = check_declared,
     [A_LASER_KIND] = check_declared,
     [A_OPTION_KIND] = check_declared,
-    [A_SPRITE] = check_sprite,
-    [A_BLEND] = check_blend,
-    [A_FONT] = check_face,
-    [A_MAP] = check_map,
-    [A_SOUND] = check_tune,
-    [A_TUNE] = check_tune,
+    [A_SPRITE] = check_cart_name,
+    [A_BLEND] = check_cart_name,
+    [A_FONT] = check_cart_name,
+    [A_MAP] = check_cart_name,
+    [A_SOUND] = check_cart_name,
+    [A_TUNE] = check_cart_name,
     [A_BUTTON] = check_word,
     [A_PAD] = check_pad,
     [A_EASE] = check_word,

@@ -395,90 +395,60 @@ enum {
 static const struct api_prop props[PROPS + 1] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, enemies.x), .is_set = true },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports the enemy and ends its move"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, enemies.y), .is_set = true },
     { PARAM("hp", A_INT, REQ, 0, INT32_MAX, NULL, NULL,
             "hit points left, rounded up; writing 0 doesn't kill the enemy"),
-      PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
+      PROP_WRITE, STORED(STORED_I32, enemies.hp), .is_set = true },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
+      COMPUTED },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,
+      STORED(STORED_TAG, enemies.tag) },
     { PARAM("safe", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,
             "frames for which it takes no damage, or forever; shots still hit it"),
-      PROP_WRITE },
-    { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ },
+      PROP_WRITE, STORED(STORED_COUNT, enemies.safe_left) },
+    { PARAM("kind", A_ENEMY_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
+      STORED(STORED_KIND, enemies.kind) },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned, not counting frozen frames"), PROP_READ,
+      STORED(STORED_BORN, enemies.born) },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_COUNT, enemies.frozen_left) },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
             "picture to show, a name in `pictures` of its kind; nil shows the kind's sprite"),
-      PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
+      FLAG_OF(enemies.flags, ENEMY_FLIP) },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still moves, hits and is hit"), PROP_WRITE,
+      FLAG_OF(enemies.flags, ENEMY_HIDDEN) },
     { PARAM("rate", A_FX, REQ, 0, MAX_RATE, NULL, NULL,
             "damage multiplier; at 0 it takes no damage; needs `board = { bodies = true }`"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, enemies.rate) },
     { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "for a part, distance to the right of its body; a write ends the part's move"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "for a part, distance below its body; a write ends the part's move"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("share", A_FX, REQ, 0, 1, NULL, NULL,
             "for a part, fraction of the damage it takes that is also dealt to its body"),
-      PROP_WRITE },
-    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ },
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live enemies with the tag; no other property of a group can be read"),
-      PROP_READ },
+      PROP_WRITE, COMPUTED },
+    { PARAM("follow", A_THING, OPT, 1 << H_ENEMY, 0, NULL, NULL, "body it is attached to, or nil"), PROP_READ,
+      COMPUTED },
+    COUNT_PROP("enemies"),
 };
-
-static const uint8_t prop_flags[PROPS] = { [P_FLIP_X] = ENEMY_FLIP, [P_HIDDEN] = ENEMY_HIDDEN };
 
 static void get_enemy(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct enemies *e = &b->enemies;
 
-    switch (p) {
-    case P_X:
-        lua_pushnumber(L, fx_to_double(e->x[i]));
-        break;
-    case P_Y:
-        lua_pushnumber(L, fx_to_double(e->y[i]));
-        break;
-    case P_HP:
-        lua_pushinteger(L, e->hp[i]);
-        break;
-    case P_BANK:
+    if (p == P_BANK)
         lua_pushinteger(L, e->bank[i] & ENEMY_BANK);
-        break;
-    case P_TAG:
-        api_push_tag(L, e->tag[i]);
-        break;
-    case P_SAFE:
-        api_push_count(L, e->safe_left[i]);
-        break;
-    case P_KIND:
-        api_names_push(L, N_ENEMY, e->kind[i]);
-        break;
-    case P_FROZEN:
-        api_push_count(L, e->frozen_left[i]);
-        break;
-    case P_PICTURE:
+    else if (p == P_PICTURE)
         api_picture_push(L, N_ENEMY, e->kind[i], e->flags[i] / ENEMY_PICTURE_ONE);
-        break;
-    case P_FLIP_X:
-    case P_HIDDEN:
-        lua_pushboolean(L, e->flags[i] & prop_flags[p]);
-        break;
-    case P_AGE:
-        lua_pushinteger(L, b->core.clock - e->born[i]);
-        break;
-    default:
+    else
         api_body_get(L, b, i, (enum api_body_prop)(p - P_BODY));
-    }
 }
 
 static void set_enemy(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
@@ -504,43 +474,23 @@ static void set_enemy(lua_State *L, struct board *b, uint32_t i, int p, const st
         e->flags[i] = (uint8_t)((unsigned)(e->flags[i] & ~ENEMY_PICTURE) |
                                 api_picture_find(L, N_ENEMY, e->kind[i], "enemy", v) * ENEMY_PICTURE_ONE);
         break;
-    case P_FLIP_X:
-    case P_HIDDEN:
-        e->flags[i] = (uint8_t)(v->i ? e->flags[i] | prop_flags[p] : e->flags[i] & ~prop_flags[p]);
-        break;
-    case P_TAG:
-        e->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
-        break;
-    case P_FROZEN:
-        e->frozen_left[i] = api_to_count(v);
-        break;
-    case P_SAFE:
-        e->safe_left[i] = api_to_count(v);
-        break;
     default:
         api_body_set(L, b, i, (enum api_body_prop)(p - P_BODY), v->f);
     }
 }
 
-static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
+/* A group's members are its live enemies; properties of parts are written to parts alone. */
+static bool has_member(const struct board *b, uint32_t i, int p)
 {
-    if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "enemies: %s cannot be read from a group (only `count` can)", props[p].param.name);
-    push_count(L, b, tag);
+    const bool parts_only = p > P_BODY + BODY_RATE && p < PROPS;
+
+    return !(b->enemies.flags[i] & ENEMY_GONE) && (!parts_only || b->enemies.body[i]);
 }
 
-static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
-{
-    const bool parts_only = p > P_BODY + BODY_RATE;
-
-    vm_charge(L, b->enemies.s.live);
-    EACH_LIVE (i, &b->enemies.s)
-        if (is_in_group(b, i, tag) && (!parts_only || b->enemies.body[i]))
-            set_enemy(L, b, i, p, v);
-}
-
-const struct api_thing api_enemy_thing = { "enemy", props, PROPS, get_enemy, set_enemy };
-const struct api_thing api_enemies_thing = { "enemies", props, PROPS + 1, get_group, set_group };
+const struct api_thing api_enemy_thing = { "enemy", props, PROPS, .get = get_enemy, .set = set_enemy, POOL(enemies) };
+const struct api_thing api_enemies_thing = {
+    "enemies", props, PROPS + 1, POOL(enemies), .member = &api_enemy_thing, .write_work = 1, .has_member = has_member
+};
 
 /* ---- verbs ---- */
 

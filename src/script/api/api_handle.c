@@ -119,34 +119,25 @@ static int find_value(lua_State *L, const struct board *b, enum handle_kind kind
     return api_value_count(b, names) ? api_names_find(L, names, name) : NO_SLOT;
 }
 
-/* Returns the pool of that kind of thing, or of a group's members. */
-static const struct slots *get_pool(const struct board *b, enum handle_kind kind)
+/* Returns the pool of a kind of thing, or of a group's members. */
+static const struct slots *get_pool(const struct board *b, const struct api_thing *t)
 {
-    switch (kind) {
-    case H_BULLET:
-    case H_GROUP:
-        return &b->bullets.s;
-    case H_SHOT:
-    case H_SHOTS:
-        return &b->shots.s;
-    case H_ITEM:
-    case H_ITEMS:
-        return &b->items.s;
-    case H_LASER:
-    case H_LASERS:
-        return &b->laser_heads.s;
-    default:
-        return &b->enemies.s;
-    }
+    return (const struct slots *)(const void *)((const char *)b + t->slots);
 }
 
-/* Returns the tags of the members of a group. */
-static const uint16_t *get_group_tags(const struct board *b, enum handle_kind group)
+/* Returns the column at that offset in struct board. */
+static void *get_column(const struct board *b, size_t offset)
 {
-    return group == H_GROUP   ? b->bullets.tag
-           : group == H_SHOTS ? b->shots.tag
-           : group == H_ITEMS ? b->items.tag
-                              : b->enemies.tag;
+    void *column;
+
+    memcpy(&column, (const char *)b + offset, sizeof column);
+    return column;
+}
+
+/* Returns whether slot i is in the group of members with the tag, for a read or a write of property p. */
+static bool is_member(const struct board *b, const struct api_thing *t, uint32_t tag, uint32_t i, int p)
+{
+    return api_has_tag(get_column(b, t->tags), i, tag) && (!t->has_member || t->has_member(b, i, p));
 }
 
 static int push_nil_for_dead(lua_State *L, const char *name)
@@ -185,10 +176,10 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
             column[handle_slot(h)] = v.f;
         return 0;
     }
-    const struct slots *s = get_pool(b, kind);
+    const struct slots *s = get_pool(b, t);
     vm_charge(L, s->live);
     EACH_LIVE (i, s)
-        if (api_has_tag(get_group_tags(b, kind), i, handle_slot(h)))
+        if (api_has_tag(get_column(b, t->tags), i, handle_slot(h)))
             column[i] = v.f;
     return 0;
 }
@@ -218,10 +209,139 @@ static void check_enabled(lua_State *L, const struct board *b, const struct api_
 {
     for (size_t i = 0; i < sizeof optional_props / sizeof *optional_props; i++)
         if (optional_props[i].name[0] == name[0] && optional_props[i].kinds >> kind & 1 &&
-            !strcmp(optional_props[i].name, name) &&
-            !(get_pool(b, kind)->groups & SLOTS_GROUP(optional_props[i].group)))
+            !strcmp(optional_props[i].name, name) && !(get_pool(b, t)->groups & SLOTS_GROUP(optional_props[i].group)))
             vm_fault(L, FAULT_SCRIPT, "%s: %s is disabled; add `%s = true` to `board` in rom.lua", t->name, name,
                      optional_props[i].setting);
+}
+
+static double q16_to_double(int64_t q16)
+{
+    return (double)q16 / 65536;
+}
+
+static void push_stored(lua_State *L, const struct board *b, const struct api_prop *prop, uint32_t i)
+{
+    const void *const column = get_column(b, prop->column);
+
+    switch (prop->storage) {
+    case STORED_FX:
+        lua_pushnumber(L, fx_to_double(((const fx *)column)[i]));
+        break;
+    case STORED_Q16:
+        lua_pushnumber(L, q16_to_double(((const int64_t *)column)[i]));
+        break;
+    case STORED_ANG:
+        lua_pushnumber(L, trig_to_degrees(((const ang *)column)[i]));
+        break;
+    case STORED_U8:
+        lua_pushinteger(L, ((const uint8_t *)column)[i]);
+        break;
+    case STORED_I16:
+        lua_pushinteger(L, ((const int16_t *)column)[i]);
+        break;
+    case STORED_I32:
+        lua_pushinteger(L, ((const int32_t *)column)[i]);
+        break;
+    case STORED_U32:
+        lua_pushinteger(L, ((const uint32_t *)column)[i]);
+        break;
+    case STORED_I64:
+        lua_pushinteger(L, ((const int64_t *)column)[i]);
+        break;
+    case STORED_COUNT:
+        api_push_count(L, ((const int32_t *)column)[i]);
+        break;
+    case STORED_FLAG:
+        lua_pushboolean(L, ((const uint8_t *)column)[i] & prop->flag);
+        break;
+    case STORED_TAG:
+        api_push_tag(L, ((const uint16_t *)column)[i]);
+        break;
+    case STORED_KIND:
+        api_names_push(L, (enum name_kind)(prop->param.type - A_BULLET_KIND), ((const uint16_t *)column)[i]);
+        break;
+    case STORED_BORN:
+        lua_pushinteger(L, b->core.clock - ((const uint32_t *)column)[i]);
+        break;
+    case STORED_NOWHERE:
+        break;
+    }
+}
+
+static void store(lua_State *L, struct board *b, const struct api_prop *prop, uint32_t i, const struct api_value *v)
+{
+    void *const column = get_column(b, prop->column);
+    uint8_t *const flags = column;
+
+    switch (prop->storage) {
+    case STORED_FX:
+        ((fx *)column)[i] = v->f;
+        break;
+    case STORED_Q16:
+        ((int64_t *)column)[i] = v->f;
+        break;
+    case STORED_ANG:
+        ((ang *)column)[i] = v->a;
+        break;
+    case STORED_U8:
+        ((uint8_t *)column)[i] = (uint8_t)v->i;
+        break;
+    case STORED_I16:
+        ((int16_t *)column)[i] = (int16_t)v->i;
+        break;
+    case STORED_I32:
+        ((int32_t *)column)[i] = (int32_t)v->i;
+        break;
+    case STORED_U32:
+        ((uint32_t *)column)[i] = (uint32_t)v->i;
+        break;
+    case STORED_I64:
+        ((int64_t *)column)[i] = v->i;
+        break;
+    case STORED_COUNT:
+        ((int32_t *)column)[i] = api_to_count(v);
+        break;
+    case STORED_FLAG:
+        flags[i] = (uint8_t)(v->i ? flags[i] | prop->flag : flags[i] & ~prop->flag);
+        break;
+    case STORED_TAG:
+        ((uint16_t *)column)[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
+        break;
+    case STORED_KIND:
+    case STORED_BORN:
+    case STORED_NOWHERE:
+        break; /* not written */
+    }
+}
+
+/* Pushes the number of members of a group. Other properties of a group cannot be read. */
+static void push_count(lua_State *L, struct board *b, const struct api_thing *t, uint32_t tag, int p)
+{
+    const struct slots *s = get_pool(b, t);
+    lua_Integer n = 0;
+
+    if (strcmp(t->props[p].param.name, "count"))
+        vm_fault(L, FAULT_SCRIPT, "%s: %s cannot be read from a group (only `count` can)", t->name,
+                 t->props[p].param.name);
+    vm_charge(L, s->live);
+    EACH_LIVE (i, s)
+        n += is_member(b, t, tag, i, p);
+    lua_pushinteger(L, n);
+}
+
+static void write_property(lua_State *L, struct board *b, const struct api_thing *t, uint32_t slot, int p,
+                           const struct api_value *v)
+{
+    if (t->member) {
+        const struct slots *s = get_pool(b, t);
+        vm_charge(L, t->write_work * s->live);
+        EACH_LIVE (i, s)
+            if (is_member(b, t, slot, i, p))
+                write_property(L, b, t->member, i, p, v);
+    } else if (t->props[p].storage == STORED_NOWHERE || t->props[p].is_set)
+        t->set(L, b, slot, p, v);
+    else
+        store(L, b, &t->props[p], slot, v);
 }
 
 /* Pushes property p of the thing of handle h if it can be read (board_is_readable), or if h is a player who is out and
@@ -233,7 +353,12 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     check_enabled(L, b, t, handle_kind(h), prop->param.name);
     if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < PADS))
         return push_nil_for_dead(L, prop->param.name);
-    t->get(L, b, handle_slot(h), p);
+    if (t->member)
+        push_count(L, b, t, handle_slot(h), p);
+    else if (prop->storage != STORED_NOWHERE)
+        push_stored(L, b, prop, handle_slot(h));
+    else
+        t->get(L, b, handle_slot(h), p);
     return 1;
 }
 
@@ -319,7 +444,7 @@ static int set_property(lua_State *L)
     if (v.given || !prop->param.optional)
         api_check_value(L, t->name, &prop->param, &v);
     if (alive)
-        t->set(L, b, handle_slot(h), p, &v);
+        write_property(L, b, t, handle_slot(h), p, &v);
     return 0;
 }
 

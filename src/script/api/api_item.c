@@ -213,84 +213,31 @@ static int item_group(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- properties ---- */
 
-enum { I_X, I_Y, I_VX, I_VY, I_TAG, I_FROZEN, I_KIND, I_AGE, PROPS };
-
 /* The last property exists only for groups. */
-static const struct api_prop props[PROPS + 1] = {
-    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position in the field"), PROP_WRITE },
-    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"), PROP_WRITE },
-    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE },
+static const struct api_prop props[] = {
+    { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "horizontal position in the field"), PROP_WRITE,
+      STORED(STORED_FX, items.x) },
+    { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "vertical position in the field"), PROP_WRITE,
+      STORED(STORED_FX, items.y) },
+    { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "horizontal velocity"), PROP_WRITE,
+      STORED(STORED_FX, items.vx) },
     { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "vertical velocity; positive is downwards"),
-      PROP_WRITE },
-    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, items.vy) },
+    { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,
+      STORED(STORED_TAG, items.tag) },
     { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL, "frames it stays frozen, or forever; 0 unfreezes it"),
-      PROP_WRITE },
-    { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"),
-      PROP_READ },
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live items with the tag; no other property of a group can be read"),
-      PROP_READ },
+      PROP_WRITE, STORED(STORED_COUNT, items.frozen_left) },
+    { PARAM("kind", A_ITEM_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
+      STORED(STORED_KIND, items.kind) },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was dropped, not counting frozen frames"), PROP_READ,
+      STORED(STORED_BORN, items.born) },
+    COUNT_PROP("items"),
 };
 
-static void get_item(lua_State *L, struct board *b, uint32_t i, int p)
-{
-    const struct items *s = &b->items;
-    const fx *const column[] = { s->x, s->y, s->vx, s->vy };
-
-    switch (p) {
-    case I_TAG:
-        api_push_tag(L, s->tag[i]);
-        break;
-    case I_FROZEN:
-        lua_pushinteger(L, s->frozen_left[i] == FROZEN_FOREVER ? LUA_MAXINTEGER : s->frozen_left[i]);
-        break;
-    case I_KIND:
-        api_names_push(L, N_ITEM, s->kind[i]);
-        break;
-    case I_AGE:
-        lua_pushinteger(L, b->core.clock - s->born[i]);
-        break;
-    default:
-        lua_pushnumber(L, fx_to_double(column[p][i]));
-    }
-}
-
-static void set_item(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
-{
-    struct items *s = &b->items;
-    fx *const column[] = { s->x, s->y, s->vx, s->vy };
-
-    if (p == I_TAG)
-        s->tag[i] = v->given ? api_intern_tag(L, "tag", v->at) : 0;
-    else if (p == I_FROZEN)
-        s->frozen_left[i] = v->i == LUA_MAXINTEGER ? FROZEN_FOREVER : (int32_t)v->i;
-    else
-        column[p][i] = v->f;
-}
-
-static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
-{
-    lua_Integer n = 0;
-
-    if (p != PROPS)
-        vm_fault(L, FAULT_SCRIPT, "items: %s cannot be read from a group (only `count` can)", props[p].param.name);
-    vm_charge(L, b->items.s.live);
-    EACH_LIVE (i, &b->items.s)
-        n += api_has_tag(b->items.tag, i, tag);
-    lua_pushinteger(L, n);
-}
-
-static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
-{
-    vm_charge(L, b->items.s.live);
-    EACH_LIVE (i, &b->items.s)
-        if (api_has_tag(b->items.tag, i, tag))
-            set_item(L, b, i, p, v);
-}
-
-const struct api_thing api_item_thing = { "item", props, PROPS, get_item, set_item };
-const struct api_thing api_items_thing = { "items", props, PROPS + 1, get_group, set_group };
+enum { GROUP_PROPS = sizeof props / sizeof *props };
+const struct api_thing api_item_thing = { "item", props, GROUP_PROPS - 1, POOL(items) };
+const struct api_thing api_items_thing = { "items",        props, GROUP_PROPS, POOL(items), .member = &api_item_thing,
+                                           .write_work = 1 };
 
 /* ---- verbs ---- */
 

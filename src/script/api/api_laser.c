@@ -333,63 +333,66 @@ _Static_assert(L_FROZEN == (int)FLIGHT_FROZEN && L_X == (int)FLIGHT_X,
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                       \
             "horizontal position of its head: the start of a beam, or the front of a bolt or curve; a write moves "    \
             "the entire laser"),                                                                                       \
-      PROP_WRITE },                                                                                                    \
+      PROP_WRITE, COMPUTED },                                                                                          \
         { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                   \
                 "vertical position of its head; a write moves the entire laser"),                                      \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("dir", A_DIR, REQ, 0, 0, NULL, NULL,                                                                   \
                 "direction in which a beam points or a bolt or curve flies, 0 to 360"),                                \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, STORED(STORED_ANG, laser_heads.dir), .is_set = true },                                           \
         { PARAM("speed", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL, "speed of flight; a beam has none"),      \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("vx", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
                 "horizontal velocity; a write changes `dir` and `speed`"),                                             \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("vy", A_FX, REQ, -MAX_SPEED, MAX_SPEED, "px/frame", NULL,                                              \
                 "vertical velocity; a write changes `dir` and `speed`"),                                               \
-          PROP_WRITE },                                                                                                \
-        { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },                         \
+          PROP_WRITE, COMPUTED },                                                                                      \
+        { PARAM("kind", A_LASER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,                           \
+          STORED(STORED_KIND, laser_heads.kind) },                                                                     \
         { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette banks of its sprites"),            \
-          PROP_WRITE },                                                                                                \
-        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE },                       \
+          PROP_WRITE, STORED(STORED_U8, laser_heads.bank) },                                                           \
+        { PARAM("tag", A_STR, OPT, 1, 31, NULL, NULL, "tag of its group, or nil"), PROP_WRITE,                         \
+          STORED(STORED_TAG, laser_heads.tag) },                                                                       \
         { PARAM("motion", A_MOTION, OPT, 0, 0, NULL, NULL,                                                             \
                 "motion program of a bolt or curve, or nil; a write starts the program from its first step"),          \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("around", A_THING, OPT, PLACE_KINDS, 0, NULL, NULL, "thing that it circles in `orbit` steps, or nil"), \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, COMPUTED },                                                                                      \
         { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it was fired, not counting frozen frames"),         \
-          PROP_READ },                                                                                                 \
+          PROP_READ, COMPUTED },                                                                                       \
         { PARAM("frozen", A_COUNT, REQ, 0, INT32_MAX, "frames", NULL,                                                  \
                 "frames it stays frozen, or forever; 0 unfreezes it"),                                                 \
-          PROP_WRITE },                                                                                                \
-        { PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve"), PROP_WRITE },    \
-        { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE },     \
+          PROP_WRITE, STORED(STORED_COUNT, laser_heads.frozen_left), .is_set = true },                                 \
+        { PARAM("length", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "length; read-only for a curve"), PROP_WRITE,      \
+          COMPUTED },                                                                                                  \
+        { PARAM("width", A_FX, REQ, 0, LASER_MAX_SIZE, "px", NULL, "full width, once it has grown"), PROP_WRITE,       \
+          STORED(STORED_FX, lasers.width) },                                                                           \
         { PARAM("spin", A_DIR, REQ, 0, 0, NULL, NULL,                                                                  \
                 "degrees a beam turns per frame once `warn` is over, clockwise"),                                      \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, STORED(STORED_ANG, lasers.spin) },                                                               \
         { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,                                                  \
                 "for a beam, distance to the right of the followed thing"),                                            \
-          PROP_WRITE },                                                                                                \
+          PROP_WRITE, STORED(STORED_FX, lasers.dx) },                                                                  \
     {                                                                                                                  \
         PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "for a beam, distance below the followed thing"),  \
-            PROP_WRITE                                                                                                 \
+            PROP_WRITE, STORED(STORED_FX, lasers.dy)                                                                   \
     }
 
 static const struct api_prop laser_props[] = {
     LASER_PROPS,
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
             "\"warn\", \"grow\", \"on\" or \"fade\"; it hits only in \"grow\" and \"on\""),
-      PROP_READ },
-    { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ },
-    { PARAM("follow", A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ },
+      PROP_READ, COMPUTED },
+    { PARAM("form", A_STR, REQ, 0, 0, NULL, NULL, "\"beam\", \"bolt\" or \"curve\""), PROP_READ, COMPUTED },
+    { PARAM("follow", A_THING, REQ, PLACE_KINDS, 0, NULL, NULL, "thing that a beam follows, or nil"), PROP_READ,
+      COMPUTED },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player who owns it, or nil"), PROP_READ, COMPUTED },
 };
 
 static const struct api_prop lasers_props[] = {
     LASER_PROPS,
-    { PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,
-            "number of live lasers with the tag; no other property of a group can be read"),
-      PROP_READ },
+    COUNT_PROP("lasers"),
 };
 
 static void push_thing(lua_State *L, int64_t h)
@@ -423,22 +426,9 @@ static void get_laser(lua_State *L, struct board *b, uint32_t i, int p)
     const uint8_t player = b->laser_heads.player[i];
 
     switch (p) {
-    case L_KIND:
-        api_names_push(L, N_LASER, b->laser_heads.kind[i]);
-        break;
     case L_LENGTH:
         vm_charge(L, lasers_corner_count(b, i));
         lua_pushnumber(L, fx_to_double(measure_length(b, i)));
-        break;
-    case L_WIDTH:
-        lua_pushnumber(L, fx_to_double(l->width[i]));
-        break;
-    case L_SPIN:
-        lua_pushnumber(L, trig_to_degrees(l->spin[i]));
-        break;
-    case L_DX:
-    case L_DY:
-        lua_pushnumber(L, fx_to_double((p == L_DX ? l->dx : l->dy)[i]));
         break;
     case L_STATE:
         lua_pushstring(L, states[lasers_state_of(b, i, lasers_age(b, i))]);
@@ -491,47 +481,17 @@ static void set_laser(lua_State *L, struct board *b, uint32_t i, int p, const st
     case L_LENGTH:
         set_length(L, b, i, v->f);
         break;
-    case L_WIDTH:
-        l->width[i] = v->f;
-        return;
-    case L_SPIN:
-        l->spin[i] = v->a;
-        return;
-    case L_DX:
-        l->dx[i] = v->f;
-        return;
-    case L_DY:
-        l->dy[i] = v->f;
-        return;
     default:
         api_set_flight(L, b, h, NULL, i, p, v);
     }
     lasers_update_tail(b, i);
 }
 
-static void get_group(lua_State *L, struct board *b, uint32_t tag, int p)
-{
-    lua_Integer n = 0;
-
-    if (p != L_STATE)
-        vm_fault(L, FAULT_SCRIPT, "lasers: %s cannot be read from a group (only `count` can)",
-                 lasers_props[p].param.name);
-    EACH_LIVE (i, &b->lasers.s)
-        n += api_has_tag(b->laser_heads.tag, i, tag);
-    vm_charge(L, b->lasers.s.live);
-    lua_pushinteger(L, n);
-}
-
-static void set_group(lua_State *L, struct board *b, uint32_t tag, int p, const struct api_value *v)
-{
-    vm_charge(L, b->lasers.s.live);
-    EACH_LIVE (i, &b->lasers.s)
-        if (api_has_tag(b->laser_heads.tag, i, tag))
-            set_laser(L, b, i, p, v);
-}
-
-const struct api_thing api_laser_thing = { "laser", laser_props, L_PROPS, get_laser, set_laser };
-const struct api_thing api_lasers_thing = { "lasers", lasers_props, L_STATE + 1, get_group, set_group };
+const struct api_thing api_laser_thing = { "laser",          laser_props,      L_PROPS,
+                                           .get = get_laser, .set = set_laser, POOL(laser_heads) };
+const struct api_thing api_lasers_thing = {
+    "lasers", lasers_props, L_STATE + 1, POOL(laser_heads), .member = &api_laser_thing, .write_work = 1
+};
 
 /* ---- verbs ---- */
 

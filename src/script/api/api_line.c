@@ -3,7 +3,7 @@
  */
 #include <math.h>
 #include "../../../fb/utf8.h"
-#include "api.h"
+#include "api_parts.h"
 #include "../lua/lualib.h"
 
 enum {
@@ -118,20 +118,22 @@ static const struct api_prop props[PROPS] = {
     { PARAM(
           "x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
           "horizontal position; while the line follows a thing, this is the thing's position, and writes are ignored"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position; while the line follows a thing, this is the thing's position, and writes are ignored"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance to the right of `x` at which it is drawn"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, lines.dx) },
     { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL, "distance below `y` at which it is drawn"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, lines.dy) },
     { PARAM("text", A_STR, REQ, 0, 0, NULL, NULL,
             "text of the line; after a write, the letters appear one by one again"),
-      PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
-    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ },
+      PROP_WRITE, COMPUTED },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the font"), PROP_WRITE,
+      STORED(STORED_U8, lines.bank) },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE,
+      FLAG_OF(lines.flags, LINE_HIDDEN) },
+    { PARAM("done", A_BOOL, REQ, 0, 0, NULL, NULL, "true once all letters have appeared"), PROP_READ, COMPUTED },
 };
 
 static void push_text(lua_State *L, const struct lines *l, uint32_t i)
@@ -149,32 +151,14 @@ static void get_line(lua_State *L, struct board *b, uint32_t i, int p)
     const struct lines *l = &b->lines;
     fx x = l->x[i], y = l->y[i];
 
-    if (p <= P_Y && l->follow_target[i])
-        board_get_position(b, l->follow_target[i], &x, &y);
-    switch (p) {
-    case P_X:
-        lua_pushnumber(L, fx_to_double(x));
-        break;
-    case P_Y:
-        lua_pushnumber(L, fx_to_double(y));
-        break;
-    case P_DX:
-        lua_pushnumber(L, fx_to_double(l->dx[i]));
-        break;
-    case P_DY:
-        lua_pushnumber(L, fx_to_double(l->dy[i]));
-        break;
-    case P_TEXT:
+    if (p == P_TEXT)
         push_text(L, l, i);
-        break;
-    case P_BANK:
-        lua_pushinteger(L, l->bank[i]);
-        break;
-    case P_HIDDEN:
-        lua_pushboolean(L, l->flags[i] & LINE_HIDDEN);
-        break;
-    default:
+    else if (p == P_DONE)
         lua_pushboolean(L, lines_visible_letters(l, i, b->core.clock) == l->length[i]);
+    else {
+        if (l->follow_target[i])
+            board_get_position(b, l->follow_target[i], &x, &y);
+        lua_pushnumber(L, fx_to_double(p == P_X ? x : y));
     }
 }
 
@@ -183,33 +167,14 @@ static void set_line(lua_State *L, struct board *b, uint32_t i, int p, const str
     struct lines *l = &b->lines;
     size_t n;
 
-    switch (p) {
-    case P_X:
-        l->x[i] = l->follow_target[i] ? l->x[i] : v->f;
-        break;
-    case P_Y:
-        l->y[i] = l->follow_target[i] ? l->y[i] : v->f;
-        break;
-    case P_DX:
-        l->dx[i] = v->f;
-        break;
-    case P_DY:
-        l->dy[i] = v->f;
-        break;
-    case P_TEXT: {
+    if (p == P_TEXT) {
         const char *s = check_text(L, "line.text", v->at, &n);
         lines_set_text(l, i, s, n, b->core.clock);
-        break;
-    }
-    case P_BANK:
-        l->bank[i] = (uint8_t)v->i;
-        break;
-    default:
-        l->flags[i] = (uint8_t)(v->i ? l->flags[i] | LINE_HIDDEN : l->flags[i] & ~LINE_HIDDEN);
-    }
+    } else if (!l->follow_target[i])
+        (p == P_X ? l->x : l->y)[i] = v->f;
 }
 
-const struct api_thing api_line_thing = { "line", props, PROPS, get_line, set_line };
+const struct api_thing api_line_thing = { "line", props, PROPS, .get = get_line, .set = set_line };
 
 enum { ARG_SELF };
 

@@ -626,7 +626,7 @@ static void get_nothing(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing api_motion_thing = { "motion", NULL, 0, get_nothing, NULL };
+const struct api_thing api_motion_thing = { "motion", NULL, 0, .get = get_nothing, .set = NULL };
 
 static const struct api_param motion_params[] = { PARAM(
     "steps", A_TABLE, REQ, 0, 0, NULL, NULL,

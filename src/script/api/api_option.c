@@ -260,60 +260,37 @@ void api_options_read(lua_State *L, struct board *b, int32_t ship, const struct 
 enum { P_X, P_Y, P_BY, P_INDEX, P_FOCUS, P_AGE, P_KIND, P_BANK, P_HIDDEN, PROPS };
 
 static const struct api_prop props[PROPS] = {
-    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ },
-    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ },
-    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it belongs to"), PROP_READ },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number among the player's options, from 1"), PROP_READ },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while its player flies at focus speed"), PROP_READ },
-    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned"), PROP_READ },
-    { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies and fires"), PROP_WRITE },
+    { PARAM("x", A_FX, REQ, 0, 0, "px", NULL, "horizontal position in the field"), PROP_READ,
+      STORED(STORED_FX, options.x) },
+    { PARAM("y", A_FX, REQ, 0, 0, "px", NULL, "vertical position in the field"), PROP_READ,
+      STORED(STORED_FX, options.y) },
+    { PARAM("by", A_THING, REQ, 1 << H_PLAYER, 0, NULL, NULL, "player it belongs to"), PROP_READ, COMPUTED },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number among the player's options, from 1"), PROP_READ, COMPUTED },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while its player flies at focus speed"), PROP_READ,
+      COMPUTED },
+    { PARAM("age", A_INT, REQ, 0, 0, NULL, NULL, "frames since it spawned"), PROP_READ,
+      STORED(STORED_BORN, options.born) },
+    { PARAM("kind", A_OPTION_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_READ,
+      STORED(STORED_KIND, options.kind) },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of its sprite"), PROP_WRITE,
+      STORED(STORED_U8, options.bank) },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies and fires"), PROP_WRITE,
+      FLAG_OF(options.flags, OPTION_HIDDEN) },
 };
 
 static void get_option(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct options *o = &b->options;
 
-    switch (p) {
-    case P_BY:
+    if (p == P_BY)
         lua_pushinteger(L, board_handle(b, H_PLAYER, o->player[i]));
-        break;
-    case P_INDEX:
+    else if (p == P_INDEX)
         lua_pushinteger(L, o->index[i] + 1);
-        break;
-    case P_FOCUS:
-        lua_pushboolean(L, b->player.flags[o->player[i]] & PLAYER_FOCUS);
-        break;
-    case P_AGE:
-        lua_pushinteger(L, b->core.clock - o->born[i]);
-        break;
-    case P_KIND:
-        api_names_push(L, N_OPTION, o->kind[i]);
-        break;
-    case P_BANK:
-        lua_pushinteger(L, o->bank[i]);
-        break;
-    case P_HIDDEN:
-        lua_pushboolean(L, o->flags[i] & OPTION_HIDDEN);
-        break;
-    default:
-        lua_pushnumber(L, fx_to_double((p == P_X ? o->x : o->y)[i]));
-    }
-}
-
-static void set_option(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
-{
-    struct options *o = &b->options;
-
-    (void)L;
-    if (p == P_BANK)
-        o->bank[i] = (uint8_t)v->i;
     else
-        o->flags[i] = (uint8_t)(v->i ? o->flags[i] | OPTION_HIDDEN : o->flags[i] & ~OPTION_HIDDEN);
+        lua_pushboolean(L, b->player.flags[o->player[i]] & PLAYER_FOCUS);
 }
 
-const struct api_thing api_option_thing = { "option", props, PROPS, get_option, set_option };
+const struct api_thing api_option_thing = { "option", props, PROPS, .get = get_option };
 
 static const struct api_entry entries[] = {
     { "option.def", option_def, PARAMS(def_params), 1, API_CHANGES | API_LOAD, NULL,

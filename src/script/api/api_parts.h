@@ -313,6 +313,23 @@ static inline bool api_has_tag(const uint16_t *tags, uint32_t i, uint32_t tag)
 enum { EACH_TAG, EACH_F, EACH_PARAMS, TAG_PARAMS = 1 };
 extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_PARAMS];
 
+/* Where a property's row says its value is: STORED(STORED_FX, enemies.x), FLAG_OF(enemies.flags, ENEMY_HIDDEN), or
+ * COMPUTED by a function. */
+#define STORED(type, columns)  .storage = type, .column = offsetof(struct board, columns)
+#define FLAG_OF(columns, bits) STORED(STORED_FLAG, columns), .flag = bits
+#define COMPUTED               .storage = STORED_NOWHERE
+
+/* The row of a group's property `count`. */
+#define COUNT_PROP(members)                                                                                            \
+    {                                                                                                                  \
+        PARAM("count", A_INT, REQ, 0, 0, NULL, NULL,                                                                   \
+              "number of live " members " with the tag; no other property of a group can be read"),                    \
+            PROP_READ, COMPUTED                                                                                        \
+    }
+
+/* Where the things of a kind, or a group's members, are stored: the struct's name in struct board. */
+#define POOL(pool) .slots = offsetof(struct board, pool.s), .tags = offsetof(struct board, pool.tag)
+
 /* The table row (struct api_entry) of a method. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \

@@ -259,108 +259,65 @@ enum {
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, player.x), .is_set = true },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position in the field; a write teleports it, without collisions on the way"),
-      PROP_WRITE },
+      PROP_WRITE, STORED(STORED_FX, player.y), .is_set = true },
     { PARAM("lives", A_INT, REQ, 0, MAX_LIVES, NULL, NULL,
             "lives left after the one in play; reads as -1 in on.death when the last life is lost"),
-      PROP_WRITE },
-    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE },
-    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ },
+      PROP_WRITE, STORED(STORED_I32, player.lives) },
+    { PARAM("safe", A_INT, REQ, 0, INT32_MAX, "frames", NULL, "frames for which nothing can hit it"), PROP_WRITE,
+      STORED(STORED_U32, player.safe_left) },
+    { PARAM("focus", A_BOOL, REQ, 0, 0, NULL, NULL, "true while it flies at its focus speed"), PROP_READ,
+      FLAG_OF(player.flags, PLAYER_FOCUS) },
     { PARAM("grazes", A_INT, REQ, 0, 0, NULL, NULL, "number of bullets and lasers grazed in this game"),
-      PROP_PERSISTENT },
-    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_PERSISTENT },
-    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_PERSISTENT },
-    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_PERSISTENT },
+      PROP_PERSISTENT, STORED(STORED_U32, player.grazes) },
+    { PARAM("score", A_INT, REQ, 0, 0, NULL, NULL, "points in this game; score.add changes them"), PROP_PERSISTENT,
+      STORED(STORED_I64, player.score) },
+    { PARAM("index", A_INT, REQ, 0, 0, NULL, NULL, "number of the player, 1 or 2"), PROP_PERSISTENT, COMPUTED },
+    { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "name of its kind"), PROP_PERSISTENT,
+      STORED(STORED_KIND, player.kind) },
     { PARAM("picture", A_STR, OPT, 0, 0, NULL, NULL,
             "picture to show, a name in `pictures` of its kind; nil shows the picture `left` or `right` while the ship "
             "flies left or right, otherwise its sprite"),
-      PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
+      FLAG_OF(player.flags, PLAYER_FLIP) },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn; it still flies, fires and is hit"), PROP_WRITE,
+      FLAG_OF(player.flags, PLAYER_HIDDEN) },
     { PARAM("state", A_STR, REQ, 0, 0, NULL, NULL,
             "\"fly\" or \"hit\"; in \"hit\", the player can't move or fire, but can still be saved by a bomb "
             "(deathbomb)"),
-      PROP_READ },
+      PROP_READ, COMPUTED },
 };
-
-static const uint8_t prop_flags[PROPS] = { [P_FLIP_X] = PLAYER_FLIP, [P_HIDDEN] = PLAYER_HIDDEN };
 
 static void get_player_prop(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct player *s = &b->player;
 
-    switch (p) {
-    case P_X:
-        lua_pushnumber(L, fx_to_double(s->x[i]));
-        break;
-    case P_Y:
-        lua_pushnumber(L, fx_to_double(s->y[i]));
-        break;
-    case P_LIVES:
-        lua_pushinteger(L, s->lives[i]);
-        break;
-    case P_SAFE:
-        lua_pushinteger(L, s->safe_left[i]);
-        break;
-    case P_FOCUS:
-        lua_pushboolean(L, s->flags[i] & PLAYER_FOCUS);
-        break;
-    case P_PICTURE:
+    if (p == P_PICTURE)
         api_picture_push(L, N_PLAYER, s->kind[i], s->flags[i] / PLAYER_PICTURE_ONE);
-        break;
-    case P_FLIP_X:
-    case P_HIDDEN:
-        lua_pushboolean(L, s->flags[i] & prop_flags[p]);
-        break;
-    case P_GRAZES:
-        lua_pushinteger(L, s->grazes[i]);
-        break;
-    case P_SCORE:
-        lua_pushinteger(L, s->score[i]);
-        break;
-    case P_STATE:
+    else if (p == P_STATE)
         lua_pushstring(L, s->deathbomb_left[i] ? "hit" : "fly");
-        break;
-    case P_INDEX:
-        lua_pushinteger(L, i + 1);
-        break;
-    default:
-        api_names_push(L, N_PLAYER, s->kind[i]);
-    }
+    else
+        lua_pushinteger(L, i + 1); /* index */
 }
 
 static void set_player_prop(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct player *s = &b->player;
 
-    switch (p) {
-    case P_X:
+    if (p == P_X)
         player_set_position(s, i, v->f, s->y[i]);
-        break;
-    case P_Y:
+    else if (p == P_Y)
         player_set_position(s, i, s->x[i], v->f);
-        break;
-    case P_LIVES:
-        s->lives[i] = (int32_t)v->i;
-        break;
-    case P_PICTURE:
+    else
         s->flags[i] = (uint8_t)((unsigned)(s->flags[i] & ~(PLAYER_PICTURE | PLAYER_POSED)) |
                                 api_picture_find(L, N_PLAYER, s->kind[i], "player", v) * PLAYER_PICTURE_ONE |
                                 (v->given ? PLAYER_POSED : 0));
-        break;
-    case P_FLIP_X:
-    case P_HIDDEN:
-        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | prop_flags[p] : s->flags[i] & ~prop_flags[p]);
-        break;
-    default:
-        s->safe_left[i] = (uint32_t)v->i;
-    }
 }
 
-const struct api_thing api_player_thing = { "player", props, PROPS, get_player_prop, set_player_prop };
+const struct api_thing api_player_thing = { "player", props, PROPS, .get = get_player_prop, .set = set_player_prop };
 
 /* ---- pad ---- */
 

@@ -164,31 +164,31 @@ enum { P_X, P_Y, P_SPRITE, P_BANK, P_FLIP_X, P_FLIP_Y, P_HIDDEN, P_BLEND, P_DX, 
 static const struct api_prop props[PROPS] = {
     { PARAM("x", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "horizontal position; read-only while the sprite follows a thing"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("y", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "vertical position; read-only while the sprite follows a thing"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("sprite", A_SPRITE, REQ, 0, 0, NULL, NULL,
             "name of the picture; writing a different name restarts the animation; nil for a plate"),
-      PROP_WRITE },
-    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE },
-    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE },
-    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE },
-    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE },
-    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE },
+      PROP_WRITE, COMPUTED },
+    { PARAM("bank", A_INT, REQ, 0, 15, NULL, NULL, "number added to the palette bank of the picture"), PROP_WRITE,
+      STORED(STORED_U8, sprites.bank) },
+    { PARAM("flip_x", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored left to right"), PROP_WRITE,
+      FLAG_OF(sprites.flags, SPRITE_FLIP_X), .is_set = true },
+    { PARAM("flip_y", A_BOOL, REQ, 0, 0, NULL, NULL, "true if mirrored top to bottom"), PROP_WRITE,
+      FLAG_OF(sprites.flags, SPRITE_FLIP_Y), .is_set = true },
+    { PARAM("hidden", A_BOOL, REQ, 0, 0, NULL, NULL, "true if not drawn"), PROP_WRITE,
+      FLAG_OF(sprites.flags, SPRITE_HIDDEN) },
+    { PARAM("blend", A_BLEND, OPT, 0, 0, NULL, NULL, "blend it is drawn with, or nil"), PROP_WRITE, COMPUTED },
     { PARAM("dx", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "distance to the right of the followed thing; nil if the sprite follows nothing"),
-      PROP_WRITE },
+      PROP_WRITE, COMPUTED },
     { PARAM("dy", A_FX, REQ, -WORLD_EDGE, WORLD_EDGE, "px", NULL,
             "distance below the followed thing; nil if the sprite follows nothing"),
-      PROP_WRITE },
-    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE },
-    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE },
-    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE },
-};
-
-static const uint8_t prop_flags[PROPS] = {
-    [P_FLIP_X] = SPRITE_FLIP_X, [P_FLIP_Y] = SPRITE_FLIP_Y, [P_HIDDEN] = SPRITE_HIDDEN
+      PROP_WRITE, COMPUTED },
+    { PARAM("w", A_INT, REQ, 8, FB_MAX, "px", NULL, "width of a plate; nil for other sprites"), PROP_WRITE, COMPUTED },
+    { PARAM("h", A_INT, REQ, 8, FB_MAX, "px", NULL, "height of a plate; nil for other sprites"), PROP_WRITE, COMPUTED },
+    { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
 };
 
 static void get(lua_State *L, struct board *b, uint32_t i, int p)
@@ -228,17 +228,11 @@ static void get(lua_State *L, struct board *b, uint32_t i, int p)
         else
             lua_pushstring(L, api_layers[s->layer[i]]);
         break;
-    case P_BANK:
-        lua_pushinteger(L, s->bank[i]);
-        break;
-    case P_BLEND:
+    default: /* P_BLEND */
         if (s->flags[i] & SPRITE_BLEND)
             lua_pushstring(L, cart_name(&b->cart, CART_BLENDS, (s->flags[i] & SPRITE_BLEND) / SPRITE_BLEND_ONE - 1));
         else
             lua_pushnil(L);
-        break;
-    default:
-        lua_pushboolean(L, s->flags[i] & prop_flags[p]);
     }
 }
 
@@ -290,18 +284,15 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
             s->born[i] = b->core.clock;
         s->sprite[i] = (uint16_t)v->i;
         break;
-    case P_BANK:
-        s->bank[i] = (uint8_t)v->i;
-        break;
     case P_BLEND:
         s->flags[i] = (uint8_t)((s->flags[i] & ~SPRITE_BLEND) | v->i * SPRITE_BLEND_ONE);
         break;
     default:
-        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | prop_flags[p] : s->flags[i] & ~prop_flags[p]);
+        s->flags[i] = (uint8_t)(v->i ? s->flags[i] | props[p].flag : s->flags[i] & ~props[p].flag);
     }
 }
 
-const struct api_thing api_sprite_thing = { "sprite", props, PROPS, get, set };
+const struct api_thing api_sprite_thing = { "sprite", props, PROPS, .get = get, .set = set };
 
 enum { ARG_SELF };
 

@@ -112,18 +112,45 @@ struct api_entry {
 /* How a property can be used. PROP_PERSISTENT: read-only; a player's can still be read after the player is out. */
 enum { PROP_READ = 0, PROP_WRITE = 1, PROP_PERSISTENT = 2 };
 
+/* The type of the column that stores a property. */
+enum api_storage {
+    STORED_NOWHERE, /* get and set of struct api_thing compute it */
+    STORED_FX,
+    STORED_Q16, /* int64, units of 1/65536 */
+    STORED_ANG,
+    STORED_U8,
+    STORED_I16,
+    STORED_I32,
+    STORED_U32,
+    STORED_I64,
+    STORED_COUNT, /* int32, -1 for forever */
+    STORED_FLAG,  /* bits of a uint8 */
+    STORED_TAG,
+    STORED_KIND, /* index of the declared name; the parameter's type tells of which list */
+    STORED_BORN, /* the clock at birth; the property is the age */
+};
+
 struct api_prop {
     struct api_param param; /* name, type, range, unit, meaning */
     int access;             /* PROP_READ, PROP_WRITE or PROP_PERSISTENT */
+    enum api_storage storage;
+    size_t column; /* offset in struct board of the pointer to the column */
+    uint8_t flag;  /* STORED_FLAG: the bits */
+    bool is_set;   /* a write does more than store: it calls set of struct api_thing */
 };
 
-/* The properties of a kind of handle. get pushes property p of a live thing; set writes property p. */
+/* The properties of a kind of handle. get pushes property p of a live thing, set writes property p; both only for
+ * properties whose rows name no column. A group names its members' thing and pool instead. */
 struct api_thing {
     const char *name; /* "bullet" */
     const struct api_prop *props;
     int n;
     void (*get)(struct lua_State *L, struct board *b, uint32_t slot, int p);
     void (*set)(struct lua_State *L, struct board *b, uint32_t slot, int p, const struct api_value *v);
+    size_t slots, tags;             /* offset in struct board of the pool, and of the pointer to its tags */
+    const struct api_thing *member; /* of a group, whose properties have the same indices; NULL: not a group */
+    uint64_t write_work;            /* work per live slot of a write to a group */
+    bool (*has_member)(const struct board *b, uint32_t slot, int p); /* a further condition; NULL: none */
 };
 
 struct api_module {

@@ -109,7 +109,7 @@ static void get_nil(lua_State *L, struct board *b, uint32_t slot, int p)
     lua_pushnil(L);
 }
 
-const struct api_thing api_task_thing = { "task", NULL, 0, get_nil, NULL };
+const struct api_thing api_task_thing = { "task", NULL, 0, .get = get_nil, .set = NULL };
 
 static const struct api_param on_graze_params[] = { PARAM(
     "f", A_FUNC, REQ, 0, 0, NULL, NULL, "f(player, bullet): called with the player and the grazed bullet") };
