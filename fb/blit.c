@@ -389,7 +389,8 @@ static void draw_other_items(const struct blit_item *items, size_t n, struct job
     }
 }
 
-/* Passes the widths and heights of most bullets as constants; mix is a constant at the call sites. */
+/* Draws items of at most 16 px width. The usual heights are passed as constants, as mix is by the callers, so that the
+ * compiler specializes the loops. */
 __attribute__((always_inline)) static inline void
 draw_usual_items(const struct blit_item *items, size_t n, ptrdiff_t d_stride, int h, bool wide, enum blit_mix mix)
 {

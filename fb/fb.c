@@ -75,7 +75,7 @@ void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c)
     fill_rect(fb, x, y, (int64_t)x + w, (int64_t)y + h, c);
 }
 
-void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c)
+void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c)
 {
     int64_t x1 = (int64_t)x + w, y1 = (int64_t)y + h;
 

@@ -44,7 +44,7 @@ void fb_fill(struct fb *fb, uint8_t c);
 /* Draw a filled rectangle, and the one-pixel outline just inside the rectangle's edge; both are clipped. If w or h is
  * below 1, nothing is drawn. Any values are allowed. */
 void fb_rect(struct fb *fb, int x, int y, int w, int h, uint8_t c);
-void fb_frame(struct fb *fb, int x, int y, int w, int h, uint8_t c);
+void fb_outline(struct fb *fb, int x, int y, int w, int h, uint8_t c);
 
 /* Draws a line, both ends included. Clipping hides pixels but moves none. After i of n steps along the longer axis, the
  * line is floor((i * m + floor(n / 2)) / n) pixels along the shorter axis, whose length is m: the nearest pixel, halves

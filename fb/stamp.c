@@ -307,7 +307,7 @@ static size_t draw_one_bank_turned(const struct fb *fb, const struct image *imag
 static size_t draw_eight(const struct fb *fb, const struct image *image, const struct stamp_turns *turns,
                          const struct stamp_list *list)
 {
-    enum { MIXED = 64 };
+    enum { MIXED_IMAGES = 64 };
     const uint32_t *dests = list->dests;
     const size_t n = list->n;
     struct stamp_turns remaining_turns = turns ? *turns : (struct stamp_turns){ 0 };
@@ -327,7 +327,7 @@ static size_t draw_eight(const struct fb *fb, const struct image *image, const s
         } else
             i += draw_one_bank(fb, image, &remaining);
         remaining.dests = dests + i;
-        remaining.n = n - i < MIXED ? n - i : MIXED;
+        remaining.n = n - i < MIXED_IMAGES ? n - i : MIXED_IMAGES;
         i += draw_usual(fb, image, pictures, BLIT_OPAQUE, &remaining, false, 8);
     }
     return i;

@@ -91,8 +91,8 @@ size_t stamp_draw_turned(struct fb *fb, const struct image *image, const struct 
  */
 struct stamp_layer {
     struct fb fb;
-    uint8_t *map;          /* the map: for each word (8 px) of the surface, the number of words without a 0 pixel from
-                        that word downwards; at most 255 */
+    uint8_t *map;          /* the map: for each word (8 px) of the surface, the number of consecutive words without a
+                        0 pixel, from that word downwards; at most 255 */
     size_t budget;         /* opaque pixels that may be drawn before the next update of the map */
     size_t next_budget;    /* the budget after an update */
     bool covered;          /* no pixel is 0 any more */

@@ -1,11 +1,11 @@
 /*
  * strip.c - see strip.h.
  *
- * Each piece of the line is the part of the plane between four edges: two parallel to the line, half the width away,
- * and a cut at either end. Two pieces that meet share a cut, which bisects the angle between them. The centre of every
- * pixel is on one side of the cut, so the pieces leave no gap and do not overlap. A row of a piece is the part of the
- * clip between the piece's edges; an edge is advanced from row to row by one addition. Within a piece, picture
- * coordinates advance by two steps per pixel, one along the line and one across it.
+ * Each segment of the line is the part of the plane between four edges: two parallel to the line, half the width away,
+ * and a cut at either end. Two segments that meet share a cut, which bisects the angle between them. The centre of
+ * every pixel is on one side of the cut, so the segments leave no gap and do not overlap. A row of a segment is the
+ * part of the clip between the segment's edges; an edge is advanced from row to row by one addition. Within a segment,
+ * picture coordinates advance by two steps per pixel, one along the line and one across it.
  */
 #include "strip.h"
 #include <string.h>
@@ -60,15 +60,15 @@ static struct edge edge_at(int32_t x, int32_t y, const struct slope *s, int row)
                           .y = y };
 }
 
-/* The area that a piece or an end covers: rows first to last, and in each row a span between edges. */
-struct span {
+/* The area that a segment or an end covers: rows first to last, and in each row a span between edges. */
+struct coverage {
     int first, last;
     int64_t lo, hi; /* the clip */
     struct edge edge[4];
     int n;
 };
 
-static void add_edge(struct span *s, struct edge e)
+static void add_edge(struct coverage *s, struct edge e)
 {
     const int row = (int)(((int64_t)e.y + HALF_PIXEL - 1) >> 16); /* the first row whose centre is not above e */
 
@@ -81,7 +81,7 @@ static void add_edge(struct span *s, struct edge e)
 }
 
 /* Stores the span [*lo, *hi) of a row and advances the edges to the next row. */
-static inline void next_span(struct span *s, int64_t *lo, int64_t *hi)
+static inline void next_span(struct coverage *s, int64_t *lo, int64_t *hi)
 {
     *lo = s->lo;
     *hi = s->hi;
@@ -135,7 +135,7 @@ static inline void paint_pixel(const struct brush *b, uint8_t *d, int64_t along,
     put_texel(b, d, b->image->pix[row * b->image->pitch + px]);
 }
 
-/* Draws a span of a piece that is not dashed. */
+/* Draws a span of a segment that is not dashed. */
 static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t along, int64_t step, int64_t row,
                                int64_t row_step)
 {
@@ -152,7 +152,7 @@ static void paint_picture_span(const struct brush *b, uint8_t *d, int n, int64_t
     }
 }
 
-/* Draws a span of a piece whose picture is one pixel wide and opaque. Clamps the row of each pixel only if rounding
+/* Draws a span of a segment whose picture is one pixel wide and opaque. Clamps the row of each pixel only if rounding
  * moved the first or the last one outside the picture. */
 static void paint_plain_span(const struct brush *b, uint8_t *d, int n, int64_t row, int64_t row_step)
 {
@@ -171,10 +171,10 @@ static void paint_plain_span(const struct brush *b, uint8_t *d, int n, int64_t r
     }
 }
 
-struct piece {
+struct segment {
     struct strip_corner from;
     struct unit dir;
-    int64_t along; /* Q16 px of the line before this piece, plus the strip's `along` */
+    int64_t along; /* Q16 px of the line before this segment, plus the strip's `offset_along` */
 };
 
 /* The picture coordinates of the first pixel of the clip in a row, Q32, and their change per pixel and per row. */
@@ -183,7 +183,7 @@ struct picture_pos {
     int64_t along, along_x, along_y;
 };
 
-static struct picture_pos picture_pos_at(const struct brush *b, const struct piece *p, int y)
+static struct picture_pos picture_pos_at(const struct brush *b, const struct segment *p, int y)
 {
     const int64_t dx = (int64_t)b->fb->x0 * FX_ONE + HALF_PIXEL - p->from.x,
                   dy = (int64_t)y * FX_ONE + HALF_PIXEL - p->from.y;
@@ -220,10 +220,11 @@ static void find_rows_near(const struct fb *fb, int32_t y0, int32_t y1, int64_t 
     *last = end < fb->y1 - 1 ? (int)end : fb->y1 - 1;
 }
 
-/* Draws the straight piece from p->from to `to`, between the cuts `begin` and `end` through these two corners. A cut
- * leans by at most a quarter of a right angle, so a piece extends less than 5/12 of half the width beyond its ends. */
-static void draw_piece(const struct brush *b, const struct piece *p, struct strip_corner to, const struct slope *begin,
-                       const struct slope *end)
+/* Draws the straight segment from p->from to `to`, between the cuts `begin` and `end` through these two corners. A cut
+ * leans by at most a quarter of a right angle, so a segment extends less than 5/12 of half the width beyond its
+ * ends. */
+static void draw_segment(const struct brush *b, const struct segment *p, struct strip_corner to,
+                         const struct slope *begin, const struct slope *end)
 {
     const int32_t ox = (int32_t)((int64_t)p->dir.y * b->half_width >> 16),
                   oy = (int32_t)((int64_t)p->dir.x * b->half_width >> 16);
@@ -235,7 +236,7 @@ static void draw_piece(const struct brush *b, const struct piece *p, struct stri
                    (oy < 0 ? -(int64_t)oy : oy) + (ox < 0 ? -(int64_t)ox : ox) * 5 / 12 + FX_ONE, &first, &last);
     if (first > last)
         return;
-    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    struct coverage s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
     add_edge(&s, edge_at(p->from.x, p->from.y, begin, first));
     add_edge(&s, flip_edge(edge_at(to.x, to.y, end, first)));
     add_edge(&s, edge_at(p->from.x + ox, p->from.y - oy, &right, first));
@@ -263,7 +264,7 @@ static void draw_cap(const struct brush *b, struct strip_corner c, struct unit d
         return;
     const struct slope slope = slope_of(dir);
     const struct edge edge = edge_at(c.x, c.y, &slope, first);
-    struct span s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
+    struct coverage s = { .first = first, .last = last, .lo = b->fb->x0, .hi = b->fb->x1 };
     if (half != WHOLE)
         add_edge(&s, half == BEHIND ? flip_edge(edge) : edge);
     for (int k = 0; k < s.n; k++)
@@ -322,9 +323,9 @@ static bool init_brush(struct brush *b, struct fb *fb, const struct strip *s)
 
 /* The corners that are far enough apart, and the directions and distances between them: n - 1 for n corners. */
 struct line {
-    struct strip_corner corner[STRIP_CORNERS];
-    struct unit dir[STRIP_CORNERS];
-    int64_t distance[STRIP_CORNERS];
+    struct strip_corner corner[STRIP_MAX_CORNERS];
+    struct unit dir[STRIP_MAX_CORNERS];
+    int64_t distance[STRIP_MAX_CORNERS];
     int n;
 };
 
@@ -349,7 +350,7 @@ void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner 
 {
     struct brush b;
     struct line l;
-    struct piece p = { .along = (int64_t)s->along * FX_ONE };
+    struct segment p = { .along = (int64_t)s->offset_along * FX_ONE };
 
     if (!init_brush(&b, fb, s))
         return;
@@ -367,7 +368,7 @@ void strip_draw(struct fb *fb, const struct strip *s, const struct strip_corner 
         p.from = l.corner[k];
         p.dir = l.dir[k];
         end = slope_of(smooth ? bisector : p.dir);
-        draw_piece(&b, &p, l.corner[k + 1], &begin, &end);
+        draw_segment(&b, &p, l.corner[k + 1], &begin, &end);
         p.along += l.distance[k];
         begin = smooth || is_last ? end : slope_of(l.dir[k + 1]);
         if (!smooth)

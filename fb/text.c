@@ -65,8 +65,8 @@ static int increment_saturated(int v)
 
 void text_draw_box(struct fb *fb, int x, int y, int w, int h, uint8_t bank)
 {
-    fb_frame(fb, increment_saturated(x), increment_saturated(y), w - 1, h - 1, (uint8_t)(bank * 16 + 1));
-    fb_frame(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
+    fb_outline(fb, increment_saturated(x), increment_saturated(y), w - 1, h - 1, (uint8_t)(bank * 16 + 1));
+    fb_outline(fb, x, y, w - 1, h - 1, (uint8_t)(bank * 16 + 15));
 }
 
 /* Draws one row of a rim, ten pixels starting at d: the mask's eight pixels, drawn three times, one pixel apart. */

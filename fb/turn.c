@@ -57,9 +57,9 @@ static int get_pixel(const uint8_t *pix, int w, int h, ptrdiff_t pitch, int x, i
 
 /* Scale2x: a corner of pixel e takes the colour of the two neighbours next to the corner, if they agree and differ from
  * the neighbours opposite them. */
-static uint8_t scale2x_corner(int e, int beside, int above, int opposite, int below)
+static uint8_t scale2x_corner(int e, int side, int above, int opposite, int below)
 {
-    return (uint8_t)(beside == above && above != opposite && beside != below ? beside : e);
+    return (uint8_t)(side == above && above != opposite && side != below ? side : e);
 }
 
 /* Scales an image to twice its size, into rows without padding. */

@@ -96,7 +96,7 @@ void host_log(const char *text, size_t size);
 bool host_crash_arm(void (*on_crash)(const char *reason));
 void host_crash_disarm(void);
 
-/* Does the work of plat_run_jobs without processes: runs the pieces one after another in this process. Defined in
+/* Implements plat_run_jobs without processes: runs the jobs one after another in this process. Defined in
  * stdio.c. */
 bool host_run_jobs(int n, const struct plat_work *work);
 

@@ -30,7 +30,7 @@ void host_base_folder(const char *path, char out[HOST_PATH + 1])
     out[0] = 0;
 }
 
-void plat_slashes(char *path)
+void plat_normalize_slashes(char *path)
 {
     (void)path;
 }

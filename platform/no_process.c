@@ -19,7 +19,7 @@ bool host_program_path(char out[HOST_PATH])
 }
 
 #ifndef PLAT_OWN_SYSTEM
-DEFAULT void plat_system(char *text, size_t size)
+DEFAULT void plat_describe_system(char *text, size_t size)
 {
     snprintf(text, size, "unknown");
 }
@@ -108,7 +108,7 @@ bool plat_command_close(FILE *f)
     return false;
 }
 
-FILE *plat_open_scratch(void)
+FILE *plat_open_temp_file(void)
 {
 #ifdef __wasi__
     return NULL;

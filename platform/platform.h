@@ -172,11 +172,11 @@ bool plat_window(struct plat_window *out);
 bool plat_paint(const uint32_t *rgb, int pitch, int w, int h);
 
 /* Sets the open window's icon: 4 bytes R, G, B, A per pixel, row by row. */
-void plat_icon(const uint8_t *rgba, int w, int h);
+void plat_set_icon(const uint8_t *rgba, int w, int h);
 
 /* Gets the path of a file or folder that was dropped on the window since the last call; of several, the last one.
  * Returns false if none was. */
-bool plat_dropped(char *path, size_t size);
+bool plat_take_dropped_file(char *path, size_t size);
 
 /* Describes controller i of plat_input.controllers, counted from 0. Returns false if there is none. A controller keeps
  * its number while it is plugged in. The default reports that all are plugged in at all times, with unknown kinds and
@@ -201,12 +201,12 @@ int plat_sound(const int16_t *lr, int frames);
 
 /* Replaces the host's other path separator with /: \ on Windows, none elsewhere. Call it for every path that comes from
  * the user or the host. */
-void plat_slashes(char *path);
+void plat_normalize_slashes(char *path);
 
 /* Sets the program's name: 1 to 63 characters of a-z 0-9 _. From then on, user: is the folder curtain-NAME instead of
  * curtain, pictures: is the folder NAME instead of Curtain, and NAME replaces curtain in log lines that start with
  * "curtain: ". */
-void plat_name(const char *name);
+void plat_set_name(const char *name);
 
 /* Shows a message box and waits until the user closes it. Works before plat_open and after plat_close. The default does
  * nothing. */
@@ -219,7 +219,7 @@ bool plat_program(char *name, size_t size);
 /* Writes the name of a file that was installed with the program, given its path from the program's folder, such as
  * "../share/curtain/player.html". The file may not exist. Returns false if the host does not know where the program
  * is. */
-bool plat_beside(const char *path, char *name, size_t size);
+bool plat_installed_file(const char *path, char *name, size_t size);
 
 /* Writes the absolute path of the program's own file, on POSIX with links resolved. Returns false if the host does not
  * know it. */
@@ -276,14 +276,14 @@ int plat_list(const char *dir, void (*visit)(void *user, const struct plat_file 
  * log line names that file, and the program ends as it would have without a handler. fn runs in a signal handler: it
  * may only read memory and call `write`. stem is a file name as above; fn NULL removes the handler. Each call replaces
  * the handler of the previous one. Returns false if the host does not support this. */
-bool plat_crash(const char *stem,
-                void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
-                void *context);
+bool plat_set_crash_handler(const char *stem,
+                            void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
+                            void *context);
 
 /* Write, for reports, what the port is built with, such as "SDL 2.28.5, x11", or "no window" if it cannot play games;
  * and what it runs on, such as "Linux 6.1.0 x86_64". */
-void plat_about(char *text, size_t size);
-void plat_system(char *text, size_t size);
+void plat_describe_build(char *text, size_t size);
+void plat_describe_system(char *text, size_t size);
 
 /* Logs one line, given without its newline (desktop: to stderr). */
 void plat_log(const char *line);
@@ -334,7 +334,7 @@ FILE *plat_command_open(const char *const args[]);
 bool plat_command_close(FILE *f);
 
 /* Opens a private temporary file, which fclose deletes. Returns NULL on failure, or if the host has none. */
-FILE *plat_open_scratch(void);
+FILE *plat_open_temp_file(void);
 
 /* Shared libraries. Opens a library for the rest of the process: "expat" of version 1 is libexpat.so.1 or
  * libexpat-1.dll. Returns NULL if the library is not found. */
@@ -353,19 +353,19 @@ enum { PLAT_MAX_JOBS = 64 };
 /* Returns the number of processors, 1 to PLAT_MAX_JOBS. */
 int plat_cores(void);
 
-/* Work in n pieces, 0 to n - 1, of which up to `jobs` run at a time. On hosts with fork, each piece runs in a separate
- * process, so that its changes to memory and its crashes affect nothing else. On other hosts, the pieces run one after
- * another in this process. */
+/* The callbacks of n jobs, 0 to n - 1, of which up to `max_jobs` run at a time. On hosts with fork, each job runs in a
+ * separate process, so that its changes to memory and its crashes affect nothing else. On other hosts, the jobs run one
+ * after another in this process. */
 struct plat_work {
     void *context;
     void (*run)(void *context, int i, FILE *write);
     void (*done)(void *context, int i, const char *text, size_t n,
-                 int signal);       /* text: the piece's output; signal: 0 if it succeeded */
-    void (*on_wait)(void *context); /* called a few times a second, or after each piece */
+                 int signal);       /* text: the job's output; signal: 0 if it succeeded */
+    void (*on_wait)(void *context); /* called a few times a second, or after each job */
 };
 
-/* Runs all pieces, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
- * started or memory runs out; some pieces are then not run. */
-bool plat_run_jobs(int n, int jobs, const struct plat_work *w);
+/* Runs all jobs, and returns when they are done. `done` is called in any order. Returns false if a process cannot be
+ * started or memory runs out; some jobs are then not run. */
+bool plat_run_jobs(int n, int max_jobs, const struct plat_work *w);
 
 #endif

@@ -116,7 +116,7 @@ void host_base_folder(const char *path, char out[HOST_PATH + 1])
         memcpy(out + strlen(out), "/", 2);
 }
 
-void plat_slashes(char *path)
+void plat_normalize_slashes(char *path)
 {
     (void)path;
 }
@@ -181,8 +181,10 @@ bool host_resolve_links(char path[HOST_PATH])
         target[n] = 0;
         char *slash = strrchr(path, '/');
         int folder_length = target[0] == '/' || !slash ? 0 : (int)(slash + 1 - path);
-        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH)
-            break;
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder_length, path, target) >= HOST_PATH) {
+            errno = ENAMETOOLONG;
+            return false;
+        }
         memcpy(path, joined, strlen(joined) + 1);
     }
     errno = ELOOP;

@@ -61,7 +61,7 @@ bool host_program_path(char out[HOST_PATH])
 }
 
 #ifndef PLAT_OWN_SYSTEM
-DEFAULT void plat_system(char *text, size_t size)
+DEFAULT void plat_describe_system(char *text, size_t size)
 {
     struct utsname u;
     if (uname(&u) >= 0)
@@ -326,7 +326,7 @@ bool plat_command_close(FILE *f)
     return good && WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-FILE *plat_open_scratch(void)
+FILE *plat_open_temp_file(void)
 {
     return tmpfile();
 }

@@ -169,7 +169,7 @@ static void change_vsync(const struct plat_config *config)
     if (sdl.RenderSetVSync && config->vsync != port.config.vsync)
         sdl.RenderSetVSync(port.renderer, can_vsync(config)); /* may fail; plat_window reports the state */
 #else
-    (void)want;
+    (void)config;
 #endif
 }
 
@@ -191,7 +191,7 @@ static void change_window(const struct plat_config *config)
 }
 
 /* SDL copies the icon. */
-void plat_icon(const uint8_t *rgba, int w, int h)
+void plat_set_icon(const uint8_t *rgba, int w, int h)
 {
     SDL_Surface *icon = port.window ? sdl.CreateRGBSurfaceWithFormat(0, w, h, 32, SDL_PIXELFORMAT_RGBA32) : NULL;
     if (!icon)
@@ -264,7 +264,7 @@ static void close_speaker(void)
 }
 
 /* Opens the speaker if sound is on and the speaker is closed: a device may be available now. */
-static void speaker_added(void)
+static void reopen_speaker(void)
 {
     if (port.speaker || port.config.sound_rate <= 0)
         return;
@@ -280,7 +280,7 @@ static void speaker_removed(SDL_AudioDeviceID device)
         return;
     plat_log("curtain: sound device lost");
     close_speaker();
-    speaker_added();
+    reopen_speaker();
 }
 
 static void change_speaker(int rate)
@@ -409,7 +409,7 @@ static int find_controller(SDL_JoystickID id)
     return -1;
 }
 
-static void controller_added(int device)
+static void add_controller(int device)
 {
     if (find_controller(sdl.JoystickGetDeviceInstanceID(device)) >= 0)
         return;
@@ -420,7 +420,7 @@ static void controller_added(int device)
         }
 }
 
-static void controller_removed(SDL_JoystickID id)
+static void remove_controller(SDL_JoystickID id)
 {
     int i = find_controller(id);
     if (i < 0)
@@ -428,9 +428,9 @@ static void controller_removed(SDL_JoystickID id)
     sdl.GameControllerClose(input.controller[i]);
     input.controller[i] = 0;
     input.pad_down[i] = input.pad_pressed[i] = 0;
-    for (int d = 0; d < sdl.NumJoysticks(); d++) /* a controller for which there was no free number */
+    for (int d = 0; d < sdl.NumJoysticks(); d++) /* gives the free slot to a controller that has none */
         if (sdl.IsGameController(d))
-            controller_added(d);
+            add_controller(d);
 }
 
 static void set_controller_button(SDL_JoystickID id, int button, bool down)
@@ -569,11 +569,11 @@ static void set_dropped(char *path)
     input.dropped = path;
 }
 
-bool plat_dropped(char *path, size_t size)
+bool plat_take_dropped_file(char *path, size_t size)
 {
     const bool copied = input.dropped && snprintf(path, size, "%s", input.dropped) < (int)size;
     if (copied)
-        plat_slashes(path);
+        plat_normalize_slashes(path);
     set_dropped(NULL);
     return copied;
 }
@@ -623,17 +623,17 @@ static void handle_event(const SDL_Event *e)
         break;
     case SDL_AUDIODEVICEADDED:
         if (!e->adevice.iscapture)
-            speaker_added();
+            reopen_speaker();
         break;
     case SDL_AUDIODEVICEREMOVED:
         if (!e->adevice.iscapture)
             speaker_removed(e->adevice.which);
         break;
     case SDL_CONTROLLERDEVICEADDED:
-        controller_added(e->cdevice.which);
+        add_controller(e->cdevice.which);
         break;
     case SDL_CONTROLLERDEVICEREMOVED:
-        controller_removed(e->cdevice.which);
+        remove_controller(e->cdevice.which);
         break;
     case SDL_CONTROLLERBUTTONDOWN:
     case SDL_CONTROLLERBUTTONUP:
@@ -771,7 +771,7 @@ void plat_show(const uint8_t *pix, int pitch, int w, int h, const uint32_t rgb[2
 
 /* ---- versions, and sound output ---- */
 
-void plat_about(char *text, size_t size)
+void plat_describe_build(char *text, size_t size)
 {
     SDL_version v;
     if (!load_sdl()) {

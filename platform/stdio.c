@@ -92,7 +92,7 @@ DEFAULT bool plat_paint(const uint32_t *rgb, int pitch, int w, int h)
 #endif
 
 #ifndef PLAT_OWN_ICON
-DEFAULT void plat_icon(const uint8_t *rgba, int w, int h)
+DEFAULT void plat_set_icon(const uint8_t *rgba, int w, int h)
 {
     (void)rgba;
     (void)w;
@@ -101,7 +101,7 @@ DEFAULT void plat_icon(const uint8_t *rgba, int w, int h)
 #endif
 
 #ifndef PLAT_OWN_DROPPED
-DEFAULT bool plat_dropped(char *path, size_t size)
+DEFAULT bool plat_take_dropped_file(char *path, size_t size)
 {
     (void)path;
     (void)size;
@@ -170,7 +170,7 @@ DEFAULT int plat_sound(const int16_t *lr, int frames)
 static char program_name[64]; /* "": the name is curtain */
 
 #ifndef PLAT_OWN_NAME
-DEFAULT void plat_name(const char *name)
+DEFAULT void plat_set_name(const char *name)
 {
     snprintf(program_name, sizeof program_name, "%s", name);
 }
@@ -212,7 +212,7 @@ DEFAULT bool plat_program_path(char *path, size_t size)
 #endif
 
 #ifndef PLAT_OWN_BESIDE
-DEFAULT bool plat_beside(const char *path, char *name, size_t size)
+DEFAULT bool plat_installed_file(const char *path, char *name, size_t size)
 {
     char real[HOST_PATH];
     char *end = host_program_path(real) ? strrchr(real, '/') : NULL;
@@ -450,7 +450,7 @@ DEFAULT int plat_list(const char *dir, void (*visit)(void *user, const struct pl
 
 static bool run_piece(int i, const struct plat_work *w)
 {
-    FILE *out = plat_open_scratch();
+    FILE *out = plat_open_temp_file();
     if (!out)
         return false;
     w->run(w->context, i, out);
@@ -476,7 +476,7 @@ bool host_run_jobs(int n, const struct plat_work *w)
 /* ---- port and host description, for reports ---- */
 
 #ifndef PLAT_OWN_ABOUT
-DEFAULT void plat_about(char *text, size_t size)
+DEFAULT void plat_describe_build(char *text, size_t size)
 {
     snprintf(text, size, "no window");
 }
@@ -553,7 +553,7 @@ static void handle_crash(const char *reason)
     crash_log("\n");
 }
 
-/* Returns whether this handler is already installed. plat_crash is called every frame. */
+/* Returns whether this handler is already installed. plat_set_crash_handler is called every frame. */
 static bool crash_is_armed(const char *stem, void (*fn)(void *, const char *, void (*)(const void *, size_t)),
                            const void *context)
 {
@@ -563,9 +563,10 @@ static bool crash_is_armed(const char *stem, void (*fn)(void *, const char *, vo
            memcmp(path, crash.path, crash.stem_length) == 0;
 }
 
-DEFAULT bool plat_crash(const char *stem,
-                        void (*fn)(void *context, const char *reason, void (*write)(const void *bytes, size_t n)),
-                        void *context)
+DEFAULT bool plat_set_crash_handler(const char *stem,
+                                    void (*fn)(void *context, const char *reason,
+                                               void (*write)(const void *bytes, size_t n)),
+                                    void *context)
 {
     if (fn && crash_is_armed(stem, fn, context))
         return true;

@@ -3,10 +3,10 @@
  *
  * Write these six functions for your host; platform.h has the contract of each. Games are playable once plat_show and
  * plat_poll work. Then, if the defaults in stdio.c do not suit, add any of plat_rgb, plat_fit, plat_window, plat_paint,
- * plat_icon, plat_dropped, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load,
- * plat_open_stream, plat_same_file, plat_save, plat_append, plat_remove, plat_list, plat_name, plat_program,
- * plat_program_path, plat_alert, plat_beside, plat_make_executable, plat_crash, plat_about, plat_system and plat_log to
- * your file: the linker prefers yours.
+ * plat_set_icon, plat_take_dropped_file, plat_key_label, plat_controller, plat_sound, plat_path, plat_size, plat_load,
+ * plat_open_stream, plat_same_file, plat_save, plat_append, plat_remove, plat_list, plat_set_name, plat_program,
+ * plat_program_path, plat_alert, plat_installed_file, plat_make_executable, plat_set_crash_handler,
+ * plat_describe_build, plat_describe_system and plat_log to your file: the linker prefers yours.
  *
  * src/cab/main.c is the main loop. If the host has the main loop, leave that file out of the link, and call
  * program_open, program_run_frame and program_close from here.

@@ -65,7 +65,7 @@ bool win_to_utf8(char *out, size_t size, const wchar_t *wide)
 {
     if (WideCharToMultiByte(CP_UTF8, WC_ERR_INVALID_CHARS, wide, -1, out, (int)size, NULL, NULL) == 0)
         return win_set_errno();
-    plat_slashes(out);
+    plat_normalize_slashes(out);
     return true;
 }
 
@@ -108,7 +108,7 @@ static const wchar_t *strip_prefix(wchar_t *path)
     return wcsncmp(path, L"\\\\?\\", 4) == 0 ? path + 4 : path;
 }
 
-void plat_slashes(char *path)
+void plat_normalize_slashes(char *path)
 {
     for (; *path; path++)
         if (*path == '\\')

@@ -33,7 +33,7 @@ bool host_program_path(char out[HOST_PATH])
 
 #ifndef PLAT_OWN_SYSTEM
 /* GetVersionEx reports a version that depends on the manifest; this function reports the real one. */
-void plat_system(char *text, size_t size)
+void plat_describe_system(char *text, size_t size)
 {
     typedef LONG WINAPI get_version(OSVERSIONINFOW *);
     OSVERSIONINFOW v = { .dwOSVersionInfoSize = sizeof v };
@@ -398,7 +398,7 @@ bool plat_command_close(FILE *f)
 }
 
 /* tmpfile of this C library creates the file in the drive's root, where users may not write. */
-FILE *plat_open_scratch(void)
+FILE *plat_open_temp_file(void)
 {
     wchar_t folder[MAX_PATH + 1], path[MAX_PATH + 1];
 

@@ -119,7 +119,7 @@ static inline void spoil_draw(struct spoil_bench *s, const struct board *b)
 static inline enum spoil_outcome spoil_frames(struct spoil_bench *s, struct board *b, const struct demo *d,
                                               struct rng *r)
 {
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     for (uint32_t f = 0; f < SPOIL_FRAMES && !board_last_output(b)->fault; f++) {
         if (d)

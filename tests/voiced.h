@@ -20,7 +20,7 @@ static inline uint32_t voiced(const struct tune *t, const struct snd_tables *tab
         abort();
     slots_layout(&voices_chip, &v.s, VOICE_SLOTS, 0, &next);
     v.s.live = v.s.cap;
-    for (int i = 0; i < t->insts; i++)
+    for (int i = 0; i < t->n_insts; i++)
         for (int k = 0; k < 3; k++) {
             const struct voice_note n = { (uint32_t)(tune_inst(t, i) - t->data), 0, (10 + 55 * k) * PITCH_ONE, 9000,
                                           (uint8_t)(64 * k) };

@@ -97,7 +97,7 @@ int main(int argc, char **argv)
         fail(err);
     for (uint32_t f = 0; f < d.frames && !board_last_output(t.b)->fault; f++) {
         const struct board_out *out = board_tick(t.b, d.pads[f]);
-        for (int i = 0; i < out->markers; i++)
+        for (int i = 0; i < out->marker_count; i++)
             take(&part, &out->marker[i]);
         look(&part, t.b);
     }

@@ -12,15 +12,15 @@ enum { TALLY_ENEMIES = 4096 };
 struct tally {
     uint64_t fired, kills, deaths, grazes;
     uint32_t most; /* bullets at once */
-    int32_t lives[PADS];
-    uint32_t grazed[PADS], top;
+    int32_t lives[MAX_PLAYERS];
+    uint32_t grazed[MAX_PLAYERS], top;
     uint64_t used[TALLY_ENEMIES / 64];
 };
 
 /* Before a tick: what there is. */
 static inline void tally_before(struct tally *t, const struct board *b)
 {
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         t->lives[p] = b->player.in_game[p] ? b->player.lives[p] : -1;
         t->grazed[p] = b->player.grazes[p];
     }
@@ -37,7 +37,7 @@ static inline void tally_after(struct tally *t, const struct board *b)
         bool was = t->used[i / 64] >> (i & 63) & 1, is = b->enemies.s.used[i / 64] >> (i & 63) & 1;
         t->kills += was && !is && b->enemies.hp[i] == 0;
     }
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         if (t->lives[p] >= 0 && (!b->player.in_game[p] || b->player.lives[p] < t->lives[p]))
             t->deaths++;
         if (b->player.grazes[p] > t->grazed[p])

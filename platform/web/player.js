@@ -104,7 +104,7 @@ const asked = () => new URLSearchParams(location.hash.slice(1))
 
 function openCore(rom, nvram, demo, how) {
   WORDS.forEach((name, i) => {
-    const to = core.web_word(i), bytes = new TextEncoder().encode(demo ? '' : how[name] || '').subarray(0, 255)
+    const to = core.web_option(i), bytes = new TextEncoder().encode(demo ? '' : how[name] || '').subarray(0, 255)
     heap(to, 256).fill(0)
     heap(to, 256).set(bytes)
   })
@@ -114,7 +114,7 @@ function openCore(rom, nvram, demo, how) {
     demo ? demo.length : 0)
   core.web_give(saved)
   core.web_give(recording)
-  if (!good) throw new Error(text(core.web_said()))
+  if (!good) throw new Error(text(core.web_error()))
 }
 
 function seedOf(words) {
@@ -124,7 +124,7 @@ function seedOf(words) {
 
 function takeRom(bytes) { // plain, in the core's memory
   const at = core.web_rom(put(bytes), bytes.length)
-  if (!at) throw new Error(text(core.web_said()))
+  if (!at) throw new Error(text(core.web_error()))
   return { at, size: core.web_size() }
 }
 
@@ -205,7 +205,7 @@ function tick(one, two) {
   if (events & SAVED && !game.plays) store()
   if (events & ATTRACT && !game.plays) {
     attracts = core.web_attract() !== 0
-    if (!attracts) console.warn('attract: ' + text(core.web_said()))
+    if (!attracts) console.warn('attract: ' + text(core.web_error()))
   }
   if (events & FAULT) {
     game.over = true
@@ -519,7 +519,7 @@ function panel(open) {
 function recording() {
   endAttract(0, 0)
   const from = core.web_demo()
-  if (!from) throw new Error(text(core.web_said()))
+  if (!from) throw new Error(text(core.web_error()))
   const bytes = heap(from, core.web_size()).slice()
   core.web_give(from)
   return bytes
@@ -642,7 +642,7 @@ window.curtain = {
   save() {
     endAttract(0, 0)
     const from = core.web_save()
-    if (!from) throw new Error(text(core.web_said()))
+    if (!from) throw new Error(text(core.web_error()))
     const bytes = heap(from, core.web_size()).slice()
     core.web_give(from)
     return bytes
@@ -651,7 +651,7 @@ window.curtain = {
     endAttract(0, 0)
     const from = put(bytes), good = core.web_load(from, bytes.length)
     core.web_give(from)
-    if (!good) throw new Error(text(core.web_said()))
+    if (!good) throw new Error(text(core.web_error()))
     show()
   },
   get state() {

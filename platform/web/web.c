@@ -39,7 +39,7 @@ void EXPORT(web_give)(void *at)
 }
 
 /* Returns the buffer, OPTION_SIZE bytes including a NUL, of option i for the next web_open; NULL: no such option. */
-char *EXPORT(web_word)(int i)
+char *EXPORT(web_option)(int i)
 {
     return i >= 0 && i < OPTIONS ? web.option[i] : NULL;
 }
@@ -50,7 +50,7 @@ static const char *get_option(int i)
 }
 
 /* Unpacks a packed game, because it is opened more than once. `packed` is from web_take and is freed. Returns the plain
- * game, web_size bytes, or NULL with the message in web_said. */
+ * game, web_size bytes, or NULL with the message in web_error. */
 void *EXPORT(web_rom)(void *packed, size_t size)
 {
     web.size = curtain_plain(packed, size, NULL, 0, web.error, ERROR_SIZE);
@@ -104,7 +104,7 @@ void EXPORT(web_attract_end)(void)
 }
 
 /* Plays the demo that the last frame asked for, on a separate board. Returns 0 on failure, with the message in
- * web_said. */
+ * web_error. */
 int EXPORT(web_attract)(void)
 {
     struct curtain_config config = { .rom = web.rom, .rom_size = web.rom_size, .snapshots = 1 };
@@ -131,7 +131,7 @@ void EXPORT(web_close)(void)
     close_board();
 }
 
-/* The ROM must stay at this address until web_close. Returns 0 on failure, with the message in web_said. */
+/* The ROM must stay at this address until web_close. Returns 0 on failure, with the message in web_error. */
 int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void *nvram, size_t nvram_size,
                      const void *demo, size_t demo_size)
 {
@@ -154,7 +154,7 @@ int EXPORT(web_open)(const void *rom, size_t rom_size, uint64_t seed, const void
     return open_board(&config);
 }
 
-const char *EXPORT(web_said)(void)
+const char *EXPORT(web_error)(void)
 {
     return web.error;
 }
@@ -271,7 +271,7 @@ const void *EXPORT(web_nvram)(void)
     return curtain_nvram(web.c, &web.size);
 }
 
-/* Returns a state, to be freed with web_give, or NULL with the message in web_said. */
+/* Returns a state, to be freed with web_give, or NULL with the message in web_error. */
 void *EXPORT(web_save)(void)
 {
     size_t cap = curtain_state_size(web.c);
@@ -291,7 +291,7 @@ int EXPORT(web_load)(const void *state, size_t size)
     return curtain_load(web.c, state, size, web.error, ERROR_SIZE);
 }
 
-/* Returns the run as a demo, to be freed with web_give, or NULL with the message in web_said. */
+/* Returns the run as a demo, to be freed with web_give, or NULL with the message in web_error. */
 void *EXPORT(web_demo)(void)
 {
     return curtain_demo(web.c, &web.size, web.error, ERROR_SIZE);

@@ -177,11 +177,11 @@ static inline fx fx_sub(fx a, fx b)
 
 /* Returns p / 2^16 rounded, ties to even, where up is p + 2^15; not clamped. The shift rounds halves up, so a tie whose
  * result is odd is one too high. */
-static inline int64_t fx_round_half_even(int64_t up)
+static inline int64_t fx_round_half_even(int64_t biased)
 {
-    int64_t q = up >> 16;
+    int64_t q = biased >> 16;
 
-    if (!FX_LIKELY((uint16_t)up != 0)) {
+    if (!FX_LIKELY((uint16_t)biased != 0)) {
         q -= q & 1;
         FX_KEEP_BRANCH(q);
     }

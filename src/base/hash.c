@@ -1,7 +1,7 @@
 /*
  * hash.c - see hash.h. The CRC processes four bytes at a time, with a table of 16 entries for each of the eight
- * nibbles. The tables are const and small, and need no start-up code. crc_table[k][v] is the CRC of v << 4 * k followed
- * by 8 nibbles of zeros; the last row is also used for single nibbles.
+ * nibbles. The tables are const and small, and need no start-up code. crc_table[k][v] is the CRC register v << 4 * k
+ * after 8 nibbles of zeros; the last row is also used for single nibbles.
  */
 #include "hash.h"
 #include "bytes.h"

@@ -31,11 +31,11 @@ struct heap {
     size_t size; /* of the heap's memory, in bytes */
     size_t used;
     uint64_t work;
-    uint32_t first; /* the first block */
-    uint32_t top;   /* where the next block would be */
-    uint32_t limit; /* top's highest value */
-    uint32_t last;  /* units of the block just below top; 0: none */
-    uint32_t rows;  /* bit r: row r has a free block */
+    uint32_t first;      /* the first block */
+    uint32_t top;        /* where the next block would be */
+    uint32_t limit;      /* top's highest value */
+    uint32_t last_units; /* units of the block just below top; 0: none */
+    uint32_t rows;       /* bit r: row r has a free block */
     uint16_t columns[ROWS];
     uint16_t pad;
     uint32_t partial[CLASSES]; /* slabs with free blocks, a list per class; 0: none */
@@ -151,12 +151,12 @@ static void link_free(struct heap *h, uint32_t b)
     h->rows |= 1u << p.row;
 }
 
-/* Sets b's size, and updates the copy of it in the block above or, if b is topmost, in h->last. */
+/* Sets b's size, and updates the copy of it in the block above or, if b is topmost, in h->last_units. */
 static void set_size(struct heap *h, uint32_t b, uint32_t units, bool free)
 {
     block_header(h, b)->size = units << 1 | free;
     if (b + units == h->top)
-        h->last = units;
+        h->last_units = units;
     else
         block_header(h, b + units)->prev = units;
 }
@@ -222,7 +222,7 @@ static uint32_t extend_top(struct heap *h, uint32_t units)
 {
     uint32_t b = h->top;
 
-    block_header(h, b)->prev = h->last;
+    block_header(h, b)->prev = h->last_units;
     h->top += units;
     set_size(h, b, units, false);
     return b;
@@ -247,8 +247,8 @@ static uint32_t alloc_block(struct heap *h, uint32_t units)
         trim(h, b, units);
         return b;
     }
-    b = h->top - h->last;
-    if (h->last && is_free(h, b)) {
+    b = h->top - h->last_units;
+    if (h->last_units && is_free(h, b)) {
         if (units > h->limit - b)
             return 0;
         unlink_free(h, b);
@@ -701,5 +701,5 @@ bool heap_check(const struct heap *h)
     for (size_t w = 0; w < (h->size / PAGE + 64) / 64; w++)
         for (uint64_t bits = h->slabs[w]; bits; bits &= bits - 1)
             marked++;
-    return h->last == prev && marked == slabs && h->used <= capacity && check_bins(h, free_blocks);
+    return h->last_units == prev && marked == slabs && h->used <= capacity && check_bins(h, free_blocks);
 }

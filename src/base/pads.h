@@ -16,7 +16,7 @@ enum {
     PAD_START = 1 << 8,
     PAD_SELECT = 1 << 9, /* bits 10 to 15 are reserved and always 0 */
     PAD_ALL = (1 << 10) - 1,
-    PADS = 2, /* players */
+    MAX_PLAYERS = 2, /* players */
     PAD_BUTTONS = 10
 };
 

@@ -101,13 +101,13 @@ static uint64_t find_free_slots(const struct slots *s, uint32_t block)
 
 int32_t slots_take(struct slots *s)
 {
-    for (;; s->low++) {
-        if (s->low * 64 == s->high && !raise_high(s))
+    for (;; s->first_free_word++) {
+        if (s->first_free_word * 64 == s->high && !raise_high(s))
             break;
-        uint64_t free_slots = find_free_slots(s, s->low);
+        uint64_t free_slots = find_free_slots(s, s->first_free_word);
         if (!free_slots)
             continue;
-        uint32_t i = s->low * 64 + bits_lowest(free_slots);
+        uint32_t i = s->first_free_word * 64 + bits_lowest(free_slots);
         if (i >= s->cap)
             break;
         s->used[i / 64] |= 1ull << (i & 63);
@@ -133,8 +133,8 @@ int32_t slots_append(struct slots *s)
 static void vacate(struct slots *s, uint32_t i)
 {
     s->gen[i]++;
-    if (i / 64 < s->low)
-        s->low = i / 64;
+    if (i / 64 < s->first_free_word)
+        s->first_free_word = i / 64;
 }
 
 void slots_drop(struct slots *s, uint32_t i)
@@ -355,29 +355,29 @@ static size_t copy_columns(const struct chip *chip, const void *self, uint8_t *s
     struct {
         uint8_t *p;
         size_t n;
-    } piece;
+    } section;
 
     if (!s->cap)
         return 0;
     for (int i = chip->is_list ? 0 : -2; i < chip->count; i++) {
         if (i == -2)
-            piece.p = (uint8_t *)s->used, piece.n = s->high / 8;
+            section.p = (uint8_t *)s->used, section.n = s->high / 8;
         else if (i == -1)
-            piece.p = (uint8_t *)s->gen, piece.n = (size_t)s->high * 4;
+            section.p = (uint8_t *)s->gen, section.n = (size_t)s->high * 4;
         else if (chip->columns[i].is_register || !slots_has_column(&chip->columns[i], s->groups))
             continue;
         else {
             const struct column *c = &chip->columns[i];
-            memcpy(&piece.p, (const uint8_t *)self + c->at, sizeof piece.p);
-            piece.n = (size_t)value_count(c, chip->is_list ? s->live : s->top) * c->width;
+            memcpy(&section.p, (const uint8_t *)self + c->at, sizeof section.p);
+            section.n = (size_t)value_count(c, chip->is_list ? s->live : s->top) * c->width;
         }
-        if (piece.n >= LONG_SECTION)
+        if (section.n >= LONG_SECTION)
             at = (size_t)int_align(at);
-        if (save && piece.n)
-            memcpy(save + at, piece.p, piece.n);
-        if (restore && piece.n)
-            memcpy(piece.p, restore + at, piece.n);
-        at += piece.n;
+        if (save && section.n)
+            memcpy(save + at, section.p, section.n);
+        if (restore && section.n)
+            memcpy(section.p, restore + at, section.n);
+        at += section.n;
     }
     return (size_t)int_align(at);
 }

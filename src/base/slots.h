@@ -108,7 +108,7 @@ struct slots {
     uint32_t high; /* slots ever used, in whole blocks */
     uint32_t live;
     uint32_t refused;              /* additions refused because the chip was full; scripts can read it */
-    uint32_t low;                  /* no word of `used` before this one has a slot that slots_take can return */
+    uint32_t first_free_word;      /* no word of `used` before this one has a slot that slots_take can return */
     uint64_t *used;                /* a bit per slot, 1: live; NULL: the chip is a list */
     uint32_t *gen;                 /* generation of each slot, 1 to RETIRED_GENERATION (retired) */
     uint64_t *held;                /* a bit per slot below held_top */

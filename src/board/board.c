@@ -30,9 +30,9 @@ enum { RAM_ALIGN = 64 /* as int_align */ };
  * hit enemies. A BulletML document may raise an event for each bullet it fires. */
 static uint64_t event_capacity(const struct manifest *m)
 {
-    return (m->meet ? 4 : 3) * (uint64_t)m->bullets + (m->pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots +
-           8 * (uint64_t)m->enemies + 2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers +
-           (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
+    return (m->bullets_can_meet ? 4 : 3) * (uint64_t)m->bullets +
+           (m->pierce ? MAX_PIERCED_TARGETS : 1) * (uint64_t)m->shots + 8 * (uint64_t)m->enemies +
+           2 * (uint64_t)m->items + 2 * (uint64_t)m->lasers + (m->bulletml ? (uint64_t)m->bullets : 0) + 1024;
 }
 
 /* Returns the most bullets that BulletML documents may fire in a frame. */
@@ -101,10 +101,10 @@ static void set_up(struct board *b)
     b->fix.cols = (uint32_t)m->screen_w / FIX_CELL;
     b->fix.rows = (uint32_t)m->screen_h / FIX_CELL;
     struct slots *always_live[] = { &b->input.s, &b->player.s, &b->fix.s,    &b->pal.s,
-                                    &b->music.s, &b->cues.s,   &b->voices.s, &b->option_ways.s };
+                                    &b->music.s, &b->cues.s,   &b->voices.s, &b->option_paths.s };
     for (size_t i = 0; i < sizeof always_live / sizeof *always_live; i++)
         always_live[i]->live = always_live[i]->cap;
-    for (uint32_t i = 0; i < PADS; i++)
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         player_leave(&b->player, i);
     const uint8_t *rgb = cart_palette(&b->cart, "main");
     for (int i = 0; i < COLOURS; i++, rgb += 3)
@@ -130,7 +130,7 @@ static void set_up(struct board *b)
  *   sprite_images                 a struct sprite per sprite of the  none; a restore reads the ROM
  *                                 ROM
  *   events                        events_size of event_capacity      none; there are no events between frames
- *   ml_fresh                      a struct ml_fired_bullet per       none; there are none between frames
+ *   ml_fired                      a struct ml_fired_bullet per       none; there are none between frames
  *                                 bullet, if BulletML documents may
  *                                 run
  *   Lua's heap                    board.lua_kib KiB                  the bytes in use
@@ -152,8 +152,8 @@ static void lay_out(struct board *b)
     next += int_align((uint64_t)b->cart.count[CART_SPRITES] * sizeof(struct sprite));
     events_init(&b->events, (uint32_t)event_capacity(&b->cart.manifest), next);
     next += int_align(events_size(b->events.cap));
-    b->ml_fresh = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
-    next += int_align(b->ml_fresh.cap * sizeof(struct ml_fired_bullet));
+    b->ml_fired = (struct ml_fired_list){ 0, fired_capacity(&b->cart.manifest), (struct ml_fired_bullet *)next };
+    next += int_align(b->ml_fired.cap * sizeof(struct ml_fired_bullet));
     set_up(b);
     b->vm.heap = (struct heap *)next;
     b->vm.L = b->vm.running = NULL;
@@ -176,10 +176,10 @@ static bool check_practice(const struct practice *p, char *err, size_t err_size)
 {
     if (p->lives < 0 || p->lives > PRACTICE_LIVES)
         snprintf(err, err_size, "practice start: lives: expected 0 to %d, got %d", PRACTICE_LIVES, (int)p->lives);
-    else if (p->registers < 0 || p->registers > PRACTICE_REGISTERS)
+    else if (p->register_count < 0 || p->register_count > PRACTICE_REGISTERS)
         snprintf(err, err_size, "practice start: expected at most %d registers, got %d", PRACTICE_REGISTERS,
-                 (int)p->registers);
-    else if (!p->section[0] && (p->lives || p->invincible || p->registers))
+                 (int)p->register_count);
+    else if (!p->section[0] && (p->lives || p->invincible || p->register_count))
         snprintf(err, err_size, "lives, registers and invincibility require a practice start");
     else
         return true;
@@ -316,7 +316,7 @@ static void report_phase(const struct board *b, enum board_phase phase)
 
 static void move_items(struct board *b)
 {
-    struct item_pull pull[PADS];
+    struct item_pull pull[MAX_PLAYERS];
 
     board_get_pulls(b, pull);
     items_move(&b->items, &b->item_kinds, pull);
@@ -329,7 +329,7 @@ static bool find_orbited(struct enemies_world *w, int64_t entity, fx *x, fx *y)
     const int max_depth = 32;
     struct board *b = w->context;
 
-    if (!board_alive(b, entity))
+    if (!board_is_alive(b, entity))
         return false;
     if (handle_kind(entity) == H_ENEMY && w->depth < max_depth) {
         w->depth++;
@@ -343,9 +343,9 @@ void board_move_entities(struct board *b)
 {
     struct motion_world w = board_motion_world(b, false), ws = board_motion_world(b, true);
     struct enemies_world we = { b, find_orbited, board_random, 0 };
-    const uint16_t held[PADS] = { (uint16_t)(b->input.held[0] & ~board_withheld_buttons(b, 0)),
-                                  (uint16_t)(b->input.held[1] & ~board_withheld_buttons(b, 1)) };
-    struct bullets_query query[PADS];
+    const uint16_t held[MAX_PLAYERS] = { (uint16_t)(b->input.held[0] & ~board_ignored_buttons(b, 0)),
+                                         (uint16_t)(b->input.held[1] & ~board_ignored_buttons(b, 1)) };
+    struct bullets_query query[MAX_PLAYERS];
     const bool has_solids = hit_solid_is_possible(b);
 
     emit_clear(b);
@@ -393,7 +393,7 @@ static int move_and_hit(lua_State *L)
     charge_steps(b);
     report_phase(b, PHASE_MOTION);
     hit_run(b);
-    if (b->ml_fresh.n)
+    if (b->ml_fired.n)
         bulletml_spawn_fired(b);
     emit_run(b);
     return 0;
@@ -403,7 +403,7 @@ static int move_and_hit(lua_State *L)
 static void drop_lines(struct board *b)
 {
     EACH_LIVE (i, &b->lines.s)
-        if (b->lines.follow_target[i] && !board_alive(b, b->lines.follow_target[i]))
+        if (b->lines.follow_target[i] && !board_is_alive(b, b->lines.follow_target[i]))
             slots_drop(&b->lines.s, i);
     slots_trim(&b->lines.s);
 }
@@ -419,7 +419,7 @@ static void drop_followers(struct board *b)
     EACH_LIVE (i, &s->s) {
         if (!(s->flags[i] & SPRITE_FOLLOW))
             continue;
-        if (board_alive(b, board_followed_by_sprite(b, i)))
+        if (board_is_alive(b, board_followed_by_sprite(b, i)))
             s->n_following++;
         else
             slots_drop(&s->s, i);
@@ -440,7 +440,7 @@ static void advance_clock(struct board *b)
 
 static void drain_registers(struct board *b)
 {
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         if (b->player.in_game[p])
             registers_drain(&b->registers, board_register_row(b, p, 0), b->player_kinds.n_registers[b->player.kind[p]],
                             p);
@@ -465,7 +465,7 @@ static void end_frame(struct board *b)
  * nothing moves, and the clock does not advance. Buttons pressed in held ticks count as pressed in the first tick
  * afterwards.
  */
-static bool step_stop(struct board *b, const uint16_t pads[PADS])
+static bool step_stop(struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     const bool was_stopped = b->core.frozen < 0;
 
@@ -490,7 +490,7 @@ static void clear_output(struct output *o)
     out->attract[0] = '\0';
     out->log = o->log;
     out->log_size = o->log_size = 0;
-    out->markers = out->full_pools = 0;
+    out->marker_count = out->full_pool_count = 0;
     out->menu_shown = false;
     out->fault = NULL;
 }
@@ -502,7 +502,7 @@ static int charge_picture(lua_State *L)
     return vm_collect(L);
 }
 
-static void tick(struct board *b, const uint16_t pads[PADS])
+static void tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     struct output *o = b->output;
 
@@ -544,7 +544,7 @@ static void tick(struct board *b, const uint16_t pads[PADS])
     o->out.log_size = o->log_size;
 }
 
-const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
+const struct board_out *board_tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     struct output *o = b->output;
     struct host host;
@@ -560,7 +560,7 @@ const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS])
     return &o->out;
 }
 
-bool board_has_boot_run(const struct board *b)
+bool board_called_boot_run(const struct board *b)
 {
     return b->vm.practice_read;
 }

@@ -44,11 +44,11 @@ struct board *board_power_on(void *ram, size_t size, const struct rom *rom, cons
 
 /* Advances one frame. pads: PAD_ bits of the two players. After a fault, does nothing and reports the same fault
  * again. */
-const struct board_out *board_tick(struct board *b, const uint16_t pads[PADS]);
+const struct board_out *board_tick(struct board *b, const uint16_t pads[MAX_PLAYERS]);
 
 /* Returns whether a script has called boot.run (or has read the practice start itself, sys.practice). If not, there is
  * no ship and no game can be started. */
-bool board_has_boot_run(const struct board *b);
+bool board_called_boot_run(const struct board *b);
 
 /* Returns the output of the last tick, or of board_power_on. */
 const struct board_out *board_last_output(const struct board *b);
@@ -105,7 +105,7 @@ bool board_jukebox_tick(struct board *b);
 struct board_tune {
     const char *name, *title;
     bool is_music, is_recording, endless;
-    int tracks, priority, limit, marks;
+    int track_count, priority, limit, mark_count;
     size_t bytes;
     const uint8_t *data; /* tune.h */
 };
@@ -151,11 +151,11 @@ size_t board_output_size(void);
 void board_output_save(const struct board *b, void *buf);
 void board_output_restore(struct board *b, const void *buf);
 
-/* Returns the nvram image, *size bytes, portable between hosts. *changed counts the writes since power-on. */
-const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *changed);
+/* Returns the nvram image, *size bytes, portable between hosts. Sets *writes to the number of writes since power-on. */
+const uint8_t *board_nvram(const struct board *b, size_t *size, uint32_t *writes);
 
-/* Return how many entities of a part, such as "bullets", are live, and how many more were refused because the part was
- * full; -1: no such part. */
+/* Return how many entities of a part, such as "bullets", are live, and how many were refused because its pool was full;
+ * -1: no such part. */
 int64_t board_live_count(const struct board *b, const char *part);
 int64_t board_refused_count(const struct board *b, const char *part);
 

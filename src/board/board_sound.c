@@ -44,7 +44,7 @@ static bool track_ends_next_frame(const struct board *b, int slot)
 {
     const struct cues *c = &b->cues;
     const struct tune t = tune_of(b->cart.tune_data + c->tune[slot]);
-    struct tune_run run = { &t, c->track[slot], { c->at[slot], c->left[slot] }, t.tempo, 0, SND_FRAME, 0 };
+    struct tune_run run = { &t, c->track[slot], { c->at[slot], c->units_left[slot] }, t.tempo, 0, SND_FRAME, 0 };
     struct tune_played e;
 
     while (tune_next_event(&run, &e))
@@ -65,7 +65,7 @@ bool board_cue(const struct board *b, int slot, struct board_cue *out)
     if (c->tune[slot] == 0 || sound == b->cart.count[CART_SOUNDS])
         return true;
     out->name = cart_name(&b->cart, CART_SOUNDS, sound);
-    out->start_frame = c->born[slot];
+    out->start_frame = c->start_frame[slot];
     out->is_first_track = c->track[slot] == 0;
     out->ends_next_frame = track_ends_next_frame(b, slot);
     return true;
@@ -158,10 +158,10 @@ bool board_jukebox_tune(const struct board *b, int n, struct board_tune *out)
                                 is_music,
                                 tune_is_recording(&t),
                                 tune_is_endless(&t),
-                                t.tracks,
+                                t.n_tracks,
                                 t.priority,
                                 t.limit,
-                                t.marks,
+                                t.n_marks,
                                 bytes,
                                 l.data };
     return true;

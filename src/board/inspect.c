@@ -80,7 +80,7 @@ static bool can_be_grazed(const struct board *b, uint32_t i)
 {
     if (!(b->bullet_kinds.flags[b->bullets.kind[i]] & KIND_GRAZE) || b->bullets.flags[i] & BULLET_DELAYED)
         return false;
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         if (b->player.in_game[p] && !(b->bullets.flags[i] >> p & BULLET_GRAZED))
             return true;
     return false;
@@ -96,7 +96,7 @@ static struct inspect_body flying_body(const struct board *b, enum inspect_kind 
     uint8_t shape = s->flags[i] & BULLET_DELAYED ? SHAPE_NONE : k->shape[s->kind[i]];
 
     set_shape(b, &body, shape, shapes, hit_bullet_pieces(s, k, i, shapes));
-    body.inactive = kind == INSPECT_BULLET && !can_be_grazed(b, i);
+    body.is_dimmed = kind == INSPECT_BULLET && !can_be_grazed(b, i);
     return body;
 }
 
@@ -109,7 +109,7 @@ static struct inspect_body enemy_body(const struct board *b, uint32_t i)
     struct body shapes[SHAPE_MAX_CIRCLES];
 
     set_shape(b, &body, k->shape[e->kind[i]], shapes, hit_enemy_pieces(b, i, shapes));
-    body.inactive = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
+    body.is_dimmed = !(k->flags[e->kind[i]] & ENEMY_TOUCH) || e->flags[i] & ENEMY_DYING;
     return body;
 }
 
@@ -121,7 +121,7 @@ static struct inspect_body player_body(const struct board *b, uint32_t i)
     body.shape = INSPECT_CIRCLE;
     body.a = b->player_kinds.radius[p->kind[i]];
     body.graze = b->player_kinds.graze_radius[p->kind[i]];
-    body.inactive = p->safe_left[i] > 0 || b->start.practice.invincible;
+    body.is_dimmed = p->safe_left[i] > 0 || b->start.practice.invincible;
     return body;
 }
 
@@ -131,8 +131,8 @@ static bool laser_can_be_grazed(const struct board *b, uint32_t i)
 
     if (b->laser_kinds.flags[kind] & LASER_SHOOTS || !b->laser_kinds.graze_interval[kind])
         return false;
-    for (uint32_t p = 0; p < PADS; p++)
-        if (b->player.in_game[p] && b->core.clock >= b->lasers.rehit_clock[i * PADS + p])
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
+        if (b->player.in_game[p] && b->core.clock >= b->lasers.rehit_clock[i * MAX_PLAYERS + p])
             return true;
     return false;
 }
@@ -154,7 +154,7 @@ static struct inspect_body laser_body(const struct board *b, uint32_t i, uint32_
         body.b = half_x;
         body.c = half_y;
     }
-    body.inactive = !laser_can_be_grazed(b, i);
+    body.is_dimmed = !laser_can_be_grazed(b, i);
     return body;
 }
 
@@ -187,7 +187,7 @@ void inspect_bodies(const struct board *b, void (*visit)(void *context, const st
         visit(context, &body);
     }
     laser_bodies(b, visit, context);
-    for (uint32_t i = 0; i < PADS; i++) {
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         body = player_body(b, i);
         if (b->player.in_game[i])
             visit(context, &body);
@@ -451,7 +451,7 @@ static bool is_better(const struct fit *a, const struct fit *b)
     return a->distance < b->distance;
 }
 
-static void consider(void *context, const struct inspect_body *body)
+static void update_best_fit(void *context, const struct inspect_body *body)
 {
     struct search *s = context;
     bool is_capsule = body->shape == INSPECT_CAPSULE,
@@ -480,7 +480,7 @@ static void describe_motion(const struct board *b, const struct bullets *s, uint
     out->program = s->motion[i] - 1u;
     out->motion = board_name(b, N_MOTION, (int)out->program);
     out->step = s->pc[i] + 1u;
-    out->steps = b->motions.length[out->program];
+    out->step_count = b->motions.length[out->program];
     if (s->step_flags[i] & STEP_BEGUN)
         out->frames_left = s->step_end[i] - b->core.clock;
 }
@@ -545,7 +545,7 @@ bool inspect_at(const struct board *b, int x, int y, int radius, struct inspect_
     struct search s = { .x = x * 65536 + 32768, .y = y * 65536 + 32768, .radius = radius * 65536 };
 
     *out = (struct inspect_entity){ 0 };
-    inspect_bodies(b, consider, &s);
+    inspect_bodies(b, update_best_fit, &s);
     out->body = s.found;
     out->x = to_screen(s.found.x, -b->cart.manifest.field_x);
     out->y = to_screen(s.found.y, -b->cart.manifest.field_y);

@@ -29,8 +29,9 @@ struct inspect_body {
         int32_t x, y, r;
     } circle[SHAPE_MAX_CIRCLES];
     int32_t graze; /* player: radius of the graze ring; otherwise 0 */
-    bool inactive; /* bullet or laser: no player can graze it now; enemy: dying, or harmless to touch; player:
-                      invulnerable */
+    /* Drawn in the dim colour. Bullet or laser: no player can graze it now; enemy: dying, or harmless to touch; player:
+     * invulnerable. */
+    bool is_dimmed;
 };
 
 /* Calls `visit` for every body: enemies, shots, bullets, lasers, then players, each group in slot order. A laser has
@@ -130,21 +131,21 @@ bool inspect_task(const struct board *b, uint32_t serial, struct inspect_task *o
 
 struct inspect_entity {
     struct inspect_body body;
-    const char *name;     /* name of the entity's kind */
-    const char *tag;      /* NULL: none */
-    uint32_t age;         /* frames of game time; player: 0 */
-    int32_t x, y;         /* on the field, Q15.16 px */
-    int32_t speed;        /* Q15.16 px/frame; speed and dir: bullets, shots and lasers only */
-    double dir;           /* degrees */
-    bool has_motion;      /* a motion program drives the entity */
-    const char *motion;   /* name of the motion program; NULL: unnamed */
-    uint32_t program;     /* index of the motion program */
-    uint32_t step, steps; /* current step, from 1, and number of steps; step = steps + 1: past the last step */
-    uint32_t frames_left; /* frames left in the current step; 0: the step has not begun or takes no time */
-    uint32_t owner_task;  /* serial of the task that fired or spawned it; 0: none */
-    int player;           /* shot or laser: the player who owns it, 1 or 2; 0: none */
-    int32_t hp, safe;     /* hp: enemies only; safe: enemies and players, frames of invulnerability left, -1: forever */
-    int32_t lives;        /* players only */
+    const char *name;          /* name of the entity's kind */
+    const char *tag;           /* NULL: none */
+    uint32_t age;              /* frames of game time; player: 0 */
+    int32_t x, y;              /* on the field, Q15.16 px */
+    int32_t speed;             /* Q15.16 px/frame; speed and dir: bullets, shots and lasers only */
+    double dir;                /* degrees */
+    bool has_motion;           /* a motion program drives the entity */
+    const char *motion;        /* name of the motion program; NULL: unnamed */
+    uint32_t program;          /* index of the motion program */
+    uint32_t step, step_count; /* current step, from 1, and number of steps; step = steps + 1: past the last step */
+    uint32_t frames_left;      /* frames left in the current step; 0: the step has not begun or takes no time */
+    uint32_t owner_task;       /* serial of the task that fired or spawned it; 0: none */
+    int player;                /* shot or laser: the player who owns it, 1 or 2; 0: none */
+    int32_t hp, safe; /* hp: enemies only; safe: enemies and players, frames of invulnerability left, -1: forever */
+    int32_t lives;    /* players only */
 };
 
 /* Finds the entity whose hitbox contains the screen pixel (x, y) or is nearest to it, at most `radius` px away. Ties go
@@ -172,7 +173,7 @@ struct inspect_music {
     const char *name, *title;
     const char *mark, *next; /* last marker passed; music that starts after this has faded out; "": none */
     uint64_t bar;            /* current bar, from 0 */
-    int beat, beats;         /* beat in the bar, from 0; beats per bar */
+    int beat, beats_per_bar; /* beat in the bar, from 0; beats per bar */
     uint32_t tempo;          /* hundredths of a quarter note per minute */
     int gain;                /* percent */
     bool is_paused;          /* stopped by the game's pause */

@@ -80,11 +80,11 @@ void inspect_music(const struct board *b, struct inspect_music *out)
     const struct tune t = tune_of(b->cart.tune_data + cart_place(&b->cart, CART_TUNES, s->tune - 1));
     out->name = music_name(b, s->tune);
     out->title = tune_title(&t);
-    out->mark = s->mark ? tune_mark_name(&t, s->mark - 1) : "";
+    out->mark = s->mark ? tune_marker_name(&t, s->mark - 1) : "";
     out->next = music_name(b, s->next);
     out->bar = seq_beats(s) / (uint64_t)t.beats_per_bar;
     out->beat = (int)(seq_beats(s) % (uint64_t)t.beats_per_bar);
-    out->beats = t.beats_per_bar;
+    out->beats_per_bar = t.beats_per_bar;
     out->tempo = s->tempo;
     out->gain = b->voices.gain1 * 100 / VOICE_FULL_GAIN;
     out->is_paused = b->core.frozen > 0;

@@ -143,7 +143,7 @@ static enum result pictures_open(struct capture *c)
     fb_init(&c->fb, c->memory, w, h);
     c->view = (struct view){ .dim = (enum view_dim)c->a->dim,
                              .softens_flashes = c->a->flashes,
-                             .colours = (enum view_colours)c->a->colours,
+                             .colours = (enum colour_blind_mode)c->a->colours,
                              .shades = shade_for(&c->shades, &c->run.game.cart) };
     return RESULT_DONE;
 }
@@ -249,7 +249,7 @@ static enum result go_through(struct capture *c, bool sound)
 
 static enum result write_out(const struct capture *c, const uint8_t *bytes, size_t n)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!c->to_stdout)
         return files_save(c->a->out, bytes, n, err, sizeof err) ? RESULT_DONE
@@ -342,7 +342,7 @@ static enum result shoot_y4m(struct capture *c)
 struct ffmpeg {
     const char *words[48];
     int n;
-    char sound[FILES_PATH + 8], film[FILES_PATH + 8];
+    char sound[FILES_PATH_SIZE + 8], film[FILES_PATH_SIZE + 8];
 };
 
 static void add_words(struct ffmpeg *f, const char *const words[])
@@ -386,7 +386,7 @@ static bool ffmpeg_words(struct ffmpeg *f, const struct capture *c, const char *
  * what they are. */
 static enum result put_film(const struct capture *c, const char *part)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     uint8_t *film;
     size_t size;
 
@@ -400,7 +400,7 @@ static enum result put_film(const struct capture *c, const char *part)
 static enum result feed(struct capture *c, const char *sound, const char *part)
 {
     struct ffmpeg ffmpeg;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!ffmpeg_words(&ffmpeg, c, sound, part))
         return report_line(RESULT_REFUSED, "-o: path too long");
@@ -423,7 +423,7 @@ static enum result feed(struct capture *c, const char *sound, const char *part)
 /* With sound, unless its speed is another. */
 static enum result shoot_film(struct capture *c)
 {
-    char part[FILES_PATH], sound[FILES_PATH], err[FILES_ERR];
+    char part[FILES_PATH_SIZE], sound[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
     const bool heard = board_has_sound(c->run.guard.board) && c->a->faster <= 1 && c->a->slower <= 1;
 
     if (!output_path_temporary(c->a->out, ".part", part, sizeof part) ||

@@ -198,7 +198,7 @@ static void version_of_libraries(void)
 {
     char text[192];
 
-    plat_about(text, sizeof text);
+    plat_describe_build(text, sizeof text);
     text[strcspn(text, ",")] = '\0';
     printf("platform %s\n", text);
     for (enum library l = 0; l < LIBRARIES && !own_sealed(); l++) {

@@ -49,7 +49,7 @@ static bool is_games_folder(const char *path)
 struct play {
     const struct args *a;
     struct args next; /* what holds of a for a game that was dropped */
-    char dropped[FILES_PATH];
+    char dropped[FILES_PATH_SIZE];
     const char *path;
     struct game game;
     struct cab *cab; /* NULL: there is none, and result is what became of the game */

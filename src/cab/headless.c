@@ -64,7 +64,7 @@ static enum result studio_open(struct studio *s, const struct unseen *r)
     fb_init(&s->fb, s->mem, w, h);
     s->view = (struct view){ .dim = (enum view_dim)r->a->dim,
                              .softens_flashes = r->a->flashes,
-                             .colours = (enum view_colours)r->a->colours,
+                             .colours = (enum colour_blind_mode)r->a->colours,
                              .shades = shade_for(&s->shades, &r->game.cart) };
     if (r->a->wav && !tape_open(&s->tape))
         return report_line(RESULT_HOST_FAILED, "out of memory");

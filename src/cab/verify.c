@@ -99,7 +99,7 @@ static void say_hashes(const struct verify *v, const struct verdict *w)
     const uint64_t *row = demo_hashes(&v->demo, w->frame);
     uint16_t print = 0;
 
-    for (int i = 0; i < v->demo.parts; i++) {
+    for (int i = 0; i < v->demo.n_parts; i++) {
         unsigned long long here = v->replay.hashes[i];
         if (!(w->parts >> i & 1))
             continue;
@@ -166,13 +166,13 @@ static void say_place(const struct demo *d, uint32_t frame)
 static void say_pads(const struct demo *d, uint32_t frame)
 {
     static const char *const names[PAD_BUTTONS] = PAD_NAMES;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     if (frame == 0)
         return;
     demo_pads(d, frame - 1, pads);
     report_print("  held:");
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         report_print("%s player %d", p ? ";" : "", p + 1);
         for (int i = 0; i < PAD_BUTTONS; i++)
             if (pads[p] >> i & 1)
@@ -204,7 +204,7 @@ static void say_header(const struct demo *d)
         report_print(", language %s", d->start.lang);
     for (int i = 0; demo_flag_name(i); i++)
         report_print("%s%s", d->flags >> i & 1 ? ", " : "", d->flags >> i & 1 ? demo_flag_name(i) : "");
-    report_print("\n  %d parts, %u rows, %u markers\n", d->parts, (unsigned)d->n_rows, (unsigned)d->n_markers);
+    report_print("\n  %d parts, %u rows, %u markers\n", d->n_parts, (unsigned)d->n_rows, (unsigned)d->n_markers);
 }
 
 static void say_more(const struct verify *v, const struct verdict *w)
@@ -310,7 +310,7 @@ static void tell(struct tale *t, const char *format, ...)
 }
 
 /* "1200", and of a second player who has any "1200 and 300". */
-static void points_text(const int64_t points[PADS], char *out, size_t size)
+static void points_text(const int64_t points[MAX_PLAYERS], char *out, size_t size)
 {
     int n = snprintf(out, size, "%" PRId64, points[0]);
 
@@ -318,7 +318,7 @@ static void points_text(const int64_t points[PADS], char *out, size_t size)
         snprintf(out + n, size - (size_t)n, " and %" PRId64, points[1]);
 }
 
-static bool points_of(const struct demo *d, int64_t points[PADS])
+static bool points_of(const struct demo *d, int64_t points[MAX_PLAYERS])
 {
     return demo_points(d, 0, &points[0]) && demo_points(d, 1, &points[1]);
 }
@@ -328,10 +328,10 @@ static bool points_of(const struct demo *d, int64_t points[PADS])
 static void tell_points(const struct verify *v, const struct rerun *o, struct tale *t)
 {
     uint32_t last = v->demo.frames - (v->demo.fault && v->demo.frames);
-    int64_t was[PADS], is[PADS];
+    int64_t was[MAX_PLAYERS], is[MAX_PLAYERS];
     char before[48], now[48];
 
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         is[p] = board_points(v->replay.guard.board, p);
     points_text(is, now, sizeof now);
     bool told = points_of(&v->demo, was);
@@ -515,7 +515,7 @@ static enum result verify_stdin(struct verify *v)
         if (first)
             files_strip_bom(name, &n);
         first = false;
-        plat_slashes(name);
+        plat_normalize_slashes(name);
         v->path = name;
         enum result result = whole ? verify_demo(v, name) : refuse(v, RESULT_REFUSED, "%s: name too long", name);
         worst = result > worst ? result : worst;

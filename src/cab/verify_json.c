@@ -52,7 +52,7 @@ static void tell_difference(struct json *j, const struct verify_told *t)
     json_number(j, "first", w->first);
     json_number(j, "frame", w->frame);
     json_open(j, "parts", '[');
-    for (int i = 0; i < t->demo->parts; i++)
+    for (int i = 0; i < t->demo->n_parts; i++)
         if (w->parts >> i & 1)
             json_text(j, NULL, t->demo->part[i]);
     json_close(j, ']');
@@ -86,7 +86,7 @@ static void tell_game(struct json *j, const struct verify_told *t)
     int difficulty = t->replay->difficulty;
 
     json_open(j, "score", '[');
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         json_number(j, NULL, board_points(t->replay->guard.board, p));
     json_close(j, ']');
     json_text(j, "difficulty", difficulty < m->n_difficulties ? m->difficulties[difficulty] : NULL);

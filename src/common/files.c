@@ -12,19 +12,19 @@
 #include "../base/err.h"
 #include "result.h"
 
-const char *files_display_name(const char *name, char path[FILES_PATH])
+const char *files_display_name(const char *name, char path[FILES_PATH_SIZE])
 {
     bool in_user_folder = strncmp(name, "user:", 5) == 0 || strncmp(name, "pictures:", 9) == 0;
 
-    if (!in_user_folder || !plat_path(name, path, FILES_PATH))
-        snprintf(path, FILES_PATH, "%s", name);
+    if (!in_user_folder || !plat_path(name, path, FILES_PATH_SIZE))
+        snprintf(path, FILES_PATH_SIZE, "%s", name);
     return path;
 }
 
 /* Sets err to "NAME: cannot be VERB (REASON)", without the reason when errno is 0. */
 static void set_access_error(const char *name, const char *verb, char *err, size_t err_size)
 {
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
     int error = errno;
 
     files_display_name(name, shown);

@@ -8,11 +8,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { FILES_PATH = 2048, FILES_ERR = FILES_PATH + 128 };
+enum { FILES_PATH_SIZE = 2048, FILES_ERR_SIZE = FILES_PATH_SIZE + 128 };
 
 /* Writes a file name to path in the form that messages show: the real path of a file in the user's folders, any other
  * name unchanged. Returns path. */
-const char *files_display_name(const char *name, char path[FILES_PATH]);
+const char *files_display_name(const char *name, char path[FILES_PATH_SIZE]);
 
 /* Call plat_save and plat_append. On failure, return false and set err to "PATH: cannot be written (No space left on
  * device)", without the reason in brackets when the host gives none. */

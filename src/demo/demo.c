@@ -34,12 +34,12 @@ bool demo_reserve_frames(struct demo *d, uint32_t more)
 {
     return reserve(&d->pads, &d->frames_cap, d->frames + more, sizeof d->pads[0]) &&
            (d->sparse ||
-            reserve(&d->checksums, &d->checksums_cap, d->frames + more, sizeof d->checksums[0] * (size_t)d->parts));
+            reserve(&d->checksums, &d->checksums_cap, d->frames + more, sizeof d->checksums[0] * (size_t)d->n_parts));
 }
 
 bool demo_reserve_row(struct demo *d)
 {
-    return reserve(&d->rows, &d->rows_cap, d->n_rows + 1, sizeof d->rows[0] * (size_t)d->parts);
+    return reserve(&d->rows, &d->rows_cap, d->n_rows + 1, sizeof d->rows[0] * (size_t)d->n_parts);
 }
 
 bool demo_reserve_marker(struct demo *d)
@@ -70,12 +70,12 @@ const char *const demo_checksum_rate_names[] = { "auto", "every", "seconds", NUL
 
 uint64_t *demo_row(const struct demo *d, uint32_t i)
 {
-    return d->rows + (size_t)i * (size_t)d->parts;
+    return d->rows + (size_t)i * (size_t)d->n_parts;
 }
 
-void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS])
+void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
 
     memcpy(pads, frame < d->frames ? d->pads[frame] : none, sizeof none);
 }
@@ -89,7 +89,7 @@ uint32_t demo_row_frame(const struct demo *d, uint32_t i)
 
 bool demo_row_is_full(const struct demo *d, uint32_t i)
 {
-    if (!d->sparse || i % DEMO_MINUTE == 0)
+    if (!d->sparse || i % DEMO_FULL_ROW_INTERVAL == 0)
         return true;
     return i + 1 == d->n_rows && demo_row_frame(d, i) == d->frames && (d->complete || d->frames % DEMO_SECOND != 0);
 }
@@ -111,8 +111,9 @@ const uint64_t *demo_hashes(const struct demo *d, uint32_t frame)
 
 const uint16_t *demo_checksums(const struct demo *d, uint32_t frame)
 {
-    return d->sparse || frame < 1 || frame > d->checksum_frames ? NULL
-                                                                : d->checksums + (size_t)(frame - 1) * (size_t)d->parts;
+    return d->sparse || frame < 1 || frame > d->checksum_frames
+               ? NULL
+               : d->checksums + (size_t)(frame - 1) * (size_t)d->n_parts;
 }
 
 bool demo_checksum(const struct demo *d, uint32_t frame, int part, uint16_t *checksum)
@@ -153,7 +154,7 @@ uint64_t demo_reorder_hashes(const struct demo *d, const struct board *b, const 
 {
     uint64_t missing = 0;
 
-    for (int i = 0; i < d->parts; i++) {
+    for (int i = 0; i < d->n_parts; i++) {
         int part = find_part(b, d->part[i], i);
         hashes[i] = part < 0 ? 0 : board_order[part];
         missing |= (uint64_t)(part < 0) << i;
@@ -167,7 +168,7 @@ uint64_t demo_differing_parts(const struct demo *d, uint32_t frame, const uint64
     uint64_t differing = 0;
     uint16_t checksum;
 
-    for (int i = 0; i < d->parts; i++) {
+    for (int i = 0; i < d->n_parts; i++) {
         bool differs = demo_checksum(d, frame, i, &checksum) && checksum != (uint16_t)hashes[i];
         if (differs || (row && row[i] != hashes[i]))
             differing |= (uint64_t)1 << i;

@@ -22,12 +22,12 @@
 
 enum {
     DEMO_FORMAT = 5,
-    DEMO_OLDEST_FORMAT = 2,     /* the oldest format that can be read */
-    DEMO_SECOND = 60,           /* frames between two hash rows */
-    DEMO_MINUTE = 60,           /* rows between two full rows of a sparse demo */
-    DEMO_DENSE_FRAMES = 3600,   /* frames up to which a demo has checksums of every frame, by default */
-    DEMO_MAX_FRAMES = 1 << 23,  /* 38 hours */
-    DEMO_MAX_BYTES = 256 << 20, /* maximum size of a file */
+    DEMO_OLDEST_FORMAT = 2,      /* the oldest format that can be read */
+    DEMO_SECOND = 60,            /* frames between two hash rows */
+    DEMO_FULL_ROW_INTERVAL = 60, /* rows between two full rows of a sparse demo */
+    DEMO_DENSE_FRAMES = 3600,    /* frames up to which a demo has checksums of every frame, by default */
+    DEMO_MAX_FRAMES = 1 << 23,   /* 38 hours */
+    DEMO_MAX_BYTES = 256 << 20,  /* maximum size of a file */
     DEMO_PATH = 1024,
     DEMO_ERR = DEMO_PATH + 64
 };
@@ -57,11 +57,11 @@ struct demo {
     struct board_start start;     /* .nvram points to `nvram` below, or is NULL when nvram is empty */
     uint8_t *nvram;
     unsigned flags;
-    int parts;
+    int n_parts;
     char part[MAX_PARTS][16];
-    uint32_t frames;          /* ticks recorded */
-    uint16_t (*pads)[PADS];   /* pads[f]: input of the tick that produced frame f + 1 */
-    bool sparse;              /* only rows have hashes, some full (demo_row_is_full), the others only checksums */
+    uint32_t frames;               /* ticks recorded */
+    uint16_t (*pads)[MAX_PLAYERS]; /* pads[f]: input of the tick that produced frame f + 1 */
+    bool sparse;                   /* only rows have hashes, some full (demo_row_is_full), the others only checksums */
     uint16_t *checksums;      /* frames x parts: entry f * parts is the first of frame f + 1; NULL in a sparse demo */
     uint64_t checksum_parts;  /* set of parts (1 << part) that have checksums: all; in format 2 only `script` */
     uint32_t checksum_frames; /* number of frames that completed: `frames`, or one less if the last tick faulted */
@@ -86,7 +86,7 @@ bool demo_load(struct demo *d, const char *path, char *err, size_t err_size);
 void demo_free(struct demo *d);
 
 /* Gets the pads that make frame `frame` + 1; none are pressed after the demo's end. */
-void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[PADS]);
+void demo_pads(const struct demo *d, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 
 /* Returns the frame of hash row i, 0 <= i < n_rows: 0, 60, 120 ..., and for the last row the demo's end. */
 uint32_t demo_row_frame(const struct demo *d, uint32_t i);
@@ -133,8 +133,8 @@ const char *demo_replay_warning(const struct demo *d, const struct cart *cart, c
 /*
  * Recording. Every call is harmless on a zeroed or ended writer, so callers need not check whether they are recording.
  * A call returns false, once, when the file could not be written or another program has changed it since; w->err has
- * the message. Recording then continues in memory, and the file stays as it is. demo_retry and demo_end try again to
- * write a file that could not be written. (Out of memory stops the recording altogether.)
+ * the message. Recording then continues in memory, and the file stays as it is. demo_retry_write and demo_end try again
+ * to write a file that could not be written. (Out of memory stops the recording altogether.)
  */
 struct demo_file {
     char path[DEMO_PATH];     /* "": none, recorded in memory only */
@@ -142,7 +142,7 @@ struct demo_file {
     uint32_t markers_written; /* number of markers in the file */
     uint32_t crc;             /* CRC of the last record written */
     size_t size;              /* bytes in the file; 0: nothing written yet */
-    bool write_failed;        /* a write failed; nothing more is written until demo_retry rewrites the whole file */
+    bool write_failed; /* a write failed; nothing more is written until demo_retry_write rewrites the whole file */
 };
 /* Which frames have checksums in the file. */
 enum demo_checksum_rate {
@@ -170,16 +170,16 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 
 /* Rewrites the whole file of a recording whose last write failed. Returns false when it still cannot be written; w->err
  * has the reason. Also returns false for a file without a size, such as a pipe, which cannot be rewritten. */
-bool demo_retry(struct demo_writer *w);
+bool demo_retry_write(struct demo_writer *w);
 
 /* Sets which frames have checksums. Call it right after demo_begin, which sets DEMO_CHECKSUMS_AUTO. */
 bool demo_set_checksum_rate(struct demo_writer *w, enum demo_checksum_rate rate);
 
 /* Stores the pads of the tick that is about to run, for demo_dump in case the tick never returns. Optional. */
-void demo_begin_tick(struct demo_writer *w, const uint16_t pads[PADS]);
+void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS]);
 
 /* Records a frame. Call it after every board_tick, with the same pads. The file grows once a second. */
-bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS]);
+bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[MAX_PLAYERS]);
 
 /* Records to the file `path` from now on, replacing an existing file. Writes everything recorded so far at once. */
 bool demo_record_to(struct demo_writer *w, const char *path);
@@ -207,7 +207,7 @@ bool demo_end(struct demo_writer *w, const struct board *b);
  * continues. Returns NULL when out of memory, or when recording has stopped. */
 uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size);
 
-/* Frees the writer's memory, also while it is recording; the file stays as it is. */
+/* Frees the writer's memory, even during a recording. Does not touch the file. */
 void demo_writer_free(struct demo_writer *w);
 
 /* Returns a demo as a file in the newest format, from malloc, or NULL when out of memory. The demo must have every

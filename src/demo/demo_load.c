@@ -12,7 +12,7 @@
 
 bool demo_load(struct demo *d, const char *path, char *err, size_t err_size)
 {
-    char reason[256], shown[FILES_PATH];
+    char reason[256], shown[FILES_PATH_SIZE];
     uint8_t *data;
     size_t size;
 

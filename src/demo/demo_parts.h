@@ -36,7 +36,8 @@ enum { HASHED_NONE, HASHED_FULL, HASHED_CHECKSUMS };
  * row is full, and so is the row of a last second with fewer than DEMO_SECOND frames. */
 static inline int demo_second_hash_kind(uint32_t first, uint32_t end)
 {
-    return end - first < DEMO_SECOND || end / DEMO_SECOND % DEMO_MINUTE == 0 ? HASHED_FULL : HASHED_CHECKSUMS;
+    return end - first < DEMO_SECOND || end / DEMO_SECOND % DEMO_FULL_ROW_INTERVAL == 0 ? HASHED_FULL
+                                                                                        : HASHED_CHECKSUMS;
 }
 
 /* Returns whether the end mark of this demo contains the last row, because the last second's record has only
@@ -44,7 +45,7 @@ static inline int demo_second_hash_kind(uint32_t first, uint32_t end)
 static inline bool demo_end_has_row(const struct demo *d)
 {
     return d->sparse && d->fault == FAULT_NONE && d->n_rows && d->frames % DEMO_SECOND == 0 &&
-           d->frames / DEMO_SECOND % DEMO_MINUTE != 0;
+           d->frames / DEMO_SECOND % DEMO_FULL_ROW_INTERVAL != 0;
 }
 
 /* Reserve capacity for `more` frames, one row or one marker. Return false when out of memory; the demo's content is

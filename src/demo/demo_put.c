@@ -101,8 +101,8 @@ static void write_practice(struct demo_sink *s, const struct practice *p)
     write_str(s, p->section);
     write32(s, (uint32_t)p->lives);
     write8(s, p->invincible);
-    write8(s, (uint32_t)p->registers);
-    for (int i = 0; i < p->registers; i++) {
+    write8(s, (uint32_t)p->register_count);
+    for (int i = 0; i < p->register_count; i++) {
         write_str(s, p->reg[i].name);
         write32(s, (uint32_t)p->reg[i].value);
     }
@@ -125,8 +125,8 @@ void demo_put_header(struct demo_sink *s, const struct demo *d, uint32_t *crc)
     write_practice(s, &d->start.practice);
     write_str(s, d->start.lang);
     write8(s, d->sparse);
-    write8(s, (uint32_t)d->parts);
-    for (int i = 0; i < d->parts; i++)
+    write8(s, (uint32_t)d->n_parts);
+    for (int i = 0; i < d->n_parts; i++)
         write_str(s, d->part[i]);
     write32(s, (uint32_t)d->start.nvram_size);
     write_nvram(s, d->nvram, d->start.nvram_size);
@@ -144,23 +144,23 @@ static uint32_t count_pads_run(const struct demo *d, uint32_t f, uint32_t end)
 
 static void write_row(struct demo_sink *s, const struct demo *d, const uint64_t *row)
 {
-    for (int i = 0; row && i < d->parts; i++)
+    for (int i = 0; row && i < d->n_parts; i++)
         write64(s, row[i]);
 }
 
 /* Writes the runs of pads of a sparse second. */
 static void write_runs(struct demo_sink *s, const struct demo *d, uint32_t first, uint32_t end)
 {
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
     const uint16_t *previous = first ? d->pads[first - 1] : none;
 
     for (uint32_t f = first, run; f < end; f += run) {
         uint8_t head = 0;
         run = count_pads_run(d, f, end);
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             head |= d->pads[f][p] != previous[p] ? RUN_FIRST << p : 0;
         write8(s, head | (run - 1));
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             if (head & RUN_FIRST << p)
                 write16(s, d->pads[f][p]);
         previous = d->pads[f];
@@ -173,11 +173,11 @@ static void write_row_checksums(struct demo_sink *s, const struct demo *d, const
 {
     uint64_t changed_mask = 0;
 
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         changed_mask |= (uint64_t)((uint16_t)previous[i] != (uint16_t)row[i]) << i;
-    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->n_parts); i++)
         write8(s, changed_mask >> 8 * i & 0xff);
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         if (changed_mask >> i & 1)
             write16(s, (uint16_t)row[i]);
 }
@@ -206,11 +206,11 @@ static void write_checksums(struct demo_sink *s, const struct demo *d, uint32_t 
 {
     uint64_t changed_mask = 0;
 
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         changed_mask |= (uint64_t)(checksum_after(d, f, i) != checksum_after(d, f - 1, i)) << i;
-    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->parts); i++)
+    for (int i = 0; i < demo_mask_bytes(DEMO_FORMAT, d->n_parts); i++)
         write8(s, changed_mask >> 8 * i & 0xff);
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         if (changed_mask >> i & 1)
             write16(s, checksum_after(d, f, i));
 }

@@ -136,8 +136,8 @@ static void take_practice(struct source *s, struct practice *p)
     n = take8(s);
     s->bad |= p->lives < 0 || p->lives > 99 || invincible > 1 || n > PRACTICE_REGISTERS;
     p->invincible = invincible;
-    p->registers = s->bad ? 0 : n;
-    for (int i = 0; i < p->registers; i++) {
+    p->register_count = s->bad ? 0 : n;
+    for (int i = 0; i < p->register_count; i++) {
         take_str(s, p->reg[i].name, sizeof p->reg[i].name);
         p->reg[i].value = (int32_t)take32(s);
     }
@@ -146,7 +146,7 @@ static void take_practice(struct source *s, struct practice *p)
 /* Returns the index of the script part, which alone has checksums in format 2, or -1. */
 static int find_script_part(const struct demo *d)
 {
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         if (strcmp(d->part[i], "script") == 0)
             return i;
     return -1;
@@ -174,12 +174,12 @@ static bool read_header(struct parse *p, struct source *s)
         s->bad |= sparse > 1;
         d->sparse = sparse;
     }
-    d->parts = take8(s);
+    d->n_parts = take8(s);
     if (s->bad)
         return set_damaged_error(p, "header");
-    if (d->parts < 1 || d->parts > (d->format > 3 ? MAX_PARTS : MAX_OLD_PARTS))
+    if (d->n_parts < 1 || d->n_parts > (d->format > 3 ? MAX_PARTS : MAX_OLD_PARTS))
         return set_damaged_error(p, "the number of parts");
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         take_str(s, d->part[i], sizeof d->part[i]);
     d->start.nvram_size = take32(s);
     if (s->bad || !is_valid_id(d->id))
@@ -222,14 +222,14 @@ static bool take_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 static bool take_sparse_runs(struct source *s, struct demo *d, uint32_t n, int runs)
 {
     uint32_t f = d->frames, end = f + n;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     if (f)
         memcpy(pads, d->pads[f - 1], sizeof pads);
     for (int i = 0; i < runs; i++) {
         const uint8_t head = take8(s);
         const uint32_t run = 1u + (head & RUN_FRAMES);
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             if (head & RUN_FIRST << p)
                 pads[p] = take16(s);
         if (run > end - f || ((pads[0] | pads[1]) & ~PAD_ALL) != 0)
@@ -245,20 +245,20 @@ static uint64_t take_mask(struct source *s, const struct demo *d)
 {
     uint64_t mask = 0;
 
-    for (int i = 0; i < demo_mask_bytes(d->format, d->parts); i++)
+    for (int i = 0; i < demo_mask_bytes(d->format, d->n_parts); i++)
         mask |= (uint64_t)take8(s) << 8 * i;
-    s->bad |= d->parts < 64 && mask >> d->parts != 0;
+    s->bad |= d->n_parts < 64 && mask >> d->n_parts != 0;
     return mask;
 }
 
 /* Reads the checksums of frame f; the file has only the checksums that differ from the previous frame's. */
 static void take_checksums(struct source *s, struct demo *d, uint32_t f)
 {
-    uint16_t *checksums = d->checksums + (size_t)(f - 1) * (size_t)d->parts;
+    uint16_t *checksums = d->checksums + (size_t)(f - 1) * (size_t)d->n_parts;
     uint64_t changed_mask = d->format > 2 ? take_mask(s, d) : d->checksum_parts;
 
-    for (int i = 0; i < d->parts; i++) {
-        uint16_t previous = f > 1 ? checksums[i - d->parts] : (uint16_t)demo_row(d, 0)[i];
+    for (int i = 0; i < d->n_parts; i++) {
+        uint16_t previous = f > 1 ? checksums[i - d->n_parts] : (uint16_t)demo_row(d, 0)[i];
         checksums[i] = changed_mask >> i & 1 ? take16(s) : previous;
     }
 }
@@ -275,10 +275,10 @@ static void take_hashes(struct source *s, struct demo *d, uint32_t n, bool hashe
     if (!hashed)
         return;
     uint64_t *row = demo_row(d, d->n_rows++);
-    for (int i = 0; i < d->parts; i++)
+    for (int i = 0; i < d->n_parts; i++)
         row[i] = take64(s);
-    for (int i = 0; n > 0 && i < d->parts; i++)
-        d->checksums[(size_t)(end - 1) * (size_t)d->parts + (size_t)i] = (uint16_t)row[i];
+    for (int i = 0; n > 0 && i < d->n_parts; i++)
+        d->checksums[(size_t)(end - 1) * (size_t)d->n_parts + (size_t)i] = (uint16_t)row[i];
 }
 
 /* Reads the hashes after a sparse second, unless hash_kind is HASHED_NONE. */
@@ -290,7 +290,7 @@ static void take_sparse(struct source *s, struct demo *d, uint32_t n, int hash_k
         return;
     uint64_t *row = demo_row(d, d->n_rows);
     const uint64_t changed_mask = hash_kind == HASHED_CHECKSUMS ? take_mask(s, d) : 0;
-    for (int i = 0; i < d->parts; i++) {
+    for (int i = 0; i < d->n_parts; i++) {
         if (hash_kind == HASHED_FULL)
             row[i] = take64(s);
         else
@@ -356,7 +356,7 @@ static bool read_marker(struct parse *p, struct source *s)
         is_valid = is_valid && m.marker.value != 0;
     }
     if (!is_valid || d->n_rows == 0 || m.frame < previous_frame || m.frame > d->frames)
-        return set_damaged_error(p, "moment");
+        return set_damaged_error(p, "marker");
     if (!demo_reserve_marker(d))
         return err_set(p->err, p->err_size, "too large for the available memory");
     d->markers[d->n_markers++] = m;
@@ -369,7 +369,7 @@ static bool take_last_row(struct source *s, struct demo *d)
     uint64_t *row = demo_row(d, d->n_rows - 1);
     bool matches = true;
 
-    for (int i = 0; i < d->parts; i++) {
+    for (int i = 0; i < d->n_parts; i++) {
         const uint64_t full = take64(s);
         matches = matches && (uint16_t)full == (uint16_t)row[i];
         row[i] = full;

@@ -45,7 +45,7 @@ static void mark_failed(struct demo_file *f)
 /* Writes bytes to a file; replaces: replaces its content, otherwise appends. */
 static bool write_to_file(struct demo_file *f, const struct demo_sink *s, bool replaces, char *err)
 {
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
     const bool ours = is_ours(f);
     bool good = ours;
 
@@ -122,14 +122,14 @@ static bool add_row(struct demo_writer *w)
 
     if (!demo_reserve_row(d))
         return false;
-    memcpy(demo_row(d, d->n_rows++), w->hashes, sizeof w->hashes[0] * (size_t)d->parts);
+    memcpy(demo_row(d, d->n_rows++), w->hashes, sizeof w->hashes[0] * (size_t)d->n_parts);
     return true;
 }
 
 static void set_parts(struct demo *d, const struct board *b)
 {
-    d->parts = board_parts(b);
-    for (int i = 0; i < d->parts; i++)
+    d->n_parts = board_parts(b);
+    for (int i = 0; i < d->n_parts; i++)
         snprintf(d->part[i], sizeof d->part[i], "%s", board_part_name(b, i));
     d->checksum_parts = UINT64_MAX;
 }
@@ -148,7 +148,7 @@ static bool add_markers(struct demo *d, const struct board *b)
 {
     const struct board_out *out = board_last_output(b);
 
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         if (!demo_reserve_marker(d))
             return false;
         d->markers[d->n_markers++] = (struct demo_marker){ d->frames, out->marker[i] };
@@ -178,7 +178,7 @@ bool demo_record_to(struct demo_writer *w, const char *path)
     return false;
 }
 
-bool demo_retry(struct demo_writer *w)
+bool demo_retry_write(struct demo_writer *w)
 {
     struct demo_file *f = &w->file;
 
@@ -236,12 +236,12 @@ bool demo_begin(struct demo_writer *w, const char *path, const struct cart *cart
 static void add_checksums(struct demo_writer *w, const struct board *b)
 {
     struct demo *d = &w->demo;
-    uint16_t *checksums = d->sparse ? NULL : d->checksums + (size_t)(d->frames - 1) * (size_t)d->parts;
+    uint16_t *checksums = d->sparse ? NULL : d->checksums + (size_t)(d->frames - 1) * (size_t)d->n_parts;
 
     if (board_last_output(b)->fault)
         return;
     board_hashes_cached(b, w->hash_cache, w->hashes);
-    for (int i = 0; i < d->parts && !d->sparse; i++)
+    for (int i = 0; i < d->n_parts && !d->sparse; i++)
         checksums[i] = (uint16_t)w->hashes[i];
     d->checksum_frames = d->frames;
 }
@@ -269,7 +269,7 @@ static bool is_too_long(const struct demo_writer *w)
     return w->checksum_rate == DEMO_CHECKSUMS_AUTO && !w->demo.sparse && w->demo.frames > DEMO_DENSE_FRAMES;
 }
 
-bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[PADS])
+bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     struct demo *d = &w->demo;
 
@@ -296,7 +296,7 @@ bool demo_record_frame(struct demo_writer *w, const struct board *b, const uint1
     return write_both(w, put_all, true);
 }
 
-void demo_begin_tick(struct demo_writer *w, const uint16_t pads[PADS])
+void demo_begin_tick(struct demo_writer *w, const uint16_t pads[MAX_PLAYERS])
 {
     struct demo *d = &w->demo;
 
@@ -332,7 +332,7 @@ bool demo_rewind(struct demo_writer *w, uint32_t frame)
  * differently. */
 static bool add_points(struct demo *d, const struct board *b)
 {
-    for (int p = 0; p < PADS && d->n_rows; p++) {
+    for (int p = 0; p < MAX_PLAYERS && d->n_rows; p++) {
         struct demo_marker m = { .frame = d->frames, .marker.kind = MARKER_LISTED };
         if (!demo_reserve_marker(d))
             return false;
@@ -349,7 +349,7 @@ bool demo_end(struct demo_writer *w, const struct board *b)
 
     if (!w->recording)
         return true;
-    const bool good = demo_retry(w);
+    const bool good = demo_retry_write(w);
     if (!fault)
         board_hashes_cached(b, w->hash_cache, w->hashes);
     stop_recording(w);
@@ -384,7 +384,7 @@ static bool finish_copy(struct demo *d, const struct board *b, const uint64_t ha
     if (!add_points(d, b))
         return false;
     if (!fault && d->frames > demo_row_frame(d, d->n_rows ? d->n_rows - 1 : 0))
-        memcpy(demo_row(d, d->n_rows++), hashes, sizeof hashes[0] * (size_t)d->parts);
+        memcpy(demo_row(d, d->n_rows++), hashes, sizeof hashes[0] * (size_t)d->n_parts);
     d->complete = true;
     d->fault = fault ? fault->kind : FAULT_NONE;
     return true;
@@ -393,7 +393,7 @@ static bool finish_copy(struct demo *d, const struct board *b, const uint64_t ha
 uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, size_t *size)
 {
     struct demo d = w->demo;
-    const size_t row_size = sizeof d.rows[0] * (size_t)d.parts;
+    const size_t row_size = sizeof d.rows[0] * (size_t)d.n_parts;
     uint64_t hashes[MAX_PARTS];
 
     if (!w->recording)
@@ -401,8 +401,8 @@ uint8_t *demo_encode_now(const struct demo_writer *w, const struct board *b, siz
     if (!board_last_output(b)->fault)
         board_hashes(b, hashes);
     d.rows = copy_array(d.rows, d.n_rows * row_size, row_size);
-    d.markers = copy_array(d.markers, d.n_markers * sizeof d.markers[0], PADS * sizeof d.markers[0]);
-    d.markers_cap = d.n_markers + PADS;
+    d.markers = copy_array(d.markers, d.n_markers * sizeof d.markers[0], MAX_PLAYERS * sizeof d.markers[0]);
+    d.markers_cap = d.n_markers + MAX_PLAYERS;
     uint8_t *bytes = d.rows && d.markers && finish_copy(&d, b, hashes) ? demo_encode(&d, size) : NULL;
     free(d.rows);
     free(d.markers);

@@ -28,7 +28,7 @@ static void write_pending(struct demo_text *t)
         t->line[t->line_length++] = i <= t->n_pending ? digits[v >> (18 - 6 * i) & 63] : '=';
     memset(t->pending, 0, sizeof t->pending);
     t->n_pending = 0;
-    if (t->line_length == DEMO_TEXT_LINE)
+    if (t->line_length == DEMO_TEXT_LINE_LENGTH)
         end_line(t);
 }
 

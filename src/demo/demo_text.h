@@ -14,25 +14,25 @@
 #define DEMO_TEXT_BEGIN "-----BEGIN CURTAIN DEMO-----"
 #define DEMO_TEXT_END   "-----END CURTAIN DEMO-----"
 
-enum { DEMO_TEXT_LINE = 72 };
+enum { DEMO_TEXT_LINE_LENGTH = 72 };
 
 /* A writer that takes bytes in chunks. It allocates no memory, so a crash handler can use it. */
 struct demo_text {
     void (*write)(void *context, const void *bytes, size_t n);
     void *context;
     uint8_t pending[3];
-    int n_pending;                 /* bytes in pending */
-    char line[DEMO_TEXT_LINE + 1]; /* plus a \n */
-    int line_length;               /* characters in line */
+    int n_pending;                        /* bytes in pending */
+    char line[DEMO_TEXT_LINE_LENGTH + 1]; /* plus a \n */
+    int line_length;                      /* characters in line */
 };
 
 void demo_text_begin(struct demo_text *t, void (*write)(void *context, const void *bytes, size_t n), void *context);
 void demo_text_add(struct demo_text *t, const void *bytes, size_t n);
 void demo_text_end(struct demo_text *t);
 
-/* Finds a demo in a text and decodes it in place: data becomes the demo's bytes and *size their number. Returns false,
- * and changes nothing, when no line starts with DEMO_TEXT_BEGIN. Decoding stops at the end of the text or at the first
- * character that is not base64; the demo's CRCs detect damage. */
+/* Finds a demo in the text in data, *size bytes, and decodes it in place: data and *size become the demo's. Returns
+ * false, and changes nothing, when no line starts with DEMO_TEXT_BEGIN. Decoding stops at the end of the text or at the
+ * first character that is not base64; the demo's CRCs detect damage. */
 bool demo_text_decode(uint8_t *data, size_t *size);
 
 #endif

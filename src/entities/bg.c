@@ -8,7 +8,7 @@
 static const struct column columns[] = {
     COLUMN(bg, map),         COLUMN(bg, flags),      COLUMN(bg, bank),         COLUMN(bg, x),
     COLUMN(bg, y),           COLUMN(bg, vx),         COLUMN(bg, vy),           COLUMN(bg, wave),
-    COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, lines),
+    COLUMN(bg, wave_period), COLUMN(bg, wave_speed), COLUMN(bg, phase),        COLUMN(bg, n_lines),
     COLUMN(bg, horizon),     COLUMN(bg, height),     COLUMN(bg, dir),          COLUMN(bg, fog),
     COLUMN(bg, fog_end),     COLUMN(bg, shown_id),   COLUMN(bg, fade_elapsed), COLUMN(bg, fade_length),
 };
@@ -25,7 +25,7 @@ static const ang up = 0xc0000000u;
 
 static void clear_slot(struct bg *b, uint32_t i)
 {
-    b->map[i] = b->lines[i] = 0;
+    b->map[i] = b->n_lines[i] = 0;
     b->flags[i] = BG_WRAP;
     b->bank[i] = 0;
     b->shown_id[i] = 0;
@@ -86,7 +86,7 @@ void bg_set_lines(struct bg *b, struct bg_lines *l, uint32_t i, const fx *offset
     }
     for (uint32_t k = 0; l->s.live && k < capacity; k++)
         l->offset[i * capacity + k] = k < n ? offsets[k] : 0;
-    b->lines[i] = (uint16_t)n;
+    b->n_lines[i] = (uint16_t)n;
 }
 
 /* Returns a modulo n, never negative. */
@@ -112,8 +112,8 @@ fx bg_line_offset(const struct bg *b, const struct bg_lines *l, uint32_t i, int 
 {
     int64_t sum = wave_at(b, i, y);
 
-    if (b->lines[i])
-        sum += l->offset[i * (l->s.cap / BG_LAYERS) + (uint32_t)y % b->lines[i]];
+    if (b->n_lines[i])
+        sum += l->offset[i * (l->s.cap / BG_LAYERS) + (uint32_t)y % b->n_lines[i]];
     return (fx)sum;
 }
 

@@ -3,7 +3,7 @@
  * them (video_bg.c), and no tick reads tiles.
  *
  * Positions are 64-bit Q16 and never wrap, so they do not drift; at the maximum speed they overflow after nine years.
- * The picture repeats.
+ * The plane's map repeats; a layer's map repeats with BG_WRAP.
  */
 #ifndef ENTITIES_BG_H
 #define ENTITIES_BG_H
@@ -39,7 +39,7 @@ struct bg {
     fx *wave_period;    /* vertical period in px; positive if there is a wave */
     fx *wave_speed;     /* px/frame at which the wave moves down */
     int64_t *phase;     /* Q16 px the wave has moved */
-    uint16_t *lines;    /* layer: number of its offsets in struct bg_lines; 0: none */
+    uint16_t *n_lines;  /* layer: number of its offsets in struct bg_lines; 0: none */
     int16_t *horizon;   /* px from the field's top */
     fx *height;         /* px above the plane */
     ang *dir;           /* direction the eye looks */

@@ -16,7 +16,7 @@
 
 enum {
     ML_MAX_ROOTS = 4096,     /* documents running at once */
-    ML_KINDS = 64,           /* labels per document that can be given a kind */
+    ML_MAX_KINDS = 64,       /* labels per document that can be given a kind */
     ML_VALUES = 9,           /* values of a parameter list */
     ML_FRAMES_PER_RUNNER = 4 /* capacity in frames per runner */
 };
@@ -43,9 +43,9 @@ struct ml_roots {
     uint16_t *program;      /* index in the ROM */
     uint32_t *body;         /* slot of the first runner of its tops */
     uint16_t *kind, *tag;
-    uint16_t *label_kind; /* ML_KINDS per root: the kind of bullets with that label */
+    uint16_t *label_kind; /* ML_MAX_KINDS per root: the kind of bullets with that label */
     uint8_t *bank, *flags;
-    uint32_t *runners;    /* number of runners of its tops and its bullets */
+    uint32_t *n_runners;  /* number of runners of its tops and its bullets */
     uint32_t *owner_task; /* serial of the task that started it */
     uint32_t *stream;     /* its random stream */
     uint32_t *params;     /* parameter list of its tops + 1; 0: none */
@@ -63,7 +63,7 @@ enum {
     RUNNER_ACTIONS_ENDED = 1 << 4,       /* its actions have ended */
     RUNNER_HAS_LAST_DIRECTION = 1 << 5,  /* `last_direction` is set */
     RUNNER_HAS_LAST_SPEED = 1 << 6,      /* `last_speed` is set */
-    RUNNER_ENDED = 1 << 7,               /* of a top: neither actions nor changes are left */
+    RUNNER_ENDED = 1 << 7,               /* top-level runner: all its actions and changes have ended */
     RUNNER_TOP = 1 << 8
 };
 

@@ -68,7 +68,7 @@ static const struct column columns[] = {
     GROUP_COLUMNS(bullets, rehit_clock, MAX_PIERCED_TARGETS, GROUP_PIERCE),
     DERIVED_BLOCKS(bullets, busy, 1, "computed from motion, pc, step_flags and flags"),
     DERIVED_BLOCKS(bullets, idle, 1, "computed from motion, pc, step_flags and flags"),
-    DERIVED_BLOCKS(bullets, near, PADS, "rewritten by every move before hit tests read it"),
+    DERIVED_BLOCKS(bullets, near, MAX_PLAYERS, "rewritten by every move before hit tests read it"),
     DERIVED_BLOCKS(bullets, leaving, 1, "empty between frames"),
     GROUP_BLOCKS(bullets, solid, GROUP_HP, "rewritten in every frame before hit tests read it"),
     GROUP_REGISTER(bullets, n_meets, GROUP_MEET),
@@ -86,7 +86,8 @@ static const struct column columns[] = {
     DERIVED_REGISTER(bullets, n_moved, "a count for benchmarks, rewritten by every move before it is read"),
     DERIVED_REGISTER(bullets, holds_all, "rewritten by every move before hit tests read it"),
     DERIVED_REGISTER(bullets, work_done, "a counter for the work limit, rewritten by every move before it is read"),
-    DERIVED_REGISTER(bullets, kind_counts, "the address of the kinds' column `live`, computed from the address of RAM"),
+    DERIVED_REGISTER(bullets, kind_counts,
+                     "address of the kinds' column `live_count`, computed from the address of RAM"),
 };
 
 const struct chip bullets_chip = { .name = "bullets", CHIP_COLUMNS(columns) };

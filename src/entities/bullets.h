@@ -120,7 +120,8 @@ struct bullets {
     /* Bit sets: one word per block of 64 slots, one bit per slot. The last move set `near`. */
     uint64_t *busy; /* runs its program in the next move, or is fine */
     uint64_t *idle; /* delayed, or its program waits, until the clock reaches `step_end` */
-    uint64_t *near; /* PADS words per block, one per player: may touch or graze the player; after hit_run: hit or graze
+    uint64_t *
+        near; /* MAX_PLAYERS words per block, one per player: may touch or graze the player; after hit_run: hit or graze
                      * the player */
     uint64_t *leaving; /* storage of s.held: left the field in this move, but may have touched an entity on the way */
     uint64_t *solid;   /* can be hit by shots this frame; NULL if `hp` is NULL */
@@ -249,7 +250,7 @@ void bullets_release_all(struct bullets *b);
  * *keep_box is dropped, or held (slots.h) if one of its `near` bits or hold_all is set; the caller must release held
  * bullets in the same frame. */
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
-                  const struct bullets_query query[PADS], bool hold_all);
+                  const struct bullets_query query[MAX_PLAYERS], bool hold_all);
 
 /* Move bullets one by one, without dropping bullets outside the field: call bullets_begin_move once a frame, then
  * bullets_move_one for each live bullet. bullets_move_one returns false if bullet i's program has removed the

@@ -55,8 +55,8 @@ static void prefetch_program(const struct bullets *b, uint32_t i)
     slots_prefetch(&b->flags[i]);
 }
 
-/* Returns, as bits, the idle bullets of a block whose `step_end_low` is the clock's low byte, so that their wait may
- * be over, and prefetches their columns if the pool is large. */
+/* Returns, as bits, the idle bullets of a block whose wait may be over, because `step_end_low` is the clock's low byte.
+ * Prefetches their columns if the pool is large. */
 static uint64_t find_woken(const struct bullets *b, uint32_t block, uint32_t clock)
 {
     if (!b->idle[block])
@@ -112,7 +112,7 @@ static const uint32_t HALF_BIT[HALF] = {
 
 /* Returns -1 (all bits set) if a bullet that moves to (x, y) stays inside the keep box (outside is 0) and is outside
  * the range *n, otherwise 0. */
-static inline int32_t usual_mask(int32_t outside, int32_t x, int32_t y, const struct range *n)
+static inline int32_t uneventful_mask(int32_t outside, int32_t x, int32_t y, const struct range *n)
 {
     return (OUTSIDE(x, n->x, n->w) | OUTSIDE(y, n->y, n->h)) & ~outside;
 }
@@ -135,8 +135,8 @@ static inline uint64_t move_block(fx *restrict x, fx *restrict y, const fx *rest
         y[i] = ay;
         x[j] = bx;
         y[j] = by;
-        low |= (uint32_t)usual_mask(a_outside, ax, ay, &n) & HALF_BIT[i];
-        high |= (uint32_t)usual_mask(b_outside, bx, by, &n) & HALF_BIT[i];
+        low |= (uint32_t)uneventful_mask(a_outside, ax, ay, &n) & HALF_BIT[i];
+        high |= (uint32_t)uneventful_mask(b_outside, bx, by, &n) & HALF_BIT[i];
         outside |= a_outside | b_outside;
     }
     *any_outside = outside;
@@ -214,10 +214,10 @@ bool bullets_update_solid(struct bullets *b)
 static void remove_outside(struct bullets *b, uint64_t candidates, uint32_t first, const struct box *keep_box,
                            bool hold_all)
 {
-    const uint64_t *near = &b->near[first / SLOTS_BLOCK * PADS];
+    const uint64_t *near = &b->near[first / SLOTS_BLOCK * MAX_PLAYERS];
     uint64_t hold = hold_all ? UINT64_MAX : 0;
 
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         hold |= near[p];
     for (uint64_t m = candidates & b->s.used[first / SLOTS_BLOCK]; m; m &= m - 1) {
         uint32_t i = first + bits_lowest(m);
@@ -247,9 +247,9 @@ static fx find_speed_bound(const struct bullets *b)
 }
 
 void bullets_move(struct bullets *b, const struct motion_world *w, const struct box *keep_box,
-                  const struct bullets_query query[PADS], bool hold_all)
+                  const struct bullets_query query[MAX_PLAYERS], bool hold_all)
 {
-    static const struct bullets_query none[PADS] = { { .reach = -1 }, { .reach = -1 } };
+    static const struct bullets_query none[MAX_PLAYERS] = { { .reach = -1 }, { .reach = -1 } };
     struct range keep_limits = keep_range(keep_box), near;
     uint32_t blocks = b->s.top / SLOTS_BLOCK;
     uint64_t woken[AHEAD]; /* woken bullets of the present block and the AHEAD - 1 blocks after it */
@@ -285,9 +285,9 @@ void bullets_move(struct bullets *b, const struct motion_world *w, const struct 
         bool any_outside;
         const uint64_t candidates =
             move_block(b->x + i, b->y + i, b->vx + i, b->vy + i, &keep_limits, &near, &any_outside);
-        uint64_t *found = b->near + block * PADS;
+        uint64_t *found = b->near + block * MAX_PLAYERS;
         found[0] = query[0].reach < 0 ? 0 : candidates & b->s.used[block];
-        for (uint32_t p = 1; p < PADS; p++)
+        for (uint32_t p = 1; p < MAX_PLAYERS; p++)
             found[p] = find_near(b, &query[p], block) & b->s.used[block];
         if (any_outside)
             remove_outside(b, candidates, i, keep_box, hold_all);

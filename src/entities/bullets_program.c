@@ -693,7 +693,7 @@ static uint64_t ending_mask(const uint32_t *restrict step_end, uint32_t clock)
     return slots_pack_flags(out);
 }
 
-enum { MIN_BATCH = 6 /* number of bullets of a block in one cohort from which processing them together is faster */ };
+enum { MIN_BATCH = 6 /* fewest bullets of a block in one cohort for which a batch is faster */ };
 
 /* Returns whether any of the lowest `probes` bullets in `candidates`, the bits of the block at slot `first`, is in
  * cohort c. */
@@ -742,7 +742,7 @@ enum { MAX_FEW_TARGETS = 4 };
 
 /* Returns the number of targets, or MAX_FEW_TARGETS + 1 if there are more, and stores the slots of the first
  * MAX_FEW_TARGETS. */
-static int few_targets(const struct targets *t, uint32_t found[MAX_FEW_TARGETS])
+static int collect_few_targets(const struct targets *t, uint32_t found[MAX_FEW_TARGETS])
 {
     const uint32_t end = t->s->used ? t->s->top : t->s->live;
     int n = 0;
@@ -766,7 +766,7 @@ static void aim_batch(const struct bullets *b, const struct targets *t, const st
     uint32_t target[MAX_FEW_TARGETS];
     fx dx[SLOTS_BLOCK], dy[SLOTS_BLOCK];
     ang to[SLOTS_BLOCK];
-    const int n = s->n > 1 ? few_targets(t, target) : MAX_FEW_TARGETS + 1;
+    const int n = s->n > 1 ? collect_few_targets(t, target) : MAX_FEW_TARGETS + 1;
 
     for (int k = 0; n > MAX_FEW_TARGETS && k < s->n; k++)
         dir[k] = targets_aim(t, b->x[batch_slot(s, k)], b->y[batch_slot(s, k)], dir[k]);

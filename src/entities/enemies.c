@@ -39,7 +39,7 @@ static const struct column columns[] = {
     DERIVED_REGISTERS(enemies, initial_value, "set only while scripts load, like names"),
     GROUP_COLUMN(enemies, frozen_left, GROUP_FROZEN),
     GROUP_COLUMN(enemies, freeze_flags, GROUP_FROZEN),
-    DERIVED_REGISTER(enemies, n_frozen, "the number of standing enemies, counted from the column `stands`"),
+    DERIVED_REGISTER(enemies, n_frozen, "the number of frozen enemies, counted from the column `freeze_flags`"),
     DERIVED_REGISTER(enemies, n_leaving, "rewritten by every move before hit tests read it"),
     GROUP_COLUMN(enemies, rate, GROUP_BODIES),
     GROUP_COLUMN(enemies, hp_deficit, GROUP_BODIES),
@@ -244,7 +244,7 @@ void enemies_shift(struct enemies *e, uint32_t i, fx dx, fx dy)
     e->y1[i] = motion_shift(e->y1[i], dy);
 }
 
-static bool is_far(fx a, fx b)
+static bool exceeds_max_speed(fx a, fx b)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16;
 
@@ -284,7 +284,7 @@ static void step_move(struct enemies *e, uint32_t i, fx *x, fx *y)
 
 static void save_previous(struct enemies *e, uint32_t i, fx x, fx y)
 {
-    bool is_jump = is_far(e->x[i], x) || is_far(e->y[i], y);
+    bool is_jump = exceeds_max_speed(e->x[i], x) || exceeds_max_speed(e->y[i], y);
 
     e->prev_x[i] = is_jump ? e->x[i] : x;
     e->prev_y[i] = is_jump ? e->y[i] : y;

@@ -15,7 +15,7 @@ enum {
     ENEMY_BLEND_ONE = 1 << 2,
     ENEMY_BLOCKS = 1 << 4,       /* kinds: the enemy removes bullets that touch it */
     ENEMY_HURT_PICTURE = 1 << 5, /* kinds: picture 1 replaces picture 0 while the enemy blinks */
-    ENEMY_SOFT = 1 << 6,         /* kinds: only a rim around the sprite blinks white */
+    ENEMY_RIM_BLINK = 1 << 6,    /* kinds: only a rim around the sprite blinks white */
 
     ENEMY_UNDYING = 1 << 0, /* enemies: waits at hp 0 instead of dying (a boss between phases) */
     ENEMY_DYING = 1 << 1,   /* enemies: died; despawns after its handlers have run */
@@ -25,8 +25,8 @@ enum {
     ENEMY_PICTURE = 7 << 5, /* enemies: number n of the picture shown, in units of ENEMY_PICTURE_ONE: the sprite in
                              * the nth row before the kind's row */
     ENEMY_PICTURE_ONE = 1 << 5,
-    ENEMY_PICTURES = 7,
-    ENEMY_GONE = ENEMY_DYING | ENEMY_LEAVING, /* with either flag the enemy is not alive for scripts */
+    ENEMY_MAX_PICTURES = 7,
+    ENEMY_NOT_ALIVE = ENEMY_DYING | ENEMY_LEAVING, /* with either flag the enemy is not alive for scripts */
 
     ENEMY_BANK = 15,       /* in the column `bank`: number of palette banks to add */
     ENEMY_BLINK = 15 << 4, /* in the column `bank`, in units of ENEMY_BLINK_ONE; kinds: frames of blinking when hurt;

@@ -18,7 +18,7 @@ static const struct column kind_columns[] = {
     COLUMN(item_kinds, high_points),
     COLUMN(item_kinds, lives),
     COLUMN(item_kinds, full_register),
-    COLUMNS(item_kinds, register_amounts, ITEM_REGISTERS),
+    COLUMNS(item_kinds, register_amounts, ITEM_MAX_REGISTERS),
 };
 
 static const struct column columns[] = {
@@ -35,7 +35,7 @@ static const struct column columns[] = {
     GROUP_COLUMN(items, frozen_left, GROUP_FROZEN),
     GROUP_COLUMN(items, freeze_flags, GROUP_FROZEN),
     DERIVED_BLOCKS(items, collected, 1, "empty between frames"),
-    DERIVED_REGISTER(items, n_frozen, "the number of standing items, counted from the column `stands`"),
+    DERIVED_REGISTER(items, n_frozen, "the number of frozen items, counted from the column `freeze_flags`"),
 };
 
 const struct chip items_chip = { .name = "items", CHIP_COLUMNS(columns) };
@@ -111,12 +111,12 @@ static uint64_t distance_squared(const struct items *s, uint32_t i, const struct
 
 /* Returns the index + 1 of the nearest player that attracts the item, or 0 when none does. Of equally near players,
  * returns the first. */
-static uint8_t find_attractor(const struct items *s, uint32_t i, const struct item_pull pull[PADS])
+static uint8_t find_attractor(const struct items *s, uint32_t i, const struct item_pull pull[MAX_PLAYERS])
 {
     uint64_t nearest = UINT64_MAX;
     uint8_t found = 0;
 
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         const struct item_pull *q = &pull[p];
         if (!q->active || !(q->pulls_all || geom_circles(s->x[i], s->y[i], q->x, q->y, q->radius)))
             continue;
@@ -161,7 +161,8 @@ static void fall(struct items *s, uint32_t i, const struct item_kinds *kinds)
         s->vx[i] = approach(s->vx[i], 0, gravity);
 }
 
-static void step_item(struct items *s, uint32_t i, const struct item_kinds *kinds, const struct item_pull pull[PADS])
+static void step_item(struct items *s, uint32_t i, const struct item_kinds *kinds,
+                      const struct item_pull pull[MAX_PLAYERS])
 {
     s->prev_x[i] = s->x[i];
     s->prev_y[i] = s->y[i];
@@ -179,7 +180,7 @@ static void step_item(struct items *s, uint32_t i, const struct item_kinds *kind
     s->y[i] = fx_add(s->y[i], s->vy[i]);
 }
 
-void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS])
+void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[MAX_PLAYERS])
 {
     s->n_frozen = 0;
     EACH_LIVE (i, &s->s)

@@ -14,7 +14,7 @@ enum {
     ITEM_BLEND = 3 << 2,  /* of a kind: blend mode in units of ITEM_BLEND_ONE: 0 opaque, otherwise blend + 1 */
     ITEM_BLEND_ONE = 1 << 2,
 
-    ITEM_REGISTERS = 16, /* different registers that a game's items can add to */
+    ITEM_MAX_REGISTERS = 16, /* different registers that a game's items can add to */
     ITEM_MAX_POINTS = 1000000000
 };
 
@@ -30,7 +30,7 @@ struct item_kinds {
     int64_t *low_points;       /* points when taken at the bottom of the field */
     int64_t *high_points;      /* points when taken at the collect line or above */
     int32_t *lives;            /* lives it gives */
-    int32_t *register_amounts; /* ITEM_REGISTERS per kind: amount added to each register that items use */
+    int32_t *register_amounts; /* ITEM_MAX_REGISTERS per kind: amount added to each register that items use */
     uint16_t *full_register; /* register number + 1, 0: none; while that register is at its maximum, the item gives only
                      * points */
 };
@@ -80,7 +80,7 @@ void items_release(struct items *s, uint32_t p);
  * Otherwise gravity brings its vertical speed towards `max_fall_speed`; once it no longer rises, gravity also slows its
  * horizontal speed to 0.
  */
-void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[PADS]);
+void items_move(struct items *s, const struct item_kinds *kinds, const struct item_pull pull[MAX_PLAYERS]);
 
 /* Keeps items that were frozen in this frame from ageing. Call it at the end of every frame in which the clock
  * advances. */

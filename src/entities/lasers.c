@@ -36,50 +36,50 @@ static const struct column columns[] = {
     COLUMN(lasers, dx),
     COLUMN(lasers, dy),
     COLUMN(lasers, target_dir),
-    COLUMNS(lasers, rehit_clock, PADS),
+    COLUMNS(lasers, rehit_clock, MAX_PLAYERS),
     COLUMN(lasers, max_points),
     COLUMN(lasers, n_points),
     COLUMN(lasers, newest),
-    COLUMNS(lasers, piece, LASER_MAX_PIECES),
+    COLUMNS(lasers, chunk, LASER_MAX_CHUNKS),
 };
 
-static const struct column point_columns[] = { COLUMNS(laser_points, x, LASER_PIECE_POINTS),
-                                               COLUMNS(laser_points, y, LASER_PIECE_POINTS) };
+static const struct column point_columns[] = { COLUMNS(laser_points, x, LASER_CHUNK_POINTS),
+                                               COLUMNS(laser_points, y, LASER_CHUNK_POINTS) };
 
 const struct chip lasers_chip = { .name = "lasers", CHIP_COLUMNS(columns) };
 const struct chip laser_kinds_chip = { .name = "laser_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 const struct chip laser_points_chip = { .name = "laser_points", CHIP_COLUMNS(point_columns) };
 
-static uint32_t piece_count(uint32_t points)
+static uint32_t chunk_count(uint32_t points)
 {
-    return (points + LASER_PIECE_POINTS - 1) / LASER_PIECE_POINTS;
+    return (points + LASER_CHUNK_POINTS - 1) / LASER_CHUNK_POINTS;
 }
 
 static void set_point(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t at, fx x, fx y)
 {
-    uint32_t entry = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
-                     at % LASER_PIECE_POINTS;
+    uint32_t entry = l->chunk[i * LASER_MAX_CHUNKS + at / LASER_CHUNK_POINTS] * (uint32_t)LASER_CHUNK_POINTS +
+                     at % LASER_CHUNK_POINTS;
 
     p->x[entry] = x;
     p->y[entry] = y;
 }
 
-/* Allocates n pieces for laser i. Returns false, and allocates none, when fewer than n are free. */
-static bool alloc_pieces(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
+/* Allocates n chunks for laser i. Returns false, and allocates none, when fewer than n are free. */
+static bool alloc_chunks(struct lasers *l, struct laser_points *p, uint32_t i, uint32_t n)
 {
-    uint16_t *piece = &l->piece[i * LASER_MAX_PIECES];
+    uint16_t *chunk = &l->chunk[i * LASER_MAX_CHUNKS];
 
-    memset(piece, 0, LASER_MAX_PIECES * sizeof *piece);
+    memset(chunk, 0, LASER_MAX_CHUNKS * sizeof *chunk);
     for (uint32_t k = 0; k < n; k++) {
         int32_t slot = slots_take(&p->s);
         if (slot == NO_SLOT) {
             while (k-- > 0)
-                slots_drop(&p->s, piece[k]);
+                slots_drop(&p->s, chunk[k]);
             return false;
         }
-        piece[k] = (uint16_t)slot;
-        memset(&p->x[slot * LASER_PIECE_POINTS], 0, LASER_PIECE_POINTS * sizeof *p->x);
-        memset(&p->y[slot * LASER_PIECE_POINTS], 0, LASER_PIECE_POINTS * sizeof *p->y);
+        chunk[k] = (uint16_t)slot;
+        memset(&p->x[slot * LASER_CHUNK_POINTS], 0, LASER_CHUNK_POINTS * sizeof *p->x);
+        memset(&p->y[slot * LASER_CHUNK_POINTS], 0, LASER_CHUNK_POINTS * sizeof *p->y);
     }
     return true;
 }
@@ -93,7 +93,7 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
     *full_pool = &l->s;
     if (slot == NO_SLOT)
         return slot;
-    if (!alloc_pieces(l, p, i, piece_count(spec->points))) {
+    if (!alloc_chunks(l, p, i, chunk_count(spec->points))) {
         slots_drop(&l->s, i);
         *full_pool = &p->s;
         return NO_SLOT;
@@ -114,7 +114,7 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
     l->dx[i] = spec->dx;
     l->dy[i] = spec->dy;
     l->target_dir[i] = 0;
-    memset(&l->rehit_clock[i * PADS], 0, PADS * sizeof *l->rehit_clock);
+    memset(&l->rehit_clock[i * MAX_PLAYERS], 0, MAX_PLAYERS * sizeof *l->rehit_clock);
     l->max_points[i] = spec->points;
     l->n_points[i] = spec->points > 0;
     l->newest[i] = 0;
@@ -125,8 +125,8 @@ int32_t lasers_add(struct lasers *l, struct laser_points *p, const struct laser_
 
 void lasers_drop(struct lasers *l, struct laser_points *p, uint32_t i)
 {
-    for (uint32_t k = 0; k < piece_count(l->max_points[i]); k++)
-        slots_drop(&p->s, l->piece[i * LASER_MAX_PIECES + k]);
+    for (uint32_t k = 0; k < chunk_count(l->max_points[i]); k++)
+        slots_drop(&p->s, l->chunk[i * LASER_MAX_CHUNKS + k]);
     slots_drop(&l->s, i);
     slots_trim(&p->s);
     slots_trim(&l->s);
@@ -137,9 +137,9 @@ void lasers_box(const struct lasers *l, const struct laser_points *p, uint32_t i
 {
     fx x0 = l->x0[i], x1 = x0, y0 = l->y0[i], y1 = y0;
 
-    for (uint32_t at = 0; at < l->n_points[i]; at += LASER_PIECE_POINTS) {
-        const uint32_t first = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS;
-        const uint32_t n = l->n_points[i] - at < LASER_PIECE_POINTS ? l->n_points[i] - at : LASER_PIECE_POINTS;
+    for (uint32_t at = 0; at < l->n_points[i]; at += LASER_CHUNK_POINTS) {
+        const uint32_t first = l->chunk[i * LASER_MAX_CHUNKS + at / LASER_CHUNK_POINTS] * (uint32_t)LASER_CHUNK_POINTS;
+        const uint32_t n = l->n_points[i] - at < LASER_CHUNK_POINTS ? l->n_points[i] - at : LASER_CHUNK_POINTS;
         for (uint32_t k = first; k < first + n; k++) {
             x0 = fx_min(x0, p->x[k]);
             x1 = fx_max(x1, p->x[k]);
@@ -161,8 +161,8 @@ void lasers_advance(struct lasers *l, struct laser_points *p, uint32_t i, fx x, 
 void lasers_shift(struct lasers *l, struct laser_points *p, uint32_t i, fx dx, fx dy)
 {
     for (uint32_t k = 0; k < l->max_points[i]; k++) {
-        uint32_t entry = l->piece[i * LASER_MAX_PIECES + k / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
-                         k % LASER_PIECE_POINTS;
+        uint32_t entry = l->chunk[i * LASER_MAX_CHUNKS + k / LASER_CHUNK_POINTS] * (uint32_t)LASER_CHUNK_POINTS +
+                         k % LASER_CHUNK_POINTS;
         p->x[entry] = motion_clamp_to_world((int64_t)p->x[entry] + dx);
         p->y[entry] = motion_clamp_to_world((int64_t)p->y[entry] + dy);
     }

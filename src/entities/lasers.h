@@ -3,7 +3,7 @@
  *
  * A laser has a head: a bullet with position, speed and program, in the same slot of a separate pool. A beam starts at
  * its head; bolts and curves follow theirs. A curve stores the head's position after each of the last frames in a ring
- * of points. Rings are made of pieces from a pool, because curves have different lengths.
+ * of points. Rings are made of chunks from a pool, because curves have different lengths.
  */
 #ifndef ENTITIES_LASERS_H
 #define ENTITIES_LASERS_H
@@ -27,15 +27,15 @@ enum {
 
     /* in the column `flags` of lasers */
     LASER_HEAD_OUTSIDE = 1 << 0, /* the curve's head has left the keep box and stopped; the body catches up */
-    LASER_GONE = 1 << 1,         /* despawns at the end of this frame */
+    LASER_DESPAWNING = 1 << 1,   /* despawns at the end of this frame */
     LASER_UNSWEPT = 1 << 2,      /* not swept this frame: the laser is frozen, jumped, or is a beam that has just become
                             * dangerous */
     LASER_TURNS = 1 << 3,        /* rotates with the entity it follows */
     LASER_HAS_TARGET_DIR = 1 << 4, /* `target_dir` is set */
 
-    LASER_PIECE_POINTS = 32, /* points per piece */
-    LASER_MAX_PIECES = 8,    /* maximum pieces of a curve */
-    LASER_MAX_POINTS = LASER_PIECE_POINTS * LASER_MAX_PIECES,
+    LASER_CHUNK_POINTS = 32, /* points per chunk */
+    LASER_MAX_CHUNKS = 8,    /* maximum chunks of a curve */
+    LASER_MAX_POINTS = LASER_CHUNK_POINTS * LASER_MAX_CHUNKS,
     LASER_MAX_SIZE = 4096, /* px; maximum length and width */
     LASER_FOREVER = -1,
     MAX_LASERS = 4096,
@@ -72,18 +72,18 @@ struct lasers {
     int64_t *follow_target;      /* entity it follows, defined by the board; 0: none */
     fx *dx, *dy;                 /* offset from that entity */
     ang *target_dir;             /* direction in which that entity last faced */
-    uint32_t *rehit_clock;       /* PADS per laser: clock from which that player can graze it again; in a player's
+    uint32_t *rehit_clock; /* MAX_PLAYERS per laser: clock from which that player can graze it again; in a player's
                                   * laser, the first entry is the clock from which it can hit again */
-    uint16_t *max_points;        /* curves: capacity of the ring, in points */
-    uint16_t *n_points;          /* number of points in the ring */
-    uint16_t *newest;            /* ring index of the newest point */
-    uint16_t *piece;             /* LASER_MAX_PIECES per laser: slots of its pieces */
+    uint16_t *max_points;  /* curves: capacity of the ring, in points */
+    uint16_t *n_points;    /* number of points in the ring */
+    uint16_t *newest;      /* ring index of the newest point */
+    uint16_t *chunk;       /* LASER_MAX_CHUNKS per laser: slots of its chunks */
 };
 
-/* The pieces that hold the curves' points. */
+/* The chunks that hold the curves' points. */
 struct laser_points {
     struct slots s;
-    fx *x, *y; /* LASER_PIECE_POINTS per piece */
+    fx *x, *y; /* LASER_CHUNK_POINTS per chunk */
 };
 
 extern const struct chip lasers_chip, laser_kinds_chip, laser_points_chip;
@@ -110,8 +110,8 @@ static inline void lasers_point(const struct lasers *l, const struct laser_point
                                 fx *y)
 {
     uint32_t at = l->newest[i] >= k ? l->newest[i] - k : l->newest[i] + l->max_points[i] - k;
-    uint32_t entry = l->piece[i * LASER_MAX_PIECES + at / LASER_PIECE_POINTS] * (uint32_t)LASER_PIECE_POINTS +
-                     at % LASER_PIECE_POINTS;
+    uint32_t entry = l->chunk[i * LASER_MAX_CHUNKS + at / LASER_CHUNK_POINTS] * (uint32_t)LASER_CHUNK_POINTS +
+                     at % LASER_CHUNK_POINTS;
 
     *x = p->x[entry];
     *y = p->y[entry];

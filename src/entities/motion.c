@@ -248,7 +248,7 @@ static void add_polar(int64_t r, ang dir, int64_t *x, int64_t *y)
     *y += dy;
 }
 
-/* Returns a wave's distance to the side in frame k, relative to the wave's start, in Q32. */
+/* Returns a wave's lateral offset in frame k, relative to the wave's start, in Q32. */
 static int64_t wave_offset(const struct steps *s, uint32_t st, uint32_t k)
 {
     const uint32_t period = s->count[st];

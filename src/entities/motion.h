@@ -106,7 +106,7 @@ enum {
     DOES_ALL = (1 << 20) - 1,
     MOTION_DEPTH = 4, /* limit of nested loops */
     MOTION_FOREVER = 0xffff,
-    MOTION_STEPS = 16 /* RAM reserved per program, in steps */
+    MOTION_STEPS_PER_PROGRAM = 16 /* RAM reserved per program, in steps */
 };
 
 enum ease { EASE_LINEAR, EASE_IN, EASE_OUT, EASE_BOTH };

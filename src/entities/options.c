@@ -75,10 +75,10 @@ void options_drop_from(struct options *o, uint32_t p, uint32_t index)
 
 /* Appends the ship's position to its path. A ship at rest appends nothing. After a jump, every entry is the position
  * the ship jumped to. */
-static void record_path(struct option_paths *w, uint32_t p, const struct option_ship *ship)
+static void record_path(struct option_paths *paths, uint32_t p, const struct option_ship *ship)
 {
-    fx *x = w->x + p * OPTION_PATH_LENGTH, *y = w->y + p * OPTION_PATH_LENGTH;
-    uint32_t head = w->head[p];
+    fx *x = paths->x + p * OPTION_PATH_LENGTH, *y = paths->y + p * OPTION_PATH_LENGTH;
+    uint32_t head = paths->head[p];
 
     if (x[head] != ship->prev_x || y[head] != ship->prev_y)
         for (uint32_t k = 0; k < OPTION_PATH_LENGTH; k++) {
@@ -90,7 +90,7 @@ static void record_path(struct option_paths *w, uint32_t p, const struct option_
     head = (head + 1) % OPTION_PATH_LENGTH;
     x[head] = ship->x;
     y[head] = ship->y;
-    w->head[p] = head;
+    paths->head[p] = head;
 }
 
 static int32_t wrapping_subtract(int32_t a, int32_t b)
@@ -133,19 +133,19 @@ static void move_orbit(struct options *o, uint32_t i, const struct option_ship *
     o->y[i] = fx_add(ship->y, dy);
 }
 
-static void move_trail(struct options *o, uint32_t i, const struct option_ship *ship, const struct option_paths *w)
+static void move_trail(struct options *o, uint32_t i, const struct option_ship *ship, const struct option_paths *paths)
 {
     const uint32_t p = o->player[i], lag = (o->index[i] + 1u) * ship->plan->spacing;
-    const uint32_t at = p * OPTION_PATH_LENGTH + (w->head[p] - lag) % OPTION_PATH_LENGTH;
+    const uint32_t at = p * OPTION_PATH_LENGTH + (paths->head[p] - lag) % OPTION_PATH_LENGTH;
 
-    o->x[i] = w->x[at];
-    o->y[i] = w->y[at];
+    o->x[i] = paths->x[at];
+    o->y[i] = paths->y[at];
 }
 
-void options_move(struct options *o, struct option_paths *w, uint32_t p, const struct option_ship *ship)
+void options_move(struct options *o, struct option_paths *paths, uint32_t p, const struct option_ship *ship)
 {
-    record_path(w, p, ship);
-    w->phase[p] += ship->plan->spin;
+    record_path(paths, p, ship);
+    paths->phase[p] += ship->plan->spin;
     EACH_LIVE (i, &o->s) {
         if (o->player[i] != p)
             continue;
@@ -154,8 +154,8 @@ void options_move(struct options *o, struct option_paths *w, uint32_t p, const s
         if (ship->plan->style == OPTION_FIXED)
             move_fixed(o, i, ship);
         else if (ship->plan->style == OPTION_ORBIT)
-            move_orbit(o, i, ship, w->phase[p]);
+            move_orbit(o, i, ship, paths->phase[p]);
         else
-            move_trail(o, i, ship, w);
+            move_trail(o, i, ship, paths);
     }
 }

@@ -117,14 +117,15 @@ static void move_one(struct player *p, const struct player_kinds *kinds, uint32_
 
 void player_step_invulnerability(struct player *p)
 {
-    for (uint32_t i = 0; i < PADS; i++)
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         if (p->safe_left[i])
             p->safe_left[i]--;
 }
 
-void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area)
+void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[MAX_PLAYERS],
+                 const struct box *area)
 {
-    for (uint32_t i = 0; i < PADS; i++)
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         if (p->in_game[i] && p->deathbomb_left[i])
             player_set_position(p, i, p->x[i], p->y[i]);
         else if (p->in_game[i])

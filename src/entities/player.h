@@ -27,7 +27,7 @@ enum {
     PLAYER_POSED = 1 << 3,    /* a script has chosen the picture; otherwise the movement does */
     PLAYER_PICTURE = 15 << 4, /* picture number in units of PLAYER_PICTURE_ONE, like ENEMY_PICTURE */
     PLAYER_PICTURE_ONE = 1 << 4,
-    PLAYER_PICTURES = 15,
+    PLAYER_MAX_PICTURES = 15,
     PICTURE_LEFT = 1, /* every kind that has pictures has these two */
     PICTURE_RIGHT = 2
 };
@@ -95,6 +95,7 @@ uint16_t player_sprite(const struct player *p, const struct player_kinds *kinds,
 void player_step_invulnerability(struct player *p);
 
 /* Moves both players by their held buttons (PAD_ bits), inside area. A player that was hit does not move. */
-void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[PADS], const struct box *area);
+void player_move(struct player *p, const struct player_kinds *kinds, const uint16_t held[MAX_PLAYERS],
+                 const struct box *area);
 
 #endif

@@ -7,8 +7,8 @@
 
 static const struct column columns[] = {
     DERIVED_COLUMNS(registers, rule, RULE_FIELDS, "set only while scripts load, like names"),
-    COLUMNS(registers, value, PADS),
-    COLUMNS(registers, wait, PADS),
+    COLUMNS(registers, value, MAX_PLAYERS),
+    COLUMNS(registers, wait, MAX_PLAYERS),
     DERIVED_REGISTER(registers, first_run_row, "set while scripts load"),
     DERIVED_REGISTER(registers, n_run_rows, "set while scripts load"),
     DERIVED_REGISTER(registers, n_draining, "set while scripts load"),
@@ -30,7 +30,7 @@ int32_t registers_add(struct registers *r, const struct register_rule *rule)
     to[RULE_INTERVAL] = rule->interval;
     to[RULE_HOLD] = rule->hold;
     r->n_draining += rule->drain != 0;
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         registers_reset(r, (uint32_t)i, 1, p);
     return i;
 }
@@ -52,7 +52,7 @@ static bool opposes_drain(int32_t drain, int32_t old_value, int32_t new_value)
 void registers_set(struct registers *r, uint32_t row, uint32_t p, int64_t v)
 {
     const int32_t *rule = r->rule + row * RULE_FIELDS;
-    int32_t *value = &r->value[row * PADS + p], *wait = &r->wait[row * PADS + p], old_value = *value;
+    int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->wait[row * MAX_PLAYERS + p], old_value = *value;
 
     *value = (int32_t)int64_clamp(v, rule[RULE_MIN], rule[RULE_MAX]);
     if (rule[RULE_DRAIN] && opposes_drain(rule[RULE_DRAIN], old_value, *value) && *wait < rule[RULE_HOLD])
@@ -70,8 +70,8 @@ void registers_reset(struct registers *r, uint32_t first, uint32_t n, uint32_t p
 {
     for (uint32_t row = first; row < first + n; row++) {
         const int32_t *rule = r->rule + row * RULE_FIELDS;
-        r->value[row * PADS + p] = rule[RULE_START];
-        r->wait[row * PADS + p] = rule[RULE_DRAIN] ? rule[RULE_INTERVAL] : 0;
+        r->value[row * MAX_PLAYERS + p] = rule[RULE_START];
+        r->wait[row * MAX_PLAYERS + p] = rule[RULE_DRAIN] ? rule[RULE_INTERVAL] : 0;
     }
 }
 
@@ -79,7 +79,7 @@ void registers_drain(struct registers *r, uint32_t first, uint32_t n, uint32_t p
 {
     for (uint32_t row = first; row < first + n; row++) {
         const int32_t *rule = r->rule + row * RULE_FIELDS;
-        int32_t *value = &r->value[row * PADS + p], *wait = &r->wait[row * PADS + p];
+        int32_t *value = &r->value[row * MAX_PLAYERS + p], *wait = &r->wait[row * MAX_PLAYERS + p];
         if (!rule[RULE_DRAIN] || --*wait > 0)
             continue;
         *wait = rule[RULE_INTERVAL];

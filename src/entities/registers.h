@@ -24,7 +24,7 @@ struct register_rule {
     int32_t start, min_value, max_value;
     int32_t drain; /* amount subtracted every `interval` frames (negative: added), or DRAIN_FOREVER */
     int32_t interval;
-    int32_t hold; /* frames without draining after a write against the drain */
+    int32_t hold; /* frames without draining after a change in the opposite direction */
 };
 
 enum { RULE_START, RULE_MIN, RULE_MAX, RULE_DRAIN, RULE_INTERVAL, RULE_HOLD, RULE_FIELDS };
@@ -32,8 +32,8 @@ enum { RULE_START, RULE_MIN, RULE_MAX, RULE_DRAIN, RULE_INTERVAL, RULE_HOLD, RUL
 struct registers {
     struct slots s;
     int32_t *rule;                      /* RULE_FIELDS per row */
-    int32_t *value;                     /* PADS per row */
-    int32_t *wait;                      /* PADS per row: frames until the register drains again */
+    int32_t *value;                     /* MAX_PLAYERS per row */
+    int32_t *wait;                      /* MAX_PLAYERS per row: frames until the register drains again */
     uint32_t first_run_row, n_run_rows; /* the run's rows */
     uint32_t n_draining;                /* number of rows whose rule has a drain */
 };
@@ -46,7 +46,7 @@ struct register_rule registers_rule(const struct registers *r, uint32_t row);
 
 static inline int32_t registers_get(const struct registers *r, uint32_t row, uint32_t p)
 {
-    return r->value[row * PADS + p];
+    return r->value[row * MAX_PLAYERS + p];
 }
 
 /* Sets a register to v, clamped to its range. A change against the drain starts the hold time. */

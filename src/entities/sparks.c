@@ -19,17 +19,17 @@ const struct chip sparks_chip = { .name = "sparks", CHIP_COLUMNS(columns), .unha
 const struct chip spark_kinds_chip = { .name = "spark_kinds", CHIP_COLUMNS(kind_columns), .is_list = true };
 
 /* Sets the start position of spark k of a burst, in slot i, and sets *outwards to the angle to add to its direction. */
-static void place_spark(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outwards)
+static void place_spark(struct sparks *s, uint32_t i, const struct spark_burst *burst, uint32_t k, ang *outward_angle)
 {
     fx x = 0, y = 0;
 
-    *outwards = 0;
+    *outward_angle = 0;
     if (burst->radius) {
-        *outwards = (ang)(((uint64_t)k << 32) / burst->n);
-        trig_polar(burst->radius, *outwards, &x, &y);
+        *outward_angle = (ang)(((uint64_t)k << 32) / burst->n);
+        trig_polar(burst->radius, *outward_angle, &x, &y);
     } else if (burst->n > 1) {
-        x = (fx)((int64_t)burst->along_x * k / (burst->n - 1));
-        y = (fx)((int64_t)burst->along_y * k / (burst->n - 1));
+        x = (fx)((int64_t)burst->line_dx * k / (burst->n - 1));
+        y = (fx)((int64_t)burst->line_dy * k / (burst->n - 1));
     }
     s->x[i] = fx_add(burst->x, x);
     s->y[i] = fx_add(burst->y, y);

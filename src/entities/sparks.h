@@ -42,7 +42,7 @@ struct spark_burst {
     ang dir, spread;     /* directions are within dir +- spread/2; spread UINT32_MAX: full circle */
     fx radius;           /* radius of a ring on which sparks start evenly spaced, flying outwards, turned by dir; 0:
                           * none */
-    fx along_x, along_y; /* vector of a line from (x, y) on which sparks start evenly spaced, both ends included */
+    fx line_dx, line_dy; /* vector of a line from (x, y) on which sparks start evenly spaced, both ends included */
     uint16_t kind;
     uint32_t n;
 };

@@ -229,13 +229,13 @@ static unsigned collect_events(struct curtain *c)
 
 unsigned curtain_frame(struct curtain *c, const uint16_t pads[CURTAIN_PADS])
 {
-    uint16_t held[PADS];
+    uint16_t held[MAX_PLAYERS];
 
     if (board_last_output(c->board)->fault)
         return CURTAIN_FAULT;
     if (!pads)
         demo_pads(&c->demo, c->log.frames, held);
-    for (int i = 0; i < PADS; i++)
+    for (int i = 0; i < MAX_PLAYERS; i++)
         held[i] = (pads ? pads : held)[i] & PAD_ALL;
     lib_take_key_snapshot(c);
     board_tick(c->board, held);
@@ -439,7 +439,7 @@ bool curtain_ship(const struct curtain *c, int i, struct curtain_ship *out)
     enum { UNIT = FX_ONE / 256 };
     struct danger_ship ship = { .in_game = false };
 
-    if (i >= 0 && i < PADS)
+    if (i >= 0 && i < MAX_PLAYERS)
         danger_get_ship(c->board, i, &ship);
     *out = (struct curtain_ship){ .steers = false };
     if (!ship.in_game)

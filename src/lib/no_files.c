@@ -19,7 +19,7 @@ bool files_append(const char *path, const void *data, size_t size, char *err, si
     return files_save(path, data, size, err, err_size);
 }
 
-const char *files_display_name(const char *name, char path[FILES_PATH])
+const char *files_display_name(const char *name, char path[FILES_PATH_SIZE])
 {
     (void)path;
     return name;

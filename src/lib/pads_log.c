@@ -11,19 +11,19 @@ void pads_log_begin(struct pads_log *log, uint64_t start_hash)
     *log = (struct pads_log){ .bytes = log->bytes, .cap = log->cap, .digest = hash_fold(HASH_START, start_hash) };
 }
 
-static size_t put_run(uint8_t *out, uint32_t frames, const uint16_t pads[PADS])
+static size_t put_run(uint8_t *out, uint32_t frames, const uint16_t pads[MAX_PLAYERS])
 {
     uint8_t *p = out;
 
     for (; frames >= 0x80; frames >>= 7)
         *p++ = (uint8_t)(frames | 0x80);
     *p++ = (uint8_t)frames;
-    for (int i = 0; i < PADS; i++, p += 2)
+    for (int i = 0; i < MAX_PLAYERS; i++, p += 2)
         bytes_put16(p, pads[i]);
     return (size_t)(p - out);
 }
 
-void pads_log_add(struct pads_log *log, const uint16_t pads[PADS])
+void pads_log_add(struct pads_log *log, const uint16_t pads[MAX_PLAYERS])
 {
     if (log->run_frames > 0 && memcmp(log->pads, pads, sizeof log->pads) != 0) {
         if (log->cap - log->used < PADS_LOG_RUN_BYTES)
@@ -71,9 +71,9 @@ bool pads_reader_next(struct pads_reader *r)
         frames |= (uint64_t)(*p & 0x7f) << shift;
         shift += 7;
     } while (*p++ & 0x80);
-    if (frames == 0 || frames > PADS_LOG_MAX_FRAMES || r->end - p < 2 * PADS)
+    if (frames == 0 || frames > PADS_LOG_MAX_FRAMES || r->end - p < 2 * MAX_PLAYERS)
         return false;
-    for (int i = 0; i < PADS; i++, p += 2) {
+    for (int i = 0; i < MAX_PLAYERS; i++, p += 2) {
         r->pads[i] = bytes_get16(p);
         if (r->pads[i] & ~PAD_ALL)
             return false;

@@ -15,16 +15,16 @@
 #include "../base/pads.h"
 
 enum {
-    PADS_LOG_RUN_BYTES = 5 + 2 * PADS, /* maximum size of an entry, in bytes */
-    PADS_LOG_MAX_FRAMES = 1 << 23      /* 38 hours; longer logs are rejected */
+    PADS_LOG_RUN_BYTES = 5 + 2 * MAX_PLAYERS, /* maximum size of an entry, in bytes */
+    PADS_LOG_MAX_FRAMES = 1 << 23             /* 38 hours; longer logs are rejected */
 };
 
 struct pads_log {
     uint8_t *bytes; /* the finished entries; `cap` bytes, owned by the caller */
     size_t cap, used;
-    uint16_t pads[PADS]; /* of the current entry */
-    uint32_t run_frames; /* frames of the current entry so far */
-    uint32_t frames;     /* all frames logged */
+    uint16_t pads[MAX_PLAYERS]; /* of the current entry */
+    uint32_t run_frames;        /* frames of the current entry so far */
+    uint32_t frames;            /* all frames logged */
     uint64_t digest;
     bool incomplete; /* entries were dropped, or `frames` exceeds PADS_LOG_MAX_FRAMES */
 };
@@ -32,9 +32,9 @@ struct pads_log {
 /* Empties the log. start_hash: a hash of how the run began. */
 void pads_log_begin(struct pads_log *log, uint64_t start_hash);
 
-void pads_log_add(struct pads_log *log, const uint16_t pads[PADS]);
+void pads_log_add(struct pads_log *log, const uint16_t pads[MAX_PLAYERS]);
 
-static inline uint64_t pads_log_fold(uint64_t digest, const uint16_t pads[PADS])
+static inline uint64_t pads_log_fold(uint64_t digest, const uint16_t pads[MAX_PLAYERS])
 {
     return hash_fold(digest, (uint64_t)pads[0] << 16 | pads[1]);
 }
@@ -45,9 +45,9 @@ size_t pads_log_write(const struct pads_log *log, uint8_t *out);
 /* Reads the entries of a log: first the finished ones, then the current one. */
 struct pads_reader {
     const uint8_t *at, *end;
-    uint16_t last_pads[PADS];
+    uint16_t last_pads[MAX_PLAYERS];
     uint32_t last_frames; /* frames of the log's current entry; 0: none, or already read */
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     uint32_t frames; /* frames of the last entry read */
 };
 struct pads_reader pads_log_reader(const struct pads_log *log);

@@ -17,7 +17,7 @@ static bool is_printable(const char *text)
     return true;
 }
 
-/* Copies a string from the host. text NULL: leaves out unchanged. name: the string's name in errors, such as
+/* Copies a string from the host. Does not change *out if text is NULL. name: the string's name in errors, such as
  * "section". */
 static bool copy_host_string(char *out, size_t size, const char *text, const char *name, char *err, size_t err_size)
 {
@@ -216,7 +216,7 @@ size_t lib_start_write(const struct lib_start *s, uint8_t *out)
     at += LANG_SIZE + SECTION_SIZE;
     bytes_put32(at, (uint32_t)p->lives);
     at[4] = p->invincible;
-    at[5] = (uint8_t)p->registers;
+    at[5] = (uint8_t)p->register_count;
     at += 6;
     for (int i = 0; i < PRACTICE_REGISTERS; i++, at += NAME_SIZE + 4) {
         put_text(at, p->reg[i].name, NAME_SIZE);
@@ -235,7 +235,7 @@ static bool read_practice(struct practice *p, const uint8_t *at)
 
     p->lives = (int32_t)bytes_get32(at + SECTION_SIZE);
     p->invincible = at[SECTION_SIZE + 4] == 1;
-    p->registers = at[SECTION_SIZE + 5];
+    p->register_count = at[SECTION_SIZE + 5];
     at += SECTION_SIZE + 6;
     for (int i = 0; good && i < PRACTICE_REGISTERS; i++, at += NAME_SIZE + 4) {
         good = get_text(p->reg[i].name, at, NAME_SIZE);

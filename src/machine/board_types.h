@@ -37,7 +37,7 @@ struct practice {
     char section[64]; /* "", "one", "one:mark", "queen/bloom", PRACTICE_LIST */
     int32_t lives;    /* total lives, 1 to PRACTICE_LIVES, counted as in player.def; 0: the ship kind's default */
     bool invincible;  /* players cannot be hit: bullets pass through them; grazes still count */
-    int32_t registers;
+    int32_t register_count;
     struct {
         char name[32];
         int32_t value;
@@ -124,9 +124,9 @@ struct board_out {
                              lines end in \n */
     size_t log_size;
     struct board_marker marker[MAX_TICK_MARKERS];
-    int markers;
+    int marker_count;
     struct board_full_pool full_pool[MAX_FULL_POOLS];
-    int full_pools;
+    int full_pool_count;
     bool menu_shown;                 /* a pre-game menu is shown: the host should show the keys to a new player */
     const struct board_fault *fault; /* NULL: none. A fault ends the run. */
 };

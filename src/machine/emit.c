@@ -77,7 +77,7 @@ static void load_emit(const struct board *b, const struct emission *m, struct mo
 }
 
 /* Returns how many bullets the step fires from bullet i on, i < n, not counting the skipped ones. */
-static uint32_t remaining(const struct motion_emit *e, int32_t i)
+static uint32_t count_bullets_left(const struct motion_emit *e, int32_t i)
 {
     const int32_t first = e->first > i + 1 ? e->first : i + 1, last = e->last < e->n ? e->last : e->n;
 
@@ -98,7 +98,7 @@ void emit_queue(const struct motion_world *w, const struct bullets *s, uint32_t 
         m.value[k] = bullets_value(s, k)[i];
     load_emit(b, &m, &e);
     const bool fires_shots = e.flags & EMIT_SHOTS;
-    const uint32_t n = remaining(&e, 0);
+    const uint32_t n = count_bullets_left(&e, 0);
     if (!n)
         return;
     if (q->queued[fires_shots] == (fires_shots ? &b->shots : &b->bullets)->s.cap) {
@@ -281,7 +281,7 @@ static void fire(struct board *b, const struct emission *m)
         if (i + 1 >= v.e.first && i + 1 <= v.e.last)
             continue;
         if (!fire_one(b, &v, i)) { /* the pool is full for the remaining bullets, too */
-            emit_count_refused(b, v.e.flags & EMIT_SHOTS, remaining(&v.e, i) - 1);
+            emit_count_refused(b, v.e.flags & EMIT_SHOTS, count_bullets_left(&v.e, i) - 1);
             break;
         }
         n++;

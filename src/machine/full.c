@@ -78,9 +78,9 @@ void board_withdraw_full_reports(struct board *b)
 {
     struct output *o = b->output;
 
-    for (int i = 0; i < o->out.full_pools; i++)
+    for (int i = 0; i < o->out.full_pool_count; i++)
         remove_line(o, o->out.full_pool[i].line);
-    o->out.full_pools = 0;
+    o->out.full_pool_count = 0;
 }
 
 void board_report_full(struct board *b, const struct slots *s)
@@ -93,9 +93,9 @@ void board_report_full(struct board *b, const struct slots *s)
     if (!w)
         return;
     const uint32_t units_per_slot =
-        w->chip == &laser_points_chip ? LASER_PIECE_POINTS : 1; /* capacity units of `board` per slot */
+        w->chip == &laser_points_chip ? LASER_CHUNK_POINTS : 1; /* capacity units of `board` per slot */
     b->calls->get_place(b, place, sizeof place);
-    f = o->out.full_pools < MAX_FULL_POOLS ? &o->out.full_pool[o->out.full_pools++] : &discarded;
+    f = o->out.full_pool_count < MAX_FULL_POOLS ? &o->out.full_pool[o->out.full_pool_count++] : &discarded;
     f->part = w->chip->name;
     snprintf(f->line, sizeof f->line, "%s%s pool full (%u): %s; raise `board.%s` in rom.lua", place, w->pool,
              s->cap * units_per_slot, w->effect, w->capacity);

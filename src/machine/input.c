@@ -64,15 +64,15 @@ static void record_presses(struct input *in, uint32_t p, enum press_side side)
 
 void input_clear_edges(struct input *in)
 {
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         in->pressed[p] = in->released[p] = in->repeated[p] = 0;
 }
 
-void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry)
+void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_side side, bool carry)
 {
     if (!carry)
         input_clear_edges(in);
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         unsigned now = without_opposites(pads[p]), was = in->held[p];
         in->held[p] = (uint16_t)now;
         in->pressed[p] |= (uint16_t)(now & ~was);

@@ -31,7 +31,7 @@ extern const struct chip input_chip;
  * `side` (PRESS_NOBODY: to none); the other side's presses do not age. carry: buttons pressed, released and repeated in
  * the previous frame also count in this frame, so a run of PRESS_NOBODY frames passes them on to the first frame after
  * the run. */
-void input_latch(struct input *in, const uint16_t pads[PADS], enum press_side side, bool carry);
+void input_latch(struct input *in, const uint16_t pads[MAX_PLAYERS], enum press_side side, bool carry);
 
 /* Clears the pressed, released and repeated buttons, so that nothing carries over into the next frame. */
 void input_clear_edges(struct input *in);

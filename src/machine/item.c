@@ -45,12 +45,12 @@ static bool attracts_all(const struct board *b, uint32_t i)
     return full && registers_is_full(&b->registers, board_register_row(b, i, full - 1u), i);
 }
 
-void board_get_pulls(const struct board *b, struct item_pull pull[PADS])
+void board_get_pulls(const struct board *b, struct item_pull pull[MAX_PLAYERS])
 {
     const struct player *p = &b->player;
     const struct player_kinds *k = &b->player_kinds;
 
-    for (uint32_t i = 0; i < PADS; i++) {
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         const uint16_t kind = p->kind[i];
         pull[i] = (struct item_pull){ .active = p->in_game[i] };
         if (!p->in_game[i])

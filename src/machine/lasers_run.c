@@ -103,7 +103,7 @@ static bool entity_position(const struct motion_world *w, int64_t entity, uint32
     const uint32_t i = handle_slot(entity);
 
     (void)moved;
-    if (!board_alive(b, entity) || !board_get_position(b, entity, x, y))
+    if (!board_is_alive(b, entity) || !board_get_position(b, entity, x, y))
         return false;
     if (kind == H_LASER) {
         *x = b->lasers.prev_x[i];
@@ -166,7 +166,7 @@ static bool follow_entity(struct board *b, uint32_t i)
     ang dir;
     fx x, y;
 
-    if (!board_alive(b, l->follow_target[i]) || !board_get_position(b, l->follow_target[i], &x, &y))
+    if (!board_is_alive(b, l->follow_target[i]) || !board_get_position(b, l->follow_target[i], &x, &y))
         return false;
     b->laser_heads.x[i] = motion_clamp_to_world((int64_t)x + l->dx[i]);
     b->laser_heads.y[i] = motion_clamp_to_world((int64_t)y + l->dy[i]);
@@ -209,7 +209,7 @@ static void move_bolt(struct board *b, uint32_t i)
     l->grown_length[i] = (fx)int64_min((int64_t)l->grown_length[i] + distance, l->length[i]);
     update_tail(b, i);
     if (is_outside(b, i))
-        l->flags[i] |= LASER_GONE;
+        l->flags[i] |= LASER_DESPAWNING;
 }
 
 /* Updates a curve after its head moved. A head that has left the keep box stops; the body follows it out. */
@@ -225,7 +225,7 @@ static void move_curve(struct board *b, uint32_t i)
     if (!is_in_keep_box(b, h->x[i], h->y[i]))
         l->flags[i] |= LASER_HEAD_OUTSIDE;
     if (l->flags[i] & LASER_HEAD_OUTSIDE && is_outside(b, i))
-        l->flags[i] |= LASER_GONE;
+        l->flags[i] |= LASER_DESPAWNING;
 }
 
 /* Returns whether either end of laser i moved further, on an axis, than an entity can move in a frame. */
@@ -316,7 +316,7 @@ void lasers_move(struct board *b)
 void lasers_end_frame(struct board *b)
 {
     EACH_LIVE (i, &b->lasers.s)
-        if (b->lasers.flags[i] & LASER_GONE)
+        if (b->lasers.flags[i] & LASER_DESPAWNING)
             lasers_remove(b, i);
 }
 

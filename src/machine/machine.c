@@ -22,7 +22,7 @@ static bool entity_position(const struct motion_world *w, int64_t entity, uint32
     const struct bullets *s = kind == H_SHOT ? &b->shots : &b->bullets;
     const uint32_t i = handle_slot(entity);
 
-    if (!board_alive(b, entity) || !board_get_position(b, entity, x, y))
+    if (!board_is_alive(b, entity) || !board_get_position(b, entity, x, y))
         return false;
     if (kind == moving_kind ? i < moved : kind == H_SHOT && before_move) {
         *x -= s->vx[i];
@@ -97,9 +97,9 @@ void board_add_marker(struct board *b, enum board_marker_kind kind, const char *
 {
     struct board_out *out = &b->output->out;
 
-    if (out->markers == MAX_TICK_MARKERS)
+    if (out->marker_count == MAX_TICK_MARKERS)
         return;
-    struct board_marker *m = &out->marker[out->markers++];
+    struct board_marker *m = &out->marker[out->marker_count++];
     m->kind = kind;
     m->value = value;
     copy_printable(m->name, sizeof m->name, name);
@@ -178,14 +178,14 @@ int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot)
     return handle_make(kind, s ? s->gen[slot] : 1, (uint32_t)slot);
 }
 
-bool board_alive(const struct board *b, int64_t h)
+bool board_is_alive(const struct board *b, int64_t h)
 {
     enum handle_kind kind = handle_kind(h);
     uint32_t slot = handle_slot(h), gen = handle_gen(h);
     const struct slots *s = pool_of(b, kind);
 
     if (kind == H_PLAYER)
-        return slot < PADS && b->player.in_game[slot] && b->player.gen[slot] == gen;
+        return slot < MAX_PLAYERS && b->player.in_game[slot] && b->player.gen[slot] == gen;
     if (kind == H_TASK)
         return tasks_alive(b, slot, gen);
     if (kind == H_LAYER || kind == H_PLANE)
@@ -193,7 +193,7 @@ bool board_alive(const struct board *b, int64_t h)
     if (kind == H_BULLETML && slots_has(s, slot, gen))
         return !(b->ml_roots.flags[slot] & ROOT_DESPAWNED);
     if (kind == H_ENEMY && slots_has(s, slot, gen))
-        return !(b->enemies.flags[slot] & ENEMY_GONE);
+        return !(b->enemies.flags[slot] & ENEMY_NOT_ALIVE);
     return s ? slots_has(s, slot, gen) : gen != 0;
 }
 
@@ -206,7 +206,7 @@ bool board_is_readable(const struct board *b, int64_t h)
     if ((kind == H_BULLET || kind == H_SHOT || kind == H_ITEM) &&
         slots_has_held(pool_of(b, kind), handle_slot(h), handle_gen(h)))
         return true;
-    return board_alive(b, h);
+    return board_is_alive(b, h);
 }
 
 int64_t board_followed_by_sprite(const struct board *b, uint32_t i)
@@ -222,7 +222,7 @@ uint8_t board_player_of(const struct board *b, int64_t h)
 {
     const enum handle_kind kind = handle_kind(h);
 
-    if ((kind != H_PLAYER && kind != H_OPTION) || !board_alive(b, h))
+    if ((kind != H_PLAYER && kind != H_OPTION) || !board_is_alive(b, h))
         return 0;
     return (uint8_t)(1 + (kind == H_PLAYER ? handle_slot(h) : b->options.player[handle_slot(h)]));
 }

@@ -51,12 +51,12 @@ struct core {
     uint64_t random[4];   /* state of the game's random number generator */
     int64_t frozen;       /* 0: no; above 0: handle of the only scope that runs; below 0: hit-stop, counts up */
     uint64_t note_digest; /* digest of the values passed to board.note */
-    uint32_t extends_received[PADS]; /* extends each player has received */
-    uint32_t game_over;              /* 1: EV_GAME_OVER has been raised */
-    uint32_t game_start;             /* value of `clock` when the game began */
-    uint8_t continues_left[PADS];    /* continues each player has left */
-    uint8_t continues_used[PADS];    /* continues each player has used */
-    uint64_t drawn;                  /* numbers drawn from the generator since it was seeded */
+    uint32_t extends_received[MAX_PLAYERS]; /* extends each player has received */
+    uint32_t game_over;                     /* 1: EV_GAME_OVER has been raised */
+    uint32_t game_start;                    /* value of `clock` when the game began */
+    uint8_t continues_left[MAX_PLAYERS];    /* continues each player has left */
+    uint8_t continues_used[MAX_PLAYERS];    /* continues each player has used */
+    uint64_t drawn;                         /* numbers drawn from the generator since it was seeded */
 };
 
 /* A running digest of the actions of scripts. The digests of two runs differ from the first frame in which the scripts
@@ -102,7 +102,7 @@ struct board {
     struct name_list names[NAME_LISTS];
     struct option_plan **option_plans; /* by ship kind, in the Lua heap; NULL: no ship has options */
     struct events events;
-    struct ml_fired_list ml_fresh;
+    struct ml_fired_list ml_fired;
     struct board_counts counts;
 
     /* parts, in the order of machine_parts[] */
@@ -140,7 +140,7 @@ struct board {
     struct registers registers;
     struct options options;
     struct option_kinds option_kinds;
-    struct option_paths option_ways;
+    struct option_paths option_paths;
     struct seq music;
     struct cues cues;
     struct voices voices;
@@ -230,7 +230,7 @@ static inline enum press_side board_press_side(const struct board *b)
 
 /* Returns the buttons (PAD_ bits) of player p that are currently hidden from scripts and ships; none while the board is
  * frozen. */
-static inline unsigned board_withheld_buttons(const struct board *b, uint32_t p)
+static inline unsigned board_ignored_buttons(const struct board *b, uint32_t p)
 {
     return b->core.frozen ? 0 : player_ignored_buttons(&b->player, p);
 }
@@ -255,7 +255,7 @@ void board_drop_items(struct board *b, const struct item_drop *d, const uint16_t
 void board_replace_with_item(struct board *b, uint16_t kind, fx x, fx y);
 
 /* Stores how each player attracts items. */
-void board_get_pulls(const struct board *b, struct item_pull pull[PADS]);
+void board_get_pulls(const struct board *b, struct item_pull pull[MAX_PLAYERS]);
 
 /* board_register_row returns the row of register `reg` of player p's ship, and board_get_register its value.
  * board_set_register sets the value, clamped to the register's range. */
@@ -324,7 +324,7 @@ static inline void script_fold(struct board *b, uint64_t v)
 int64_t board_handle(const struct board *b, enum handle_kind kind, int32_t slot);
 
 /* Returns whether the entity of handle h is alive. Groups and motion programs always are. */
-bool board_alive(const struct board *b, int64_t h);
+bool board_is_alive(const struct board *b, int64_t h);
 
 /* Returns whether the entity of handle h can still be read. That includes, until the frame's handlers have run,
  * enemies that died or left, and bullets, shots and items that left the field and are still held. */

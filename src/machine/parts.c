@@ -36,25 +36,25 @@ static uint32_t value_groups(int32_t n)
 static uint32_t bullet_groups(const struct manifest *m)
 {
     return value_groups(m->bullet_values) | (m->hp ? SLOTS_GROUP(GROUP_HP) : 0) |
-           (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
-           (m->meet ? SLOTS_GROUP(GROUP_MEET) : 0);
+           (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+           (m->bullets_can_meet ? SLOTS_GROUP(GROUP_MEET) : 0);
 }
 
 static uint32_t shot_groups(const struct manifest *m)
 {
-    return value_groups(m->shot_values) | (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) |
-           (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
+    return value_groups(m->shot_values) | (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) |
+           (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) | (m->pierce ? SLOTS_GROUP(GROUP_PIERCE) : 0);
 }
 
 static uint32_t enemy_groups(const struct manifest *m)
 {
-    return value_groups(m->enemy_values) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
+    return value_groups(m->enemy_values) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0) |
            (m->bodies ? SLOTS_GROUP(GROUP_BODIES) : 0);
 }
 
 static uint32_t laser_groups(const struct manifest *m)
 {
-    return (m->around ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0);
+    return (m->has_orbit ? SLOTS_GROUP(GROUP_ORBIT) : 0) | (m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0);
 }
 
 /* The parts, in the order of struct board, RAM, hashes and demos. Each line gives the chip, the member of struct board,
@@ -62,7 +62,7 @@ static uint32_t laser_groups(const struct manifest *m)
 #define PART_LIST(PART)                                                                                                \
     PART(script_chip, script, 0, 0)                                                                                    \
     PART(core_chip, core, 0, 0)                                                                                        \
-    PART(input_chip, input, PADS, 0)                                                                                   \
+    PART(input_chip, input, MAX_PLAYERS, 0)                                                                            \
     PART(tasks_chip, tasks, m->tasks, 0)                                                                               \
     PART(bullets_chip, bullets, m->bullets, bullet_groups(m))                                                          \
     PART(bullet_kinds_chip, bullet_kinds, m->bullets ? MAX_KINDS : 0, bullet_groups(m))                                \
@@ -70,17 +70,17 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(shot_kinds_chip, shot_kinds, m->shots ? MAX_KINDS : 0, shot_groups(m))                                        \
     PART(enemies_chip, enemies, m->enemies, enemy_groups(m))                                                           \
     PART(enemy_kinds_chip, enemy_kinds, m->enemies ? MAX_KINDS : 0, enemy_groups(m))                                   \
-    PART(player_chip, player, PADS, 0)                                                                                 \
+    PART(player_chip, player, MAX_PLAYERS, 0)                                                                          \
     PART(player_kinds_chip, player_kinds, MAX_PLAYER_KINDS, m->items ? SLOTS_GROUP(GROUP_ITEMS) : 0)                   \
     PART(motions_chip, motions, m->motions, 0)                                                                         \
-    PART(steps_chip, steps, MOTION_STEPS * m->motions, 0)                                                              \
+    PART(steps_chip, steps, MOTION_STEPS_PER_PROGRAM * m->motions, 0)                                                  \
     PART(sprites_chip, sprites, m->sprites, 0)                                                                         \
     PART(fix_chip, fix, m->screen_w / FIX_CELL * (m->screen_h / FIX_CELL), m->wide ? SLOTS_GROUP(FIX_GROUP_WIDE) : 0)  \
     PART(pal_chip, pal, COLOURS, 0)                                                                                    \
     PART(nvram_chip, nvram, m->nvram_kib * 1024, 0)                                                                    \
     PART(sparks_chip, sparks, m->sparks, 0)                                                                            \
     PART(spark_kinds_chip, spark_kinds, m->sparks ? MAX_KINDS : 0, 0)                                                  \
-    PART(items_chip, items, m->items, m->frozen ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                       \
+    PART(items_chip, items, m->items, m->has_freeze ? SLOTS_GROUP(GROUP_FROZEN) : 0)                                   \
     PART(item_kinds_chip, item_kinds, m->items ? MAX_ITEM_KINDS : 0, 0)                                                \
     PART(lines_chip, lines, m->lines, 0)                                                                               \
     PART(bg_chip, bg, m->bg ? BG_SLOTS : 0, 0)                                                                         \
@@ -91,11 +91,11 @@ static uint32_t laser_groups(const struct manifest *m)
     PART(laser_heads_chip, laser_heads, m->lasers, laser_groups(m))                                                    \
     PART(laser_kinds_chip, laser_kinds, m->lasers ? MAX_LASER_KINDS : 0, 0)                                            \
     PART(laser_points_chip, laser_points,                                                                              \
-         m->lasers ? (m->curve_points + LASER_PIECE_POINTS - 1) / LASER_PIECE_POINTS : 0, 0)                           \
+         m->lasers ? (m->curve_points + LASER_CHUNK_POINTS - 1) / LASER_CHUNK_POINTS : 0, 0)                           \
     PART(registers_chip, registers, m->registers, 0)                                                                   \
     PART(options_chip, options, m->options, 0)                                                                         \
     PART(option_kinds_chip, option_kinds, m->options ? MAX_OPTION_KINDS : 0, 0)                                        \
-    PART(option_paths_chip, option_ways, m->options ? PADS : 0, 0)                                                     \
+    PART(option_paths_chip, option_paths, m->options ? MAX_PLAYERS : 0, 0)                                             \
     PART(seq_chip, music, m->sound ? SEQ_SLOTS : 0, 0)                                                                 \
     PART(cues_chip, cues, m->sound ? CUES : 0, 0)                                                                      \
     PART(voices_chip, voices, m->sound ? VOICE_CAPACITY : 0, 0)                                                        \

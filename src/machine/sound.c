@@ -34,7 +34,7 @@ static void begin_note(const struct voice_target *g, int32_t pitch, int sample)
 {
     const struct tune t = tune_of(tune_data(g->b) + g->tune);
 
-    if (g->inst >= t.insts)
+    if (g->inst >= t.n_insts)
         return;
     const uint8_t *inst = tune_inst(&t, g->inst);
     const struct voice_note n = { (uint32_t)(inst - tune_data(g->b)), cart_recording_place(&g->b->cart, g->tune, inst),

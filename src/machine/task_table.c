@@ -18,7 +18,7 @@ static const struct column columns[] = {
     DERIVED_REGISTER(tasks, last, "the live slot with the highest serial"),
     REGISTER(tasks, serial_count),
     DERIVED_REGISTER(tasks, current, "NO_SLOT between frames"),
-    DERIVED_REGISTER(tasks, skipped, "0 when a turn begins"),
+    DERIVED_REGISTER(tasks, skipped_waits, "0 when a turn begins"),
     DERIVED_REGISTER(tasks, now_owner, "0 between frames"),
     DERIVED_REGISTER(tasks, now_scene, "0 between frames"),
 };
@@ -27,7 +27,7 @@ const struct chip tasks_chip = { .name = "tasks", CHIP_COLUMNS(columns) };
 
 bool tasks_owner_alive(const struct board *b, int64_t owner)
 {
-    return !owner || board_alive(b, owner);
+    return !owner || board_is_alive(b, owner);
 }
 
 /* A loop rather than recursion: a chain of owners may contain MAX_OWNER_DEPTH tasks. */

@@ -36,9 +36,9 @@ struct tasks {
     const char **origin;   /* "FILE:LINE: " of the author's line that started an @std task; NULL: a script's own task */
     uint32_t *next, *prev; /* slots in order of serial */
     uint32_t first, last;
-    uint32_t serial_count; /* number of serials given out so far */
-    int32_t current;       /* slot of the running task, NO_SLOT: none */
-    uint32_t skipped;      /* waits the running task has skipped in this turn */
+    uint32_t serial_count;  /* number of serials given out so far */
+    int32_t current;        /* slot of the running task, NO_SLOT: none */
+    uint32_t skipped_waits; /* waits the running task has skipped in this turn */
     int64_t now_owner,
         now_scene; /* owner of the tasks that the running script starts; scene of the entities that it spawns */
 };

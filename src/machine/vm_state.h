@@ -29,8 +29,8 @@ enum vm_weight_kind {
     WEIGHT_TEXT,
     WEIGHT_ZEROS,
     WEIGHT_NUMERAL,
-    WEIGHT_NUMBER,
-    WEIGHT_FRACTION,
+    WEIGHT_EXTREME_NUMBER,
+    WEIGHT_FLOAT,
     WEIGHT_CHAIN,
     WEIGHT_ARGUMENTS
 };
@@ -54,22 +54,22 @@ struct vm {
     struct lua_State *L;
     struct lua_State *running; /* the running thread, or the last one that ran */
     struct heap *heap;
-    uint64_t work;                     /* work done in this tick */
-    uint64_t limit;                    /* limit on `work`: WORK_LIMIT in a tick, less in board_eval */
-    uint64_t checked_heap_work;        /* heap_work when the work done was last checked */
-    uint32_t rng_state;                /* state of the random numbers that space the checks */
-    uint32_t until_check;              /* instructions until the next check, while there is a profile */
-    struct vm_weight heaviest;         /* the heaviest instruction of this tick */
-    uint64_t swept_heap_work;          /* heap_work when the collector last had a chance to run */
-    size_t heap_size, collect_at;      /* bytes: size of the heap, and heap use at which the next collection starts */
-    bool collecting;                   /* a collection is in progress */
-    size_t text_block, text_max;       /* bytes that Lua allocated for the last string; most bytes allowed */
-    struct profile *profile;           /* the host's profile while it counts lines (profile.h); otherwise NULL */
-    bool loading;                      /* scripts are being loaded */
-    bool practice_read;                /* a script has read the practice start (sys.practice) */
-    enum board_fault_kind raised_kind; /* kind of the error being raised, if it is not FAULT_SCRIPT */
-    bool skips_plans;                  /* set by tests: read arguments without plans (api_plan.c) */
-    uint32_t plan_count;               /* for tests: how often arguments were read by a plan */
+    uint64_t work;                /* work done in this tick */
+    uint64_t limit;               /* limit on `work`: WORK_LIMIT in a tick, less in board_eval */
+    uint64_t checked_heap_work;   /* heap_work when the work done was last checked */
+    uint32_t rng_state;           /* state of the random numbers that space the checks */
+    uint32_t until_check;         /* instructions until the next check, while there is a profile */
+    struct vm_weight heaviest;    /* the heaviest instruction of this tick */
+    uint64_t swept_heap_work;     /* heap_work when the collector last had a chance to run */
+    size_t heap_size, collect_at; /* bytes: size of the heap, and heap use at which the next collection starts */
+    bool collecting;              /* a collection is in progress */
+    size_t text_block_size, max_text_block; /* bytes that Lua allocated for the last string; most bytes allowed */
+    struct profile *profile;                /* the host's profile while it counts lines (profile.h); otherwise NULL */
+    bool loading;                           /* scripts are being loaded */
+    bool practice_read;                     /* a script has read the practice start (sys.practice) */
+    enum board_fault_kind raised_kind;      /* kind of the error being raised, if it is not FAULT_SCRIPT */
+    bool skips_plans;                       /* set by tests: read arguments without plans (api_plan.c) */
+    uint32_t plan_count;                    /* for tests: how often arguments were read by a plan */
     struct vm_guesses guesses;
 };
 

@@ -27,11 +27,11 @@ static uint64_t layout(struct ml *m, const uint8_t *data)
     const uint64_t number = ML_HEADER, top = number + 8 * counts[2], label = top + 4 * counts[0],
                    word = label + 4 * counts[1], step = word + 4 * counts[3], text = step + 4 * counts[4];
 
-    *m = (struct ml){ .tops = (uint32_t)counts[0],
-                      .labels = (uint32_t)counts[1],
-                      .numbers = (uint32_t)counts[2],
-                      .words = (uint32_t)counts[3],
-                      .steps = (uint32_t)counts[4],
+    *m = (struct ml){ .n_tops = (uint32_t)counts[0],
+                      .n_labels = (uint32_t)counts[1],
+                      .n_numbers = (uint32_t)counts[2],
+                      .n_words = (uint32_t)counts[3],
+                      .n_steps = (uint32_t)counts[4],
                       .text_size = (uint32_t)counts[5],
                       .horizontal = bytes_get32(data + 4) };
     m->number = data + number;
@@ -50,15 +50,15 @@ void ml_open(struct ml *m, const uint8_t *data)
 
 static bool is_command_at(const struct ml *m, uint32_t at)
 {
-    return at < m->words && ml_word(m, at) & ML_COMMAND;
+    return at < m->n_words && ml_word(m, at) & ML_COMMAND;
 }
 
 static bool value_ok(const struct ml *m, uint32_t v)
 {
     if (!(v & ML_COMPUTED))
-        return v < m->numbers;
+        return v < m->n_numbers;
     v &= ~ML_COMPUTED;
-    return v < m->steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
+    return v < m->n_steps && (v == 0 || ml_step(m, v - 1) == STEP_DONE);
 }
 
 /* Checks one operand, whose type is `type` (see ml_operands). If the operand is a count, stores it in *n. */
@@ -70,7 +70,7 @@ static bool operand_ok(const struct ml *m, char type, uint32_t v, uint32_t *n)
     case 'p':
         return is_command_at(m, v);
     case 'l':
-        return v <= m->labels;
+        return v <= m->n_labels;
     default:
         *n = v;
         return v <= ML_MAX_PARAMS;
@@ -88,10 +88,10 @@ static bool command_ok(const struct ml *m, uint32_t *at)
         return false;
     ++*at;
     for (const char *type = ml_operands[ML_OP(w)]; *type && *type != '*'; type++, ++*at)
-        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !operand_ok(m, *type, ml_word(m, *at), &n))
+        if (*at == m->n_words || ml_word(m, *at) & ML_COMMAND || !operand_ok(m, *type, ml_word(m, *at), &n))
             return false;
     for (; n; n--, ++*at)
-        if (*at == m->words || ml_word(m, *at) & ML_COMMAND || !value_ok(m, ml_word(m, *at)))
+        if (*at == m->n_words || ml_word(m, *at) & ML_COMMAND || !value_ok(m, ml_word(m, *at)))
             return false;
     return true;
 }
@@ -105,10 +105,10 @@ static bool commands_ok(const struct ml *m)
 {
     uint32_t at = 0;
 
-    while (at < m->words)
+    while (at < m->n_words)
         if (!command_ok(m, &at))
             return false;
-    return m->words && is_end(m, 0) && is_end(m, m->words - 1);
+    return m->n_words && is_end(m, 0) && is_end(m, m->n_words - 1);
 }
 
 /* Checks a step. *stack: the number of values on the stack, which the step updates. */
@@ -123,7 +123,7 @@ static bool step_ok(const struct ml *m, uint32_t w, int *stack)
         *stack = 0;
         return w == STEP_DONE;
     case STEP_NUMBER:
-        return argument < m->numbers && ++*stack <= ML_STACK_SIZE;
+        return argument < m->n_numbers && ++*stack <= ML_STACK_SIZE;
     case STEP_PARAM:
         return argument <= ML_PARAMS && ++*stack <= ML_STACK_SIZE;
     case STEP_RAND:
@@ -145,18 +145,18 @@ static bool steps_ok(const struct ml *m)
 {
     int stack = 0;
 
-    for (uint32_t i = 0; i < m->steps; i++)
+    for (uint32_t i = 0; i < m->n_steps; i++)
         if (!step_ok(m, ml_step(m, i), &stack))
             return false;
-    return !m->steps || ml_step(m, m->steps - 1) == STEP_DONE;
+    return !m->n_steps || ml_step(m, m->n_steps - 1) == STEP_DONE;
 }
 
 static bool tables_ok(const struct ml *m)
 {
-    for (uint32_t i = 0; i < m->tops; i++)
+    for (uint32_t i = 0; i < m->n_tops; i++)
         if (!is_command_at(m, ml_top(m, i)))
             return false;
-    for (uint32_t i = 0; i < m->labels; i++)
+    for (uint32_t i = 0; i < m->n_labels; i++)
         if (bytes_get32(m->label + 4 * (size_t)i) >= m->text_size)
             return false;
     return !m->text_size || m->text[m->text_size - 1] == 0;
@@ -171,8 +171,8 @@ bool ml_check(const uint8_t *data, size_t size, char *err, size_t err_size)
     if (bytes_get32(data + 4) > 1)
         return err_set(err, err_size, "unknown format");
     const uint64_t expected = layout(&m, data);
-    if (m.tops > ML_MAX_TOPS || m.labels > ML_MAX_LABELS || m.numbers > ML_MAX_NUMBERS || m.words > ML_MAX_WORDS ||
-        m.steps > ML_MAX_WORDS || m.text_size > ML_MAX_TEXT)
+    if (m.n_tops > ML_MAX_TOPS || m.n_labels > ML_MAX_LABELS || m.n_numbers > ML_MAX_NUMBERS ||
+        m.n_words > ML_MAX_WORDS || m.n_steps > ML_MAX_WORDS || m.text_size > ML_MAX_TEXT)
         return err_set(err, err_size, "too large for a BulletML program");
     if (expected != size)
         return err_set(err, err_size, "%zu bytes long, expected %" PRIu64, size, expected);

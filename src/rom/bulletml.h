@@ -106,7 +106,7 @@ enum ml_step {
 /* The sections of a program. */
 struct ml {
     const uint8_t *number, *top, *label, *word, *step, *text;
-    uint32_t tops, labels, numbers, words, steps, text_size;
+    uint32_t n_tops, n_labels, n_numbers, n_words, n_steps, text_size;
     bool horizontal;
 };
 

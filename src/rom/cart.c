@@ -339,7 +339,7 @@ static bool open_sprites(struct cart *c, char *err, size_t err_size)
 
 /* ---- hitboxes ---- */
 
-void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE])
+void cart_pack_hit(const struct cart_hitbox *hit, uint8_t out[CART_HIT_SIZE])
 {
     bytes_put32(out, hit->shape);
     bytes_put32(out + 4, hit->rows);
@@ -351,7 +351,7 @@ void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE])
     }
 }
 
-static void read_hit(const uint8_t *p, struct cart_hit *hit)
+static void read_hit(const uint8_t *p, struct cart_hitbox *hit)
 {
     hit->shape = bytes_get32(p);
     hit->rows = bytes_get32(p + 4);
@@ -365,7 +365,7 @@ static void read_hit(const uint8_t *p, struct cart_hit *hit)
 
 /* Returns whether row i of a hitbox is valid: lengths are not negative, nothing is too large, and values that the shape
  * does not use are 0. */
-static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
+static bool hit_row_ok(const struct cart_hitbox *h, uint32_t i)
 {
     const int64_t limit = (int64_t)MAX_SPEED << 16, a = h->row[i].a, b = h->row[i].b;
     const int64_t x = h->row[i].x, y = h->row[i].y, reach = (x < 0 ? -x : x) + (y < 0 ? -y : y) + a;
@@ -378,7 +378,7 @@ static bool hit_row_ok(const struct cart_hit *h, uint32_t i)
            (h->shape == SHAPE_CAPSULE || h->shape == SHAPE_CIRCLES || (x == 0 && y == 0));
 }
 
-static bool hit_ok(const struct cart_hit *h)
+static bool hit_ok(const struct cart_hitbox *h)
 {
     if (h->shape != SHAPE_CIRCLE && h->shape != SHAPE_BOX && h->shape != SHAPE_CAPSULE && h->shape != SHAPE_CIRCLES)
         return false;
@@ -392,7 +392,7 @@ static bool hit_ok(const struct cart_hit *h)
 
 static bool open_hits(struct cart *c, char *err, size_t err_size)
 {
-    struct cart_hit h;
+    struct cart_hitbox h;
     struct lump l;
 
     for (int i = 0; i < c->count[CART_HITS]; i++) {
@@ -407,7 +407,7 @@ static bool open_hits(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out)
+bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hitbox *out)
 {
     struct lump l;
 
@@ -424,12 +424,12 @@ static void read_map(const struct lump *l, struct map *m)
     m->cols = bytes_get16(p);
     m->rows = bytes_get16(p + 2);
     m->tile_side = bytes_get16(p + 4);
-    m->tiles = bytes_get16(p + 6);
+    m->n_tiles = bytes_get16(p + 6);
     m->bank = bytes_get16(p + 8);
     m->all_solid = bytes_get16(p + 10) != 0;
     m->cells = p + CART_MAP_HEADER;
     m->solid = m->cells + 2 * (size_t)m->cols * (size_t)m->rows;
-    m->pix = m->solid + m->tiles;
+    m->pix = m->solid + m->n_tiles;
 }
 
 static bool map_header_ok(const struct map *m)
@@ -437,7 +437,7 @@ static bool map_header_ok(const struct map *m)
     return (m->tile_side == 8 || m->tile_side == 16 || m->tile_side == 32) &&
            in_range(m->cols, 1, CART_MAX_MAP_SIDE / m->tile_side) &&
            in_range(m->rows, 1, CART_MAX_MAP_SIDE / m->tile_side) && m->cols * m->rows <= CART_MAX_MAP_CELLS &&
-           m->tiles >= 1 && m->bank <= 15;
+           m->n_tiles >= 1 && m->bank <= 15;
 }
 
 /* Checks a tile: tile 0 must be empty, pixels must be 0 or in the bank, and m->solid[tile] must be 1 if no pixel is 0,
@@ -467,20 +467,20 @@ static bool check_map(const struct lump *l, char *err, size_t err_size)
         return err_set(err, err_size, "lump \"%s\": its header is out of range", l->name);
     uint64_t cells = (uint64_t)m.cols * (uint64_t)m.rows;
     uint64_t size =
-        CART_MAP_HEADER + 2 * cells + (uint64_t)m.tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
+        CART_MAP_HEADER + 2 * cells + (uint64_t)m.n_tiles * (1 + (uint64_t)m.tile_side * (uint64_t)m.tile_side);
     if (l->size != size)
         return err_set(err, err_size, "lump \"%s\": %" PRIu32 " bytes long, its header says %" PRIu64, l->name, l->size,
                        size);
     bool all_solid = true;
     for (uint64_t i = 0; i < cells; i++) {
-        if (bytes_get16(m.cells + 2 * i) >= m.tiles)
+        if (bytes_get16(m.cells + 2 * i) >= m.n_tiles)
             return err_set(err, err_size, "lump \"%s\": cell %" PRIu64 " has tile %d, but the map has %d tiles",
-                           l->name, i, bytes_get16(m.cells + 2 * i), m.tiles);
+                           l->name, i, bytes_get16(m.cells + 2 * i), m.n_tiles);
         all_solid = all_solid && m.solid[bytes_get16(m.cells + 2 * i)];
     }
     if (all_solid != m.all_solid)
         return err_set(err, err_size, "lump \"%s\": wrong flag for empty cells", l->name);
-    for (int i = 0; i < m.tiles; i++)
+    for (int i = 0; i < m.n_tiles; i++)
         if (!tile_ok(&m, i))
             return err_set(err, err_size, "lump \"%s\": tile %d does not match the map's flags", l->name, i);
     return true;
@@ -515,13 +515,13 @@ static bool open_bulletml(struct cart *c, char *err, size_t err_size)
     return true;
 }
 
-/* Returns whether a stream's samples, for `sides` channels, exist and are valid. Only music can be a stream. */
-static bool stream_ok(const struct cart *c, const struct lump *tune, int sides)
+/* Returns whether a stream's samples, for `channels` channels, exist and are valid. Only music can be a stream. */
+static bool stream_ok(const struct cart *c, const struct lump *tune, int channels)
 {
     struct lump l;
 
     return strncmp(tune->name, "tune/", 5) == 0 && find_lump_in(c->rom, "wave/", tune->name + 5, "", &l) &&
-           samples_are_valid(l.data, l.size, sides);
+           samples_are_valid(l.data, l.size, channels);
 }
 
 /* Checks the tunes of music or sounds. */

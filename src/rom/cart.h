@@ -142,7 +142,7 @@ struct sprite {
 struct map {
     int cols, rows;       /* tiles */
     int tile_side;        /* px of a tile: 8, 16 or 32 */
-    int tiles, bank;      /* pixels are 0 or bank * 16 + 1..15 */
+    int n_tiles, bank;    /* pixels are 0 or bank * 16 + 1..15 */
     bool all_solid;       /* every cell's tile is solid */
     const uint8_t *cells; /* cols * rows numbers below tiles, u16 */
     const uint8_t *solid; /* a byte per tile; 1: solid */
@@ -165,16 +165,16 @@ void cart_bulletml(const struct cart *cart, int i, struct ml *out);
 
 /* The hitbox drawn with a sprite: a SHAPE_ constant, and the rows of the shape in fx px, relative to the sprite's
  * origin. */
-struct cart_hit {
+struct cart_hitbox {
     uint32_t shape, rows;
     struct {
         int32_t a, b, x, y;
     } row[4];
 };
-void cart_pack_hit(const struct cart_hit *hit, uint8_t out[CART_HIT_SIZE]);
+void cart_pack_hit(const struct cart_hitbox *hit, uint8_t out[CART_HIT_SIZE]);
 
 /* Reads the hitbox of the sprite with that name. Returns false if the sprite has no drawn hitbox. */
-bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hit *out);
+bool cart_find_hit(const struct cart *cart, const char *name, struct cart_hitbox *out);
 
 /* Opens the translations of the language with that name; "" opens an empty table. Returns false if the game has no such
  * language. */

@@ -44,19 +44,19 @@ struct manifest {
     int32_t margin; /* px between the field and the keep box, on each side; entities outside the keep box despawn */
     int32_t bullets, shots, enemies, sparks, sprites, motions, tasks; /* capacities; 0: the chip is absent */
     int32_t bullet_values, shot_values, enemy_values;                 /* number of values that each entity has */
-    int32_t hp, around, frozen;   /* 1: stored for bullets and other entities that support it; 0: not stored */
-    int32_t meet;                 /* 1: bullets can meet other bullets */
-    int32_t items;                /* capacity; default 0 */
-    int32_t lines;                /* capacity for lines of text; default 0 */
-    int32_t wide;                 /* 1: a text cell stores a font and any character; 0: codes up to 255 */
-    int32_t bg;                   /* 1: the game has backgrounds, which need maps */
-    int32_t lasers, curve_points; /* capacities; curve_points: of all curves together, allocated in units of 32 */
-    int32_t registers;            /* capacity: of all ships and the run together */
-    int32_t options;              /* capacity: options active at a time; default 0 */
-    int32_t bodies;               /* 1: enemies have rates and parts, and can orbit and wander */
-    int32_t pierce;               /* 1: shots can pierce */
-    int32_t sound;                /* 1: the game has sounds or music */
-    int32_t bulletml;             /* capacity for runners of BulletML documents; default 0 */
+    int32_t hp, has_orbit, has_freeze; /* 1: stored for bullets and other entities that support it; 0: not stored */
+    int32_t bullets_can_meet;          /* 1: bullets can meet other bullets */
+    int32_t items;                     /* capacity; default 0 */
+    int32_t lines;                     /* capacity for lines of text; default 0 */
+    int32_t wide;                      /* 1: a text cell stores a font and any character; 0: codes up to 255 */
+    int32_t bg;                        /* 1: the game has backgrounds, which need maps */
+    int32_t lasers, curve_points;      /* capacities; curve_points: of all curves together, allocated in units of 32 */
+    int32_t registers;                 /* capacity: of all ships and the run together */
+    int32_t options;                   /* capacity: options active at a time; default 0 */
+    int32_t bodies;                    /* 1: enemies have rates and parts, and can orbit and wander */
+    int32_t pierce;                    /* 1: shots can pierce */
+    int32_t sound;                     /* 1: the game has sounds or music */
+    int32_t bulletml;                  /* capacity for runners of BulletML documents; default 0 */
     int32_t lua_kib;
     int32_t nvram_kib; /* capacity for score tables and saves */
     int32_t players;

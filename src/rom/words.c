@@ -44,7 +44,7 @@ bool words_open(struct words *w, const uint8_t *data, size_t size, char *err, si
     return true;
 }
 
-/* Compares a string with the n bytes of a text, like strcmp. */
+/* Like strcmp, but `text` is n bytes long and has no NUL. */
 static int compare(const char *s, const char *text, size_t n)
 {
     size_t m = strlen(s);

@@ -12,7 +12,7 @@
 #include "bulletml_parts.h"
 
 /* A fire being prepared: its speed and direction so far, and where execution continues after a fireRef or bulletRef. */
-struct shot {
+struct pending_fire {
     bool has_speed, has_direction;
     int64_t speed, direction;
     uint32_t after_fire, after_bullet; /* program positions; 0: inline, nowhere to return to */
@@ -23,7 +23,7 @@ struct work_state {
     struct turn *t;
     struct ml_runners *r;
     uint32_t at;
-    struct shot shot;
+    struct pending_fire shot;
     struct param_values action_params, fire_params,
         bullet_params;           /* parameters of the action, the fireRef and the bulletRef */
     struct param_values *params; /* the parameters that expressions use now: one of the three above */
@@ -365,7 +365,7 @@ static void begin_fire(struct work_state *w)
 /* Fires the bullet. Unset speed and direction get their defaults: speed 1, aimed at the player. */
 static void fire_bullet(struct work_state *w)
 {
-    struct shot *s = &w->shot;
+    struct pending_fire *s = &w->shot;
     const uint32_t label = next_word(w), at = next_word(w);
 
     if (!s->has_speed)
@@ -473,7 +473,7 @@ static void charge_command(struct work_state *w, uint32_t c)
 
     r->work_done += 1 + w->steps;
     if (!board_charge_work(w->t->b, COMMAND_WORK + STEP_WORK * w->steps))
-        bulletml_fault_work(w->t, c);
+        bulletml_raise_overload(w->t, c);
     w->steps = 0;
 }
 

@@ -69,6 +69,6 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *message);
 
 /* Raises the fault for exceeding the frame's work limit, with the number of runners and of commands executed in all
  * documents. w: the current command. */
-void bulletml_fault_work(const struct turn *t, uint32_t w);
+void bulletml_raise_overload(const struct turn *t, uint32_t w);
 
 #endif

@@ -84,7 +84,7 @@ void bulletml_fault(const struct turn *t, uint32_t w, const char *message)
              cart_name(&t->b->cart, CART_BULLETML, t->b->ml_roots.program[t->root]), (int)ML_LINE(w), message);
 }
 
-void bulletml_fault_work(const struct turn *t, uint32_t w)
+void bulletml_raise_overload(const struct turn *t, uint32_t w)
 {
     const struct ml_runners *r = &t->b->ml_runners;
 
@@ -226,7 +226,7 @@ static int32_t new_runner(struct board *b, uint32_t root, int64_t bullet, uint32
     r->written_dir[i] = 0;
     r->cosine[i] = r->sine[i] = 0;
     r->written_speed[i] = r->written_vx[i] = r->written_vy[i] = 0;
-    b->ml_roots.runners[root]++;
+    b->ml_roots.n_runners[root]++;
     return i;
 }
 
@@ -250,7 +250,7 @@ static void clear_runner(struct board *b, uint32_t i)
 static void drop_runner(struct board *b, uint32_t i)
 {
     clear_runner(b, i);
-    b->ml_roots.runners[b->ml_runners.root[i]]--;
+    b->ml_roots.n_runners[b->ml_runners.root[i]]--;
     slots_drop(&b->ml_runners.s, i);
 }
 
@@ -286,8 +286,8 @@ static uint32_t create_fired_runner(const struct turn *t, const struct new_bulle
 void bulletml_fire(const struct turn *t, const struct new_bullet *f, struct param_values *params)
 {
     const struct ml_roots *o = &t->b->ml_roots;
-    const bool has_kind = f->label && f->label <= ML_KINDS;
-    struct ml_fired_list *fresh = &t->b->ml_fresh;
+    const bool has_kind = f->label && f->label <= ML_MAX_KINDS;
+    struct ml_fired_list *fresh = &t->b->ml_fired;
 
     if (fresh->n == fresh->cap) {
         emit_count_refused(t->b, false, 1);
@@ -302,7 +302,7 @@ void bulletml_fire(const struct turn *t, const struct new_bullet *f, struct para
         .vy = velocity.vy,
         .speed = velocity.speed,
         .dir = h.dir,
-        .kind = has_kind ? o->label_kind[(size_t)t->root * ML_KINDS + f->label - 1] : o->kind[t->root],
+        .kind = has_kind ? o->label_kind[(size_t)t->root * ML_MAX_KINDS + f->label - 1] : o->kind[t->root],
         .root = t->root,
         .label = f->label,
         .runner = f->at ? create_fired_runner(t, f, &velocity, &h, params) : 0,
@@ -330,7 +330,7 @@ static int32_t spawn_fired(struct board *b, const struct ml_fired_bullet *f)
 
 void bulletml_spawn_fired(struct board *b)
 {
-    struct ml_fired_list *fresh = &b->ml_fresh;
+    struct ml_fired_list *fresh = &b->ml_fired;
 
     for (uint32_t k = 0; k < fresh->n; k++) {
         const struct ml_fired_bullet *f = &fresh->entries[k];
@@ -573,7 +573,7 @@ static void restart_root(struct board *b, uint32_t root, const struct ml *ml, ui
     uint32_t top = 0;
 
     charge_search(b);
-    for (uint32_t k = 0; k < r->n && top < ml->tops; k++) {
+    for (uint32_t k = 0; k < r->n && top < ml->n_tops; k++) {
         const uint32_t i = r->order[k];
         if (r->root[i] != root || !(r->flags[i] & RUNNER_TOP))
             continue;
@@ -677,9 +677,9 @@ static void update_roots(struct board *b)
     struct ml_roots *o = &b->ml_roots;
 
     EACH_LIVE (i, &o->s) {
-        if (o->flags[i] & ROOT_DESPAWNED && !o->runners[i])
+        if (o->flags[i] & ROOT_DESPAWNED && !o->n_runners[i])
             drop_root(b, i);
-        else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow_target[i] && !board_alive(b, o->follow_target[i])))
+        else if (!tasks_owner_alive(b, o->owner[i]) || (o->follow_target[i] && !board_is_alive(b, o->follow_target[i])))
             bulletml_stop(b, i);
         else if (o->follow_target[i])
             follow_entity(b, i);
@@ -777,7 +777,7 @@ void bulletml_run(struct board *b)
     struct cached_document cache = { .program = UINT32_MAX };
     uint32_t live = 0;
 
-    b->ml_fresh.n = 0;
+    b->ml_fired.n = 0;
     r->work_done = 0;
     update_roots(b);
     for (uint32_t k = 0; k < n; k++) {
@@ -805,7 +805,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     struct ml ml;
 
     cart_bulletml(&b->cart, start->program, &ml);
-    if (!ml.tops)
+    if (!ml.n_tops)
         return NO_SLOT;
     const int32_t i = slots_take(&o->s);
     if (i == NO_SLOT) {
@@ -822,17 +822,17 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->program[i] = start->program;
     o->kind[i] = start->kind;
     o->tag[i] = start->tag;
-    memcpy(o->label_kind + (size_t)i * ML_KINDS, start->kinds, ML_KINDS * sizeof *o->label_kind);
+    memcpy(o->label_kind + (size_t)i * ML_MAX_KINDS, start->kinds, ML_MAX_KINDS * sizeof *o->label_kind);
     o->bank[i] = start->bank;
     o->flags[i] = start->flags;
-    o->runners[i] = 0;
+    o->n_runners[i] = 0;
     o->owner_task[i] = tasks_current_serial(b);
     o->stream[i] = start->seed;
     o->params[i] = start->param_count ? bulletml_new_list(b, start->param, start->param_count) : 0;
     o->rank[i] = start->rank;
     o->speed_scale[i] = start->speed_scale;
     o->up_dir[i] = UP + start->angle;
-    for (uint32_t top = 0; top < ml.tops; top++) {
+    for (uint32_t top = 0; top < ml.n_tops; top++) {
         const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top(&ml, top), b->core.clock);
         if (k == NO_SLOT) {
             bulletml_stop(b, (uint32_t)i);

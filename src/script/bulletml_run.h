@@ -18,7 +18,7 @@ struct bulletml_start {
     int64_t owner, follow; /* handles; owner 0: the board; follow 0: nothing */
     fx x, y, dx, dy;       /* dx, dy: offset from the followed entity */
     uint16_t kind, tag;
-    const uint16_t *kinds;     /* ML_KINDS entries: bullet kind by label */
+    const uint16_t *kinds;     /* ML_MAX_KINDS entries: bullet kind by label */
     uint8_t bank, flags;       /* flags: ROOT_* */
     uint32_t seed;             /* not 0 */
     int64_t rank, speed_scale; /* Q31.32; speed_scale: px a frame for speed 1 */

@@ -318,7 +318,7 @@ bool events_hurt_enemy(struct board *b, lua_State *L, uint32_t i, int32_t n, uin
 /* Removes a bullet or shot that is live or held. */
 static void remove_bullet(struct board *b, struct bullets *s, int64_t h)
 {
-    if (board_alive(b, h))
+    if (board_is_alive(b, h))
         bullets_drop(s, handle_slot(h));
     else
         bullets_release(s, handle_slot(h));
@@ -338,7 +338,7 @@ static void destroy_bullet(struct board *b, lua_State *L, int64_t h, uint32_t pl
     uint32_t i = handle_slot(h);
     uint16_t kind = b->bullets.kind[i];
 
-    if (board_alive(b, h))
+    if (board_is_alive(b, h))
         bullets_hold(&b->bullets, i);
     if (player)
         board_add_score(b, player - 1, k->score[kind]);
@@ -414,13 +414,13 @@ static void apply_laser(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t i = handle_slot(e->a);
 
-    if (!board_alive(b, e->a))
+    if (!board_is_alive(b, e->a))
         return;
     const uint16_t kind = b->laser_heads.kind[i];
     const int32_t damage = b->laser_kinds.damage[kind];
-    b->lasers.rehit_clock[i * PADS] = b->core.clock + b->laser_kinds.hit_interval[kind];
+    b->lasers.rehit_clock[i * MAX_PLAYERS] = b->core.clock + b->laser_kinds.hit_interval[kind];
     EACH_LIVE (k, &b->enemies.s) {
-        if (!board_alive(b, e->a))
+        if (!board_is_alive(b, e->a))
             return;
         if (b->enemies.flags[k] & ENEMY_DYING)
             continue;
@@ -487,10 +487,11 @@ static void apply_graze(struct board *b, lua_State *L, const struct event *e)
 {
     uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
 
-    if (!still_exists(b, e->b) || !board_alive(b, e->a))
+    if (!still_exists(b, e->b) || !board_is_alive(b, e->a))
         return;
     if (handle_kind(e->b) == H_LASER)
-        b->lasers.rehit_clock[i * PADS + p] = b->core.clock + b->laser_kinds.graze_interval[b->laser_heads.kind[i]];
+        b->lasers.rehit_clock[i * MAX_PLAYERS + p] =
+            b->core.clock + b->laser_kinds.graze_interval[b->laser_heads.kind[i]];
     else
         b->bullets.flags[i] |= (uint8_t)(BULLET_GRAZED << p);
     b->player.grazes[p]++;
@@ -515,8 +516,8 @@ static bool is_register_full(lua_State *L, const struct board *b, uint32_t p, ui
  * run's. */
 static void give_registers(lua_State *L, struct board *b, uint32_t p, uint16_t kind)
 {
-    for (int k = 0; k < ITEM_REGISTERS; k++) {
-        const int32_t n = b->item_kinds.register_amounts[kind * ITEM_REGISTERS + k];
+    for (int k = 0; k < ITEM_MAX_REGISTERS; k++) {
+        const int32_t n = b->item_kinds.register_amounts[kind * ITEM_MAX_REGISTERS + k];
         const char *name = n ? board_name(b, N_ITEM_REGISTER, k) : NULL;
         int reg = n ? api_find_player_register(L, b, p, name) : -1;
         if (reg >= 0)
@@ -554,7 +555,7 @@ static void apply_take(struct board *b, lua_State *L, const struct event *e)
 {
     const uint32_t p = handle_slot(e->a), i = handle_slot(e->b);
 
-    if (!board_alive(b, e->a) || !board_alive(b, e->b))
+    if (!board_is_alive(b, e->a) || !board_is_alive(b, e->b))
         return;
     slots_hold(&b->items.s, b->items.collected, i);
     give_item(L, b, p, b->items.kind[i]);
@@ -582,7 +583,7 @@ void events_check_game_over(struct board *b)
     board_raise_event(b, EV_GAME_OVER, 0, 0);
 }
 
-void events_player_start_position(const struct board *b, uint32_t p, fx *x, fx *y)
+void events_get_start_position(const struct board *b, uint32_t p, fx *x, fx *y)
 {
     const struct manifest *m = &b->cart.manifest;
     bool is_two_player = b->player.in_game[0] && b->player.in_game[1];
@@ -618,10 +619,10 @@ static void apply_hit(struct board *b, lua_State *L, const struct event *e)
     if (b->start.practice.invincible) /* checked here, not through `safe`, which scripts read and write */
         return;
     /* An earlier handler may have removed the entity that hit the player. */
-    if (!board_alive(b, e->a) || b->player.safe_left[p] || b->player.deathbomb_left[p] || !still_exists(b, e->b))
+    if (!board_is_alive(b, e->a) || b->player.safe_left[p] || b->player.deathbomb_left[p] || !still_exists(b, e->b))
         return;
     call_event_handlers(L, e);
-    if (!board_alive(b, e->a) || b->player.safe_left[p]) /* a handler may have saved the player */
+    if (!board_is_alive(b, e->a) || b->player.safe_left[p]) /* a handler may have saved the player */
         return;
     sound_play_cue(b, CUE_HIT, b->player.x[p]);
     fade_beams(b, p);
@@ -638,10 +639,10 @@ static void apply_death(struct board *b, lua_State *L, const struct event *e)
 
     call_event_handlers(L, e);
     items_release(&b->items, p);
-    if (!board_alive(b, e->a))
+    if (!board_is_alive(b, e->a))
         return;
     if (b->player.lives[p] >= 0) {
-        events_player_start_position(b, p, &x, &y);
+        events_get_start_position(b, p, &x, &y);
         player_set_position(&b->player, p, x, y);
         return;
     }
@@ -718,7 +719,7 @@ static void apply_event(struct board *b, lua_State *L, const struct event *e)
         apply_emitted(L, e);
         break;
     case EV_FIRED:
-        if (board_alive(b, e->a))
+        if (board_is_alive(b, e->a))
             bulletml_call_handler(L, b, e->a, (uint32_t)(e->b >> 32), (uint32_t)e->b);
         break;
     case EV_KILL:

@@ -42,7 +42,7 @@ void events_kill_player(struct board *b, uint32_t p);
 void events_step_players(struct board *b, lua_State *L);
 
 /* Sets *x, *y to the position where player p enters and respawns. */
-void events_player_start_position(const struct board *b, uint32_t p, fx *x, fx *y);
+void events_get_start_position(const struct board *b, uint32_t p, fx *x, fx *y);
 
 /* Creates the empty handler tables. */
 void events_open(lua_State *L);

@@ -44,7 +44,7 @@ void options_adjust_count(struct board *b, lua_State *L)
 {
     struct option_ship ship;
 
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         const uint32_t n = fill_ship(b, p, &ship) ? ship.level->n : 0;
         uint32_t existing = 0; /* one bit per existing option */
         EACH_LIVE (i, &b->options.s)
@@ -62,7 +62,7 @@ void options_follow(struct board *b)
 {
     struct option_ship ship;
 
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         if (fill_ship(b, p, &ship))
-            options_move(&b->options, &b->option_ways, p, &ship);
+            options_move(&b->options, &b->option_paths, p, &ship);
 }

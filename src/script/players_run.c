@@ -15,7 +15,7 @@ static void step_bomb(struct board *b, uint32_t p)
 
     if (!b->player.bomb_left[p] || --b->player.bomb_left[p])
         return;
-    if (board_alive(b, scope))
+    if (board_is_alive(b, scope))
         tasks_stop(b, handle_slot(scope));
     b->player.bomb_scope[p] = 0;
 }
@@ -28,7 +28,7 @@ static void step_deathbomb(struct board *b, uint32_t p)
 
 void events_step_players(struct board *b, lua_State *L)
 {
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         if (!b->player.in_game[p])
             continue;
         step_bomb(b, p);

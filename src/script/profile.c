@@ -115,7 +115,7 @@ static void on_instruction(lua_State *L, lua_Debug *ar)
     p->current->instructions++;
     p->total.instructions++;
     if (--vm->until_check == 0)
-        vm_take_look(L, ar);
+        vm_check_work(L, ar);
     p->counted_work = vm->work;
 }
 

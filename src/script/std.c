@@ -8,9 +8,9 @@
 
 enum { ALL_MODULES = (1 << STD_MODULES) - 1 };
 
-/* globals: the names that a script uses the module by: the global that the module's table is bound to; for the prelude,
- * each of its entries. A module with `fields` adds these to the table `extended_table` and is not bound itself; its
- * `globals` is that table. */
+/* globals: the global variables through which scripts reach the module: the one bound to its table or, for the prelude,
+ * one for each of its functions. A module with `fields` has no variable of its own: it adds those fields to the table
+ * `extended_table`, and its `globals` is that table. */
 static const struct {
     const char *name, *globals, *fields, *extended_table;
 } modules[STD_MODULES] = {
@@ -57,7 +57,7 @@ static int is_in_list(const char *list, const char *word, size_t n)
     return 0;
 }
 
-int std_module_of_piece(const char *name)
+int std_module_of_file(const char *name)
 {
     size_t n = 0;
 

@@ -24,7 +24,7 @@ const char *std_module_name(int i);
 
 /* Returns the module that a piece such as "boss/cast" belongs to: the module with the name of the piece's folder, or
  * boot for "screens". Returns -1 if `name` is not a piece. */
-int std_module_of_piece(const char *name);
+int std_module_of_file(const char *name);
 
 /* Returns the module that binds the global `name`, or -1. */
 int std_module_of_global(const char *name);

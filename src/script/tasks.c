@@ -268,7 +268,7 @@ static bool resume(struct board *b, lua_State *L, uint32_t i)
 
     t->flags[i] |= TASK_BEGUN;
     t->current = (int32_t)i;
-    t->skipped = 0;
+    t->skipped_waits = 0;
     tasks_set_task_context(b, i);
     const uint32_t left = vm_enter(b, co);
     int status = lua_resume(co, L, n, &results);
@@ -326,14 +326,14 @@ void tasks_run_turn(struct board *b, lua_State *L, uint32_t slot)
 {
     struct tasks *t = &b->tasks;
     const int32_t current = t->current;
-    const uint32_t skipped = t->skipped;
+    const uint32_t skipped = t->skipped_waits;
     const struct tasks_context saved = { t->now_owner, t->now_scene };
     lua_State *running = b->vm.running;
 
     if (run_task_turn(b, L, slot))
         drop_task(b, L, slot);
     t->current = current;
-    t->skipped = skipped;
+    t->skipped_waits = skipped;
     tasks_set_context(b, saved);
     b->vm.running = running;
 }

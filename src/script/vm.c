@@ -33,10 +33,10 @@ static void note_shortage(struct board *b)
 /* Returns whether a string's block is too large. If so, records the string's size for the message. */
 static bool is_too_long(struct board *b, size_t size)
 {
-    b->vm.text_block = size;
-    if (size > b->vm.text_max)
-        b->output->too_long_size = size - b->vm.text_max + MAX_TEXT;
-    return size > b->vm.text_max;
+    b->vm.text_block_size = size;
+    if (size > b->vm.max_text_block)
+        b->output->too_long_size = size - b->vm.max_text_block + MAX_TEXT;
+    return size > b->vm.max_text_block;
 }
 
 static void *allocate(void *ud, void *p, size_t old, size_t size)
@@ -178,7 +178,7 @@ static void limit_string_size(lua_State *L)
     char text[VM_PLACE_SIZE] = "";
 
     lua_pushlstring(L, text, sizeof text);
-    vm->text_max = vm->text_block - sizeof text + MAX_TEXT;
+    vm->max_text_block = vm->text_block_size - sizeof text + MAX_TEXT;
     lua_pop(L, 1);
 }
 
@@ -276,7 +276,7 @@ bool vm_open(struct board *b, void *block, size_t size)
     b->vm.heap = heap_init(block, size);
     b->vm.heap_size = size;
     b->vm.api = &api_table;
-    b->vm.text_max = SIZE_MAX;
+    b->vm.max_text_block = SIZE_MAX;
     b->vm.running = NULL;
     vm_reset_work(b, WORK_LIMIT);
     b->vm.L = lua_newstate(allocate, b);

@@ -60,7 +60,7 @@ uint32_t vm_enter(struct board *b, lua_State *L);
 void vm_leave(struct board *b, lua_State *L, uint32_t left);
 
 /* Takes a look (vm_count.c): weighs the function running in L, charges for it, and schedules the next look. */
-void vm_take_look(lua_State *L, lua_Debug *ar);
+void vm_check_work(lua_State *L, lua_Debug *ar);
 
 /* Called only while profiling (profile.h): vm_profile_begin_turn when a thread's turn starts, vm_profile_reset_work
  * before the work counter is reset. */
@@ -87,7 +87,7 @@ int vm_print(lua_State *L);
 
 /* Runs a library piece such as "screens/title" (std.h) and pushes its result. Raises a fault if the ROM has no such
  * piece. Charges one unit of work per byte. */
-void vm_read_piece(lua_State *L, const char *name);
+void vm_run_library_file(lua_State *L, const char *name);
 
 /* Loads a script such as "stages/one" or "@std/pattern" and pushes its function. Raises a fault on failure. */
 void vm_load(lua_State *L, const char *name);

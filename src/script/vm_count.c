@@ -21,9 +21,9 @@
 #include "vm.h"
 
 enum {
-    STEP = 1024,         /* instructions between two looks, on average */
-    MAX_CHAIN = 2000,    /* the longest chain Lua follows */
-    LOOK_BYTES = 1 << 22 /* bytes allocated since the last look that force another one */
+    STEP = 1024,          /* instructions between two looks, on average */
+    MAX_CHAIN = 2000,     /* the longest chain Lua follows */
+    CHECK_BYTES = 1 << 22 /* bytes allocated since the last look that force another one */
 };
 
 /* The work of a look itself. */
@@ -85,8 +85,8 @@ static struct vm_weight number_weight(lua_State *L)
     bool is_extreme = (magnitude > 0x1p256 && magnitude <= DBL_MAX) || (magnitude < 0x1p-256 && magnitude > 0);
 
     if (is_extreme)
-        return (struct vm_weight){ EXTREME_NUMBER_UNITS, WEIGHT_NUMBER, 256 };
-    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : FLOAT_UNITS, WEIGHT_FRACTION, 0 };
+        return (struct vm_weight){ EXTREME_NUMBER_UNITS, WEIGHT_EXTREME_NUMBER, 256 };
+    return (struct vm_weight){ lua_isinteger(L, -1) ? 0 : FLOAT_UNITS, WEIGHT_FLOAT, 0 };
 }
 
 /* Returns the length of the chain of tables linked from the one on top by this metatable field, at most MAX_CHAIN. */
@@ -185,36 +185,36 @@ static struct vm_weight weigh_function(lua_State *L, lua_Debug *ar, uint64_t *we
 
 static void on_count(lua_State *L, lua_Debug *ar)
 {
-    vm_take_look(L, ar);
+    vm_check_work(L, ar);
 }
 
 /* Schedules the next look, before the n-th instruction of thread L from now. While profiling, only sets the countdown:
  * the profiler's hook, which runs before each instruction, decrements it. */
-static void schedule_look(struct vm *vm, lua_State *L, uint32_t n)
+static void schedule_check(struct vm *vm, lua_State *L, uint32_t n)
 {
     vm->until_check = n;
     if (!vm->profile)
         lua_sethook(L, on_count, LUA_MASKCOUNT, (int)n);
 }
 
-static void schedule_random_look(struct vm *vm, lua_State *L)
+static void schedule_random_check(struct vm *vm, lua_State *L)
 {
     vm->rng_state = vm->rng_state * 1103515245 + 12345;
-    schedule_look(vm, L, 1 + (vm->rng_state >> 16) % (2 * STEP));
+    schedule_check(vm, L, 1 + (vm->rng_state >> 16) % (2 * STEP));
 }
 
-void vm_take_look(lua_State *L, lua_Debug *ar)
+void vm_check_work(lua_State *L, lua_Debug *ar)
 {
     struct vm *vm = &vm_board(L)->vm;
     uint64_t allocated = heap_work(vm->heap) - vm->checked_heap_work, weighing_work = 0;
     struct vm_weight w = weigh_function(L, ar, &weighing_work);
 
     /* Floats are not reported, because nearly every loop has some in scope. */
-    if (w.extra > vm->heaviest.extra && w.kind != WEIGHT_FRACTION)
+    if (w.extra > vm->heaviest.extra && w.kind != WEIGHT_FLOAT)
         vm->heaviest = w;
     vm->checked_heap_work += allocated;
     vm_charge(L, STEP * (1 + (uint64_t)w.extra) + allocated / ALLOCATED_BYTES_PER_UNIT + weighing_work);
-    schedule_random_look(vm, L);
+    schedule_random_check(vm, L);
 }
 
 /* ---- the limit ---- */
@@ -224,7 +224,7 @@ static void format_weight(const struct vm_weight *w, char *text, size_t size)
 {
     static const char *const formats[] = {
         [WEIGHT_TEXT] = "a string of %zu bytes",      [WEIGHT_ZEROS] = "a string with %zu zero bytes",
-        [WEIGHT_NUMERAL] = "a numeral of %zu bytes",  [WEIGHT_NUMBER] = "a number beyond 2^%zu",
+        [WEIGHT_NUMERAL] = "a numeral of %zu bytes",  [WEIGHT_EXTREME_NUMBER] = "a number beyond 2^%zu",
         [WEIGHT_CHAIN] = "a chain of %zu metatables", [WEIGHT_ARGUMENTS] = "%zu arguments"
     };
     char operand[48];
@@ -240,7 +240,7 @@ static int fault_over_limit(lua_State *L, struct vm *vm)
 {
     char weight[112];
 
-    schedule_look(vm, L, 1); /* so that __close handlers, run while unwinding, are stopped at once */
+    schedule_check(vm, L, 1); /* so that __close handlers, run while unwinding, are stopped at once */
     format_weight(&vm->heaviest, weight, sizeof weight);
     return vm_fault(L, FAULT_LOOP, "infinite loop: more than %d instructions in one %s%s", (int)vm->limit,
                     vm->limit == WORK_LIMIT ? "frame" : "line", weight);
@@ -279,7 +279,7 @@ uint32_t vm_enter(struct board *b, lua_State *L)
     vm->running = L;
     if (vm->profile)
         vm_profile_begin_turn(vm, L);
-    schedule_random_look(vm, L);
+    schedule_random_check(vm, L);
     return left;
 }
 
@@ -293,6 +293,6 @@ void vm_on_allocation(struct board *b)
 {
     struct vm *vm = &b->vm;
 
-    if (vm->running && heap_work(vm->heap) - vm->checked_heap_work > LOOK_BYTES)
-        schedule_look(vm, vm->running, 1);
+    if (vm->running && heap_work(vm->heap) - vm->checked_heap_work > CHECK_BYTES)
+        schedule_check(vm, vm->running, 1);
 }

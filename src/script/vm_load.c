@@ -64,7 +64,7 @@ int vm_require(lua_State *L)
     return 1;
 }
 
-void vm_read_piece(lua_State *L, const char *name)
+void vm_run_library_file(lua_State *L, const char *name)
 {
     char path[64];
     const char *text;

@@ -31,10 +31,10 @@ struct sample {
     const uint8_t *data;
 };
 
-/* Checks a recording of `size` bytes and stores its header in *s. Returns false if it is not a valid recording. */
+/* Checks a sample of `size` bytes and stores its header in *s. Returns false if it is not valid. */
 bool sample_open(const uint8_t *data, size_t size, struct sample *s);
 
-/* Returns whether data is exactly n valid recordings, one after another, all with the same length, rate and loop. */
+/* Returns whether data is exactly n valid samples, one after another, all with the same length, rate and loop. */
 bool samples_are_valid(const uint8_t *data, size_t size, int n);
 
 /* Returns the header of a recording that sample_open has accepted. */

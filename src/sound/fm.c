@@ -180,9 +180,9 @@ static int32_t interpolate_octave(int k, int32_t at)
 
 int32_t fm_equivalent_feedback(int32_t b, uint64_t step)
 {
-    const int32_t at = octave_position(step), part = b * STRENGTHS, i = part / FM_MAX_FEEDBACK;
+    const int32_t at = octave_position(step), scaled = b * STRENGTHS, i = scaled / FM_MAX_FEEDBACK;
     const int32_t below = interpolate_octave(i, at), above = i < STRENGTHS ? interpolate_octave(i + 1, at) : below;
-    const int32_t radians = below + (above - below) * (part % FM_MAX_FEEDBACK) / FM_MAX_FEEDBACK;
+    const int32_t radians = below + (above - below) * (scaled % FM_MAX_FEEDBACK) / FM_MAX_FEEDBACK;
 
     return radians * (FEEDBACK_ROWS - 1) * (FEEDBACK_ROW_UNITS / 256) / (FM_MAX_FEEDBACK / 256);
 }

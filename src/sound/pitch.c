@@ -37,7 +37,7 @@ static const uint64_t ln2 = 2977044472u; /* Q32 */
 enum { OCTAVE = 12 * PITCH_ONE };
 
 /* Returns 2^(r / OCTAVE) in Q63, for 0 <= r < OCTAVE. */
-static uint64_t within_octave(uint32_t r)
+static uint64_t exp2_octave_fraction(uint32_t r)
 {
     uint64_t v = semitone[r >> 16];
 
@@ -55,14 +55,14 @@ uint64_t pitch_step(int32_t pitch)
 {
     const uint32_t p = (uint32_t)clamp(pitch, 0, PITCH_MAX);
 
-    return fx_mul_high(within_octave(p % OCTAVE), note_120_step) << 1 >> (10 - p / OCTAVE) >> 8;
+    return fx_mul_high(exp2_octave_fraction(p % OCTAVE), note_120_step) << 1 >> (10 - p / OCTAVE) >> 8;
 }
 
 uint64_t pitch_ratio(int32_t pitch)
 {
     const uint32_t p = (uint32_t)(clamp(pitch, -8 * OCTAVE, 4 * OCTAVE) + 8 * OCTAVE);
 
-    return within_octave(p % OCTAVE) >> (39 - p / OCTAVE);
+    return exp2_octave_fraction(p % OCTAVE) >> (39 - p / OCTAVE);
 }
 
 uint32_t pitch_exp2_neg(uint64_t x)

@@ -33,15 +33,15 @@ static const struct column seq_columns[] = {
     REGISTERS(seq, suspended_tempo),
     REGISTERS(seq, suspended_pos),
     DERIVED(seq, at, WHY_DERIVED),
-    DERIVED(seq, left, WHY_DERIVED),
+    DERIVED(seq, units_left, WHY_DERIVED),
     DERIVED(seq, inst, WHY_DERIVED),
     DERIVED(seq, volume, WHY_DERIVED),
     DERIVED(seq, pan, WHY_DERIVED),
 };
 static const struct column cues_columns[] = {
-    COLUMN(cues, tune),       COLUMN(cues, born),       COLUMN(cues, track),  COLUMN(cues, at),
-    COLUMN(cues, left),       COLUMN(cues, inst),       COLUMN(cues, volume), COLUMN(cues, pan),
-    COLUMN(cues, cue_volume), COLUMN(cues, pan_offset), COLUMN(cues, pitch),  REGISTERS(cues, last_played),
+    COLUMN(cues, tune),       COLUMN(cues, start_frame), COLUMN(cues, track),  COLUMN(cues, at),
+    COLUMN(cues, units_left), COLUMN(cues, inst),        COLUMN(cues, volume), COLUMN(cues, pan),
+    COLUMN(cues, cue_volume), COLUMN(cues, pan_offset),  COLUMN(cues, pitch),  REGISTERS(cues, last_played),
 };
 
 const struct chip seq_chip = { .name = "music", CHIP_COLUMNS(seq_columns), .is_list = true };
@@ -66,9 +66,9 @@ void seq_start(struct seq *s, uint16_t index, const struct tune *t)
     s->tempo = index ? t->tempo : 0;
     for (int i = 0; i < SEQ_TRACKS; i++) {
         const struct track_cursor c =
-            index && i <= t->tracks ? tune_track_start(t, i - 1) : (struct track_cursor){ 0, 0 };
+            index && i <= t->n_tracks ? tune_track_start(t, i - 1) : (struct track_cursor){ 0, 0 };
         s->at[i] = c.at;
-        s->left[i] = c.left;
+        s->units_left[i] = c.left;
         s->inst[i] = 0;
         s->volume[i] = FIRST_VOLUME;
         s->pan[i] = TUNE_PAN_CENTRE;
@@ -81,7 +81,7 @@ static void copy_tracks(struct seq *s, int to, int from)
     const int t = to * SEQ_TRACKS, f = from * SEQ_TRACKS;
 
     memcpy(s->at + t, s->at + f, SEQ_TRACKS * sizeof *s->at);
-    memcpy(s->left + t, s->left + f, SEQ_TRACKS * sizeof *s->left);
+    memcpy(s->units_left + t, s->units_left + f, SEQ_TRACKS * sizeof *s->units_left);
     memcpy(s->inst + t, s->inst + f, SEQ_TRACKS);
     memcpy(s->volume + t, s->volume + f, SEQ_TRACKS);
     memcpy(s->pan + t, s->pan + f, SEQ_TRACKS);
@@ -94,7 +94,7 @@ static void clear_suspended(struct seq *s, int i)
     s->suspended_pos[i] = 0;
     for (int k = (1 + i) * SEQ_TRACKS; k < (2 + i) * SEQ_TRACKS; k++) {
         s->at[k] = 0;
-        s->left[k] = 0;
+        s->units_left[k] = 0;
         s->inst[k] = s->volume[k] = s->pan[k] = 0;
     }
 }
@@ -207,13 +207,13 @@ static void store_setting(struct seq *s, int slot, const struct tune_played *e)
  * store_setting. */
 static struct tune_run run_of(const struct seq *s, const struct tune *t, int slot, int first, int n)
 {
-    return (struct tune_run){ t, slot - 1, { s->at[slot], s->left[slot] }, s->tempo, first, n, 0 };
+    return (struct tune_run){ t, slot - 1, { s->at[slot], s->units_left[slot] }, s->tempo, first, n, 0 };
 }
 
 static void store_cursor(struct seq *s, int slot, const struct tune_run *r)
 {
     s->at[slot] = r->at.at;
-    s->left[slot] = r->at.left;
+    s->units_left[slot] = r->at.left;
 }
 
 /* Executes the conductor's events that are due at sample `first`. Returns the number of samples until its next event,
@@ -227,8 +227,9 @@ static int step_conductor(struct seq *s, const struct tune *t, int first)
     while (tune_next_event(&r, &e))
         store_setting(s, 0, &e);
     store_cursor(s, 0, &r);
-    s->left[0] += tempo; /* the events of this one sample are done, but no time has passed */
-    const int64_t left = s->at[0] == 0 || s->left[0] <= 0 ? SND_FRAME : (s->left[0] + s->tempo - 1) / s->tempo;
+    s->units_left[0] += tempo; /* the events of this one sample are done, but no time has passed */
+    const int64_t left =
+        s->at[0] == 0 || s->units_left[0] <= 0 ? SND_FRAME : (s->units_left[0] + s->tempo - 1) / s->tempo;
     return left < 1 ? 1 : left > SND_FRAME - first ? SND_FRAME - first : (int)left;
 }
 
@@ -259,7 +260,7 @@ static void begin_section(struct seq_run *w)
 
     if (n > samples_until_next(s))
         n = samples_until_next(s);
-    s->left[0] -= (int64_t)n * s->tempo;
+    s->units_left[0] -= (int64_t)n * s->tempo;
     w->slot = 1;
     w->run = run_of(s, w->t, 1, w->first, n);
 }
@@ -274,7 +275,7 @@ bool seq_next(struct seq_run *w, struct tune_played *e)
                 return false;
             begin_section(w);
         }
-        for (; w->slot <= w->t->tracks; w->run = run_of(s, w->t, w->slot, w->first, w->run.n)) {
+        for (; w->slot <= w->t->n_tracks; w->run = run_of(s, w->t, w->slot, w->first, w->run.n)) {
             if (tune_next_event(&w->run, e)) {
                 store_setting(s, w->slot, e);
                 return true;
@@ -293,7 +294,7 @@ static void end_cue(struct cues *c, int i)
 {
     c->tune[i] = 0;
     c->at[i] = 0;
-    c->left[i] = 0;
+    c->units_left[i] = 0;
 }
 
 /* Ends the instance of a sound that started in frame `born`. Returns a bit for each of its slots. */
@@ -302,7 +303,7 @@ static uint32_t end_sound(struct cues *c, uint32_t tune, uint32_t born)
     uint32_t ended = 0;
 
     for (int i = 0; i < CUES; i++)
-        if (c->tune[i] == tune && c->born[i] == born) {
+        if (c->tune[i] == tune && c->start_frame[i] == born) {
             end_cue(c, i);
             ended |= 1u << i;
         }
@@ -316,7 +317,7 @@ static bool join_same_cue(struct cues *c, const struct cue *cue, uint32_t frame)
     bool found = false;
 
     for (int i = 0; i < CUES; i++)
-        if (c->tune[i] == cue->tune && c->born[i] == frame) {
+        if (c->tune[i] == cue->tune && c->start_frame[i] == frame) {
             found = true;
             if (cue->volume > c->cue_volume[i])
                 c->cue_volume[i] = cue->volume;
@@ -334,7 +335,7 @@ static int find_oldest(const struct cues *c, uint32_t tune, int *n)
         if (c->tune[i] != tune || c->track[i] != 0)
             continue;
         ++*n;
-        if (oldest < 0 || c->born[i] < c->born[oldest])
+        if (oldest < 0 || c->start_frame[i] < c->start_frame[oldest])
             oldest = i;
     }
     return oldest;
@@ -359,10 +360,10 @@ static int find_slot(const struct cues *c, const uint8_t *rom, int priority, uin
         return free_slot;
     for (int i = 0; i < CUES; i++) {
         const int p = priority_of(c, rom, i);
-        if (p > priority || (p == priority && c->born[i] == frame))
+        if (p > priority || (p == priority && c->start_frame[i] == frame))
             continue;
         if (replaceable < 0 || p < priority_of(c, rom, replaceable) ||
-            (p == priority_of(c, rom, replaceable) && c->born[i] < c->born[replaceable]))
+            (p == priority_of(c, rom, replaceable) && c->start_frame[i] < c->start_frame[replaceable]))
             replaceable = i;
     }
     return replaceable;
@@ -373,10 +374,10 @@ static void set_cue(struct cues *c, int i, const struct tune *t, int track, cons
     const struct track_cursor cursor = tune_track_start(t, track);
 
     c->tune[i] = cue->tune;
-    c->born[i] = frame;
+    c->start_frame[i] = frame;
     c->track[i] = (uint8_t)track;
     c->at[i] = cursor.at;
-    c->left[i] = cursor.left;
+    c->units_left[i] = cursor.left;
     c->inst[i] = 0;
     c->volume[i] = FIRST_VOLUME;
     c->pan[i] = TUNE_PAN_CENTRE;
@@ -394,13 +395,13 @@ uint32_t cues_start(struct cues *c, const uint8_t *rom, const struct cue *cue, u
     if (join_same_cue(c, cue, frame))
         return 0;
     if (n >= t.limit)
-        ended = end_sound(c, cue->tune, c->born[oldest]);
-    for (int track = 0; track < t.tracks; track++) {
+        ended = end_sound(c, cue->tune, c->start_frame[oldest]);
+    for (int track = 0; track < t.n_tracks; track++) {
         const int i = find_slot(c, rom, t.priority, frame, ringing);
         if (i < 0)
             break;
         if (c->tune[i])
-            ended |= end_sound(c, c->tune[i], c->born[i]);
+            ended |= end_sound(c, c->tune[i], c->start_frame[i]);
         set_cue(c, i, &t, track, cue, frame);
     }
     return ended;
@@ -412,7 +413,7 @@ uint32_t cues_stop(struct cues *c, uint32_t tune)
 
     for (int i = 0; i < CUES; i++)
         if (c->tune[i] && (!tune || c->tune[i] == tune))
-            ended |= end_sound(c, c->tune[i], c->born[i]);
+            ended |= end_sound(c, c->tune[i], c->start_frame[i]);
     return ended;
 }
 
@@ -424,7 +425,8 @@ bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tu
             continue;
         if (!w->begun) {
             w->t = tune_of(rom + c->tune[i]);
-            w->run = (struct tune_run){ &w->t, c->track[i], { c->at[i], c->left[i] }, w->t.tempo, 0, SND_FRAME, 0 };
+            w->run =
+                (struct tune_run){ &w->t, c->track[i], { c->at[i], c->units_left[i] }, w->t.tempo, 0, SND_FRAME, 0 };
             w->begun = true;
         }
         if (tune_next_event(&w->run, e)) {
@@ -437,7 +439,7 @@ bool cues_next(struct cues *c, const uint8_t *rom, struct cues_run *w, struct tu
             return true;
         }
         c->at[i] = w->run.at.at;
-        c->left[i] = w->run.at.left;
+        c->units_left[i] = w->run.at.left;
         if (c->at[i] == 0)
             end_cue(c, i);
     }

@@ -47,18 +47,18 @@ struct seq {
     uint32_t suspended_marks_passed[SEQ_MAX_SUSPENDED], suspended_tempo[SEQ_MAX_SUSPENDED];
     uint64_t suspended_pos[SEQ_MAX_SUSPENDED];
     uint32_t *at; /* track positions (struct track_cursor): of the current piece, then of the suspended ones */
-    int64_t *left;
+    int64_t *units_left;
     uint8_t *inst, *volume, *pan; /* each track's settings for its next notes */
 };
 
 /* The pool of playing sounds, one cue for each track of a sound. */
 struct cues {
     struct slots s;
-    uint32_t *tune; /* place of the sound (cart.h); 0: the slot is free */
-    uint32_t *born; /* the frame in which the sound started */
+    uint32_t *tune;        /* place of the sound (cart.h); 0: the slot is free */
+    uint32_t *start_frame; /* the frame in which the sound started */
     uint8_t *track;
     uint32_t *at;
-    int64_t *left;
+    int64_t *units_left;
     uint8_t *inst, *volume, *pan;
     uint16_t *cue_volume;            /* volume passed to cues_start, of 256 */
     int16_t *pan_offset;             /* pan added to that of the tune's events, of TUNE_PAN_CENTRE; positive: right */

@@ -101,11 +101,11 @@ static void make_sinc(int16_t out[SINC_TAPS], int phase)
 
 /* ---- low-pass filters ---- */
 
-/* edges: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops the frequencies that
- * would fold back below 20 kHz. max_steps: Q32; for each row, the largest step for which the row before it (for row 0,
+/* cutoffs: the centre of each filter's transition band, in 2^-32 turns per sample; each filter stops the frequencies
+ * that would alias below 20 kHz. max_steps: Q32; for each row, the largest step for which the row before it (for row 0,
  * no filter) is enough. */
-static const uint32_t edges[LOW_PASS_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
-                                               804553372,  700187608,  607208282,  524373120,  450575381 };
+static const uint32_t cutoffs[LOW_PASS_ROWS] = { 1761148586, 1552417058, 1366458407, 1200788083, 1053192604, 921699981,
+                                                 804553372,  700187608,  607208282,  524373120,  450575381 };
 static const uint64_t max_steps[LOW_PASS_ROWS] = { 5010795178,  5624427419,  6313206322,  7086334499,
                                                    7954141537,  8928222003,  10021590357, 11248854839,
                                                    12626412644, 14172668999, 15908283075 };
@@ -179,7 +179,7 @@ void snd_tables_make(struct snd_tables *t)
     for (int i = 0; i <= SINC_PHASES; i++)
         make_sinc(t->sinc[i], i);
     for (int i = 0; i < LOW_PASS_ROWS; i++)
-        make_low_pass(t->low_pass[i], edges[i]);
+        make_low_pass(t->low_pass[i], cutoffs[i]);
     for (int i = 0; i < FEEDBACK_ROWS; i++)
         make_feedback(t, i);
     memcpy(t->feedback[FEEDBACK_ROWS], t->feedback[FEEDBACK_ROWS - 1], sizeof t->feedback[0]);

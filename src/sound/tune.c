@@ -25,20 +25,20 @@ enum { TRACK_TABLE = TUNE_HEADER_SIZE + TUNE_TITLE_SIZE, TRACK_ENTRY_BYTES = 8 }
 
 static size_t insts_offset(const struct tune *t)
 {
-    return TRACK_TABLE + TRACK_ENTRY_BYTES * ((size_t)t->tracks + 1);
+    return TRACK_TABLE + TRACK_ENTRY_BYTES * ((size_t)t->n_tracks + 1);
 }
 
 static size_t marks_offset(const struct tune *t)
 {
-    return insts_offset(t) + INST_BYTES * (size_t)t->insts;
+    return insts_offset(t) + INST_BYTES * (size_t)t->n_insts;
 }
 
 struct tune tune_of(const uint8_t *p)
 {
     return (struct tune){ .data = p,
-                          .tracks = p[5],
-                          .insts = p[6],
-                          .marks = p[7],
+                          .n_tracks = p[5],
+                          .n_insts = p[6],
+                          .n_marks = p[7],
                           .volume = p[1],
                           .priority = p[2],
                           .limit = p[3],
@@ -55,7 +55,7 @@ const char *tune_title(const struct tune *t)
     return (const char *)t->data + TUNE_HEADER_SIZE;
 }
 
-const char *tune_mark_name(const struct tune *t, int i)
+const char *tune_marker_name(const struct tune *t, int i)
 {
     return (const char *)t->data + marks_offset(t) + TUNE_NAME_SIZE * (size_t)i;
 }
@@ -89,7 +89,7 @@ bool tune_is_stream(const struct tune *t)
 
 bool tune_is_endless(const struct tune *t)
 {
-    for (int i = 0; i < t->tracks; i++)
+    for (int i = 0; i < t->n_tracks; i++)
         if (track_loop(t, i))
             return true;
     return false;
@@ -202,7 +202,7 @@ static bool values_ok(const struct tune *t, int track, const uint8_t *p)
     case TUNE_OFF:
         return track >= 0;
     case TUNE_INST:
-        return track >= 0 && p[1] < t->insts;
+        return track >= 0 && p[1] < t->n_insts;
     case TUNE_VOLUME:
         return track >= 0 && p[1] <= TUNE_MAX_VOLUME;
     case TUNE_PANNING:
@@ -210,7 +210,7 @@ static bool values_ok(const struct tune *t, int track, const uint8_t *p)
     case TUNE_TEMPO:
         return track < 0 && bytes_get16(p + 1) >= TEMPO_MIN && bytes_get16(p + 1) <= TEMPO_MAX;
     case TUNE_MARK:
-        return track < 0 && p[1] < t->marks;
+        return track < 0 && p[1] < t->n_marks;
     default:
         return true;
     }
@@ -223,7 +223,7 @@ static bool track_ok(const struct check *c, int track)
     uint64_t loop_ticks = 0; /* ticks since the loop's start */
     bool loop_found = loop == 0;
 
-    if (at < marks_offset(c->t) + TUNE_NAME_SIZE * (size_t)c->t->marks || at >= c->end)
+    if (at < marks_offset(c->t) + TUNE_NAME_SIZE * (size_t)c->t->n_marks || at >= c->end)
         return fail(c, track, "its start is out of range");
     for (;;) {
         if (at == loop) {
@@ -270,26 +270,26 @@ bool tune_validate(const uint8_t *data, size_t size, char *err, size_t err_size)
     const struct tune t = tune_of(data);
     const uint32_t sample_at = bytes_get32(data + 12);
     struct check c = { &t, sample_at ? sample_at : (uint32_t)size, err, err_size };
-    if (t.tracks < 1 || t.tracks > TUNE_MAX_TRACKS || t.insts > TUNE_MAX_INSTS || t.marks > TUNE_MAX_MARKS ||
+    if (t.n_tracks < 1 || t.n_tracks > TUNE_MAX_TRACKS || t.n_insts > TUNE_MAX_INSTS || t.n_marks > TUNE_MAX_MARKS ||
         t.priority > 7 || t.limit < 1 || t.limit > 8 || t.beats_per_bar < 1 || t.tempo < TEMPO_MIN ||
         t.tempo > TEMPO_MAX || t.channels > TUNE_MAX_CHANNELS || (t.channels == 0 && sample_at) ||
         t.loop_units >= TUNE_TICK || t.lead > TUNE_MAX_LEAD)
         return err_set(err, err_size, "its header is out of range");
     if (size > UINT32_MAX / 2 || c.end > size || c.end > TUNE_MAX_BYTES + 4 ||
-        marks_offset(&t) + TUNE_NAME_SIZE * (size_t)t.marks > c.end || sample_at % 4 != 0)
+        marks_offset(&t) + TUNE_NAME_SIZE * (size_t)t.n_marks > c.end || sample_at % 4 != 0)
         return err_set(err, err_size, "shorter than its header says");
     if (!name_ok(tune_title(&t), TUNE_TITLE_SIZE))
         return err_set(err, err_size, "its title is not a single line of text");
     if (sample_at && !samples_are_valid(data + sample_at, size - sample_at, t.channels))
         return err_set(err, err_size, "its samples are invalid");
-    for (int i = 0; i < t.insts; i++)
+    for (int i = 0; i < t.n_insts; i++)
         if (!inst_is_valid(tune_inst(&t, i), (size_t)(data + c.end - tune_inst(&t, i)), tune_is_recording(&t)) ||
             !name_ok(inst_sample_name(tune_inst(&t, i)), INST_NAME_SIZE))
             return err_set(err, err_size, "instrument %d is out of range", i + 1);
-    for (int i = 0; i < t.marks; i++)
-        if (!name_ok(tune_mark_name(&t, i), TUNE_NAME_SIZE))
+    for (int i = 0; i < t.n_marks; i++)
+        if (!name_ok(tune_marker_name(&t, i), TUNE_NAME_SIZE))
             return err_set(err, err_size, "marker %d has no name", i + 1);
-    for (int i = -1; i < t.tracks; i++)
+    for (int i = -1; i < t.n_tracks; i++)
         if (!track_ok(&c, i))
             return false;
     return true;

@@ -70,13 +70,13 @@ enum tune_event {
 /* The header of a tune that tune_validate has accepted. */
 struct tune {
     const uint8_t *data;
-    int tracks, insts, marks, volume, priority, limit, beats_per_bar, channels;
+    int n_tracks, n_insts, n_marks, volume, priority, limit, beats_per_bar, channels;
     int duck;                         /* how much softer music is while the tune plays, of 255 */
     uint32_t tempo, loop_units, lead; /* loop_units: units added to a loop; lead: samples before the first beat */
 };
 struct tune tune_of(const uint8_t *data);
 const char *tune_title(const struct tune *t);
-const char *tune_mark_name(const struct tune *t, int i);
+const char *tune_marker_name(const struct tune *t, int i);
 const uint8_t *tune_inst(const struct tune *t, int i);
 
 /* tune_is_recording returns whether a tune is a recording; tune_is_stream, whether it is a recording whose samples are

@@ -221,7 +221,7 @@ static bool has_ended(const struct voices *s, const uint8_t *rom, const struct i
     return sample.loop == SAMPLE_NO_LOOP && (int64_t)s->phase[i] >> 32 > (int64_t)sample.n + SINC_TAPS;
 }
 
-enum { OLDEST = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
+enum { MAX_AGE = 1 << 30 /* samples, 6 hours: ages stop here, and positions in loops move back */ };
 
 /* Returns how far the position in a recording moves back, Q32: whole loops if the position is OLDEST or more beyond the
  * end, otherwise 0. Recordings are far shorter than OLDEST. */
@@ -229,7 +229,7 @@ static uint64_t loop_rewind(const struct sample *s, uint64_t phase)
 {
     const int64_t beyond = ((int64_t)phase >> 32) - s->n - SINC_TAPS, loop = (int64_t)s->n - s->loop;
 
-    return s->loop == SAMPLE_NO_LOOP || beyond < OLDEST ? 0 : (uint64_t)(beyond / loop * loop) << 32;
+    return s->loop == SAMPLE_NO_LOOP || beyond < MAX_AGE ? 0 : (uint64_t)(beyond / loop * loop) << 32;
 }
 
 static void step_slot(struct voices *s, const uint8_t *rom, int i)
@@ -243,7 +243,7 @@ static void step_slot(struct voices *s, const uint8_t *rom, int i)
         const struct sample sample = sample_of(rom + s->wave[i]);
         s->phase[i] -= loop_rewind(&sample, s->phase[i]);
     }
-    s->age[i] += s->age[i] < OLDEST ? SND_FRAME : 0;
+    s->age[i] += s->age[i] < MAX_AGE ? SND_FRAME : 0;
     s->vol0[i] = s->vol1[i];
     s->pan0[i] = s->pan1[i];
     s->step0[i] = inst.arpeggio_count ? step_at(s, rom, &inst, i, s->age[i], s->age[i]) : s->step1[i];
@@ -291,8 +291,8 @@ static uint64_t phase_at(const struct note *n, int at)
            (uint64_t)((int64_t)at * (at - 1) / 2 * n->step_delta);
 }
 
-/* Reads the samples of the recording that the frame needs, and removes the frequencies that would fold back. */
-static void read_recording(struct note *n, const uint8_t *rom)
+/* Reads the part of the sample that the frame needs, low-pass filtered so that it does not alias. */
+static void read_sample(struct note *n, const uint8_t *rom)
 {
     const struct voices *s = n->s;
     const struct sample sample = sample_of(rom + s->wave[n->i]);
@@ -412,7 +412,7 @@ static void add_note(struct note *n, const uint8_t *rom, int32_t left[SND_FRAME]
     if (n->inst.kind == INST_SAMPLE && s->wave[i] == 0)
         return;
     if (n->inst.kind == INST_SAMPLE)
-        read_recording(n, rom);
+        read_sample(n, rom);
     if (inst_op_count(n->inst.kind))
         fm_begin(&n->fm, &n->inst, n->bytes);
     const bool is_constant = has_constant_gains(n);

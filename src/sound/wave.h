@@ -10,7 +10,7 @@
 
 enum { SND_BLOCK = 32, SND_BLOCKS = SND_FRAME / SND_BLOCK };
 
-/* A block of SND_BLOCK samples, for all kinds of instrument except FM and recordings. phase: at the first sample; step:
+/* A block of SND_BLOCK samples, for all kinds of instrument except FM and samples. phase: at the first sample; step:
  * phase per sample, both in 2^-56 turns; for noise, which has 16 values per turn, in 2^-44 turns, so that it does not
  * repeat. mip0, mip1: the versions of the wave at the frame's start and end; block_index: the block's index in the
  * frame, of SND_BLOCKS; seed: for noise; wave: for INST_WAVE, the instrument's wave (inst.h). */
@@ -23,9 +23,9 @@ struct wave_params {
 void wave_block(const struct snd_tables *t, const struct inst *inst, const struct wave_params *params,
                 int16_t out[SND_BLOCK]);
 
-/* Computes a block of a recording. x: the sample at the integer part of the position; phase: the position's fraction,
- * Q32; step: samples per sample, Q32. Three samples before x must exist, and five after the last position of the
- * block. */
+/* Computes a block of a sampled instrument. x: the sample at the integer part of the position; phase: the position's
+ * fraction, Q32; step: samples per sample, Q32. Three samples before x must exist, and five after the last position of
+ * the block. */
 void wave_sample(const struct snd_tables *t, const int16_t *x, uint32_t phase, uint64_t step, int16_t out[SND_BLOCK]);
 
 /* Copies n samples without the frequencies that would fold back when they are played at step0 or step1 (Q32), fading

@@ -50,7 +50,7 @@ static void as_script(const struct document *d)
 
 static void run(const uint8_t *program, size_t size)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game with = game;
     struct lump lumps[RIG_LUMPS];
     int n = (int)game.image.rom.count;

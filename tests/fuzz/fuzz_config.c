@@ -36,7 +36,7 @@ static void play(struct keys *k, const uint8_t *data, size_t size)
         seats.seat[0] = turn - 1;
         seats.seat[1] = turn;
         keys_read(k, &in, &seats, &out);
-        for (int i = 0; i < PADS; i++)
+        for (int i = 0; i < MAX_PLAYERS; i++)
             need((out.pads[i] & ~PAD_ALL) == 0);
         need(out.held >> CAB_KEYS == 0 && (out.pressed & ~out.held) == 0);
     }

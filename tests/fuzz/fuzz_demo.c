@@ -26,29 +26,29 @@ static void must(bool holds)
 
 static void check(const struct demo *d, size_t file_size)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     uint64_t h = 0, hashes[MAX_PARTS] = { 0 };
 
-    must(d->parts >= 1 && d->parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? MAX_NVRAM : 32768));
+    must(d->n_parts >= 1 && d->n_parts <= MAX_PARTS && d->start.nvram_size <= (d->format > 3 ? MAX_NVRAM : 32768));
     must(memchr(d->start.practice.section, 0, sizeof d->start.practice.section) != NULL &&
          memchr(d->id, 0, sizeof d->id) != NULL);
     must(d->frames <= (d->sparse ? 3 : 1) * file_size && d->n_rows <= file_size);
     must(d->checksum_parts != 0 && (d->checksum_frames == d->frames || d->checksum_frames + 1 == d->frames));
     must(!d->complete || d->fault || d->n_rows == 1 + (d->frames + DEMO_SECOND - 1) / DEMO_SECOND);
-    must(d->start.practice.registers >= 0 && d->start.practice.registers <= PRACTICE_REGISTERS);
-    for (int i = 0; i < d->start.practice.registers; i++)
+    must(d->start.practice.register_count >= 0 && d->start.practice.register_count <= PRACTICE_REGISTERS);
+    for (int i = 0; i < d->start.practice.register_count; i++)
         must(memchr(d->start.practice.reg[i].name, 0, sizeof d->start.practice.reg[i].name) != NULL);
     must(!d->sparse || d->format > 4);
     must((d->format > 2 && d->checksum_parts == UINT64_MAX) || (d->format == 2 && d->n_markers == 0));
     must(memchr(d->start.lang, 0, sizeof d->start.lang) != NULL && (d->format > 3 || !d->start.lang[0]));
-    must(d->parts <= (d->format > 3 ? 64 : 32));
+    must(d->n_parts <= (d->format > 3 ? 64 : 32));
     for (uint32_t f = 0; f <= d->frames; f++) {
         must((demo_checksums(d, f) != NULL) == (f > 0 && f <= d->checksum_frames && !d->sparse));
         demo_pads(d, f, pads);
         must(((pads[0] | pads[1]) & ~PAD_ALL) == 0);
         h += demo_differing_parts(d, f, hashes);
     }
-    for (uint32_t i = 0; i < d->n_rows * (uint32_t)d->parts; i++)
+    for (uint32_t i = 0; i < d->n_rows * (uint32_t)d->n_parts; i++)
         h += d->rows[i];
     for (uint32_t i = 0; i < d->n_markers; i++) {
         must(d->markers[i].frame <= d->frames && (i == 0 || d->markers[i].frame >= d->markers[i - 1].frame));

@@ -78,8 +78,9 @@ static void taken(const struct game *g, const struct args *a)
     }
     need(g->start.difficulty >= -1 && g->start.difficulty < m->n_difficulties);
     need(!a->difficulty || strcmp(m->difficulties[g->start.difficulty], a->difficulty) == 0);
-    need(strcmp(p->section, a->stage ? a->stage : "") == 0 && p->registers == a->n_registers && p->lives == a->lives);
-    for (int i = 0; i < p->registers; i++) {
+    need(strcmp(p->section, a->stage ? a->stage : "") == 0 && p->register_count == a->n_registers &&
+         p->lives == a->lives);
+    for (int i = 0; i < p->register_count; i++) {
         need((text = given(a->registers, a->n_registers, p->reg[i].name)) && reads(text, p->reg[i].value));
         for (int k = 0; k < i; k++)
             need(strcmp(p->reg[k].name, p->reg[i].name) != 0);

@@ -25,7 +25,7 @@ static void play(const uint8_t *bytes)
     if (tables.harmonics[0] == 0)
         snd_tables_make(&tables);
     voiced(&t, &tables);
-    for (int k = -1; k < t.tracks; k++) {
+    for (int k = -1; k < t.n_tracks; k++) {
         struct track_cursor c = tune_track_start(&t, k);
         for (int f = 0; f < 20; f++) {
             struct tune_run run = { &t, k, c, t.tempo, 0, SND_FRAME, 0 };

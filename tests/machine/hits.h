@@ -295,12 +295,12 @@ static bool meets(struct whole p, struct whole q, bool swept)
 /* hit_run after things were put in places by hand, without a move that found who is near: all are asked. */
 static inline void hit_now(struct board *b)
 {
-    struct bullets_query query[PADS];
+    struct bullets_query query[MAX_PLAYERS];
 
     b->events.n = 0;
     hit_get_queries(b, query);
-    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++)
-        b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
+    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * MAX_PLAYERS; k++)
+        b->bullets.near[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.used[k / MAX_PLAYERS];
     b->bullets.holds_all = true;
     hit_run(b);
 }
@@ -431,7 +431,7 @@ static inline void pool_reference(const struct board *b, const struct bullets *p
 static inline void reference(const struct board *b)
 {
     expected_n = 0;
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         if (b->player.in_game[p])
             player_reference(b, p);
     pool_reference(b, &b->shots, &b->shot_kinds, EV_SHOT, H_SHOT);

@@ -36,7 +36,7 @@ static inline int at(const char *text)
 /* So many, or until it faults. */
 static inline void frames(int n)
 {
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
 
     for (; n > 0 && !rig_fault(&r); n--)
         board_tick(r.b, none);
@@ -44,7 +44,7 @@ static inline void frames(int n)
 
 static inline void press(uint16_t first, uint16_t second)
 {
-    const uint16_t down[PADS] = { first, second };
+    const uint16_t down[MAX_PLAYERS] = { first, second };
 
     if (rig_fault(&r))
         fail_msg("%s", rig_fault(&r)->message);

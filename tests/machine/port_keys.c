@@ -53,7 +53,7 @@ bool plat_controller(int i, struct plat_controller *controller)
     return there[i] || !plugs;
 }
 
-bool plat_dropped(char *path, size_t size)
+bool plat_take_dropped_file(char *path, size_t size)
 {
     const bool was = dropped[0];
 

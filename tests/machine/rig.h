@@ -422,7 +422,7 @@ static inline void rig_free(struct rig *r)
 }
 
 /* One frame, which must not fault. */
-static inline void rig_tick(struct rig *r, const uint16_t pads[PADS])
+static inline void rig_tick(struct rig *r, const uint16_t pads[MAX_PLAYERS])
 {
     board_tick(r->b, pads);
     rig_sound(r);
@@ -430,7 +430,7 @@ static inline void rig_tick(struct rig *r, const uint16_t pads[PADS])
 
 static inline void rig_run(struct rig *r, int frames)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     while (frames-- > 0)
         rig_tick(r, none);
@@ -441,7 +441,7 @@ static inline void rig_run(struct rig *r, int frames)
 static inline const char *rig_said(const struct rig_game *g, int frames, bool place)
 {
     static char said[8192];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig r;
     size_t n = 0;
 
@@ -520,7 +520,7 @@ enum { RIG_VIEWS = VIEW_DIMS * VIEW_COLOURS * 2 };
 static inline struct view rig_view(int i, const uint8_t *shades)
 {
     return (struct view){ .dim = (enum view_dim)(i % VIEW_DIMS),
-                          .colours = (enum view_colours)(i / VIEW_DIMS % VIEW_COLOURS),
+                          .colours = (enum colour_blind_mode)(i / VIEW_DIMS % VIEW_COLOURS),
                           .softens_flashes = i / VIEW_DIMS / VIEW_COLOURS,
                           .shades = shades };
 }
@@ -541,11 +541,11 @@ static inline const char *rig_differs(const struct rig *a, const struct rig *b)
 /* ---- pads ---- */
 
 /* Buttons held for some frames, as by hands. Start and select are pressed now and then only. */
-static inline void rig_pads(struct rng *rng, uint16_t pads[PADS])
+static inline void rig_pads(struct rng *rng, uint16_t pads[MAX_PLAYERS])
 {
     const uint64_t rare = PAD_START | PAD_SELECT;
 
-    for (int i = 0; i < PADS; i++) {
+    for (int i = 0; i < MAX_PLAYERS; i++) {
         if (rng_below(rng, 10) == 0)
             pads[i] = (uint16_t)((rng_below(rng, PAD_ALL + 1) & ~rare) | (rng_below(rng, 4) ? PAD_FIRE : 0));
         pads[i] &= (uint16_t)~rare;

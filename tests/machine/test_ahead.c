@@ -46,7 +46,7 @@ static void test_leaves_nothing(void **state)
     guard_remember(&g, 64 << 20);
     uint8_t *was = malloc(board_output_size()), *now = malloc(board_output_size());
     for (uint32_t f = 0; f < FRAMES; f++) {
-        uint16_t pads[PADS], next[PADS];
+        uint16_t pads[MAX_PLAYERS], next[MAX_PLAYERS];
         demo_pads(&demo, f, pads);
         demo_pads(&demo, f + 1, next);
         rig_tick(&straight, pads);
@@ -92,7 +92,7 @@ static void power(struct guard *g, struct rig_game *game, const char *script)
 /* What the next tick says and saves is its own: nothing of it is here yet. */
 static void test_says_nothing(void **state)
 {
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
     struct rig_game game;
     struct guard g;
     struct ahead a = { 0 };
@@ -121,7 +121,7 @@ static void test_says_nothing(void **state)
 /* A tick that faults, or never ends, is not looked at; when it comes, it faults as it would have. */
 static void refuses(const char *script, enum board_fault_kind kind)
 {
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
     struct rig_game game;
     struct guard g;
     struct ahead a = { 0 };

@@ -899,10 +899,10 @@ static void clean_fault(const char *name)
 /* Goes on for some frames: what the call left behind is moved, hit, drawn and hashed. */
 static void go_on(const char *name)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (int f = 0; f < 6; f++) {
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             pads[p] = (uint16_t)below(PAD_ALL + 1);
         if (board_tick(rig.b, pads)->fault) {
             clean_fault(name);
@@ -991,7 +991,7 @@ static int load_chunk(lua_State *L)
 
 static const char *outcome(const char *text, int frames)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     rig_restore(&rig);
     chunk_text = text;
@@ -1173,7 +1173,7 @@ static int setup(void **state)
     struct manifest m = rig_manifest();
 
     m.bullet_values = m.shot_values = m.enemy_values = 4;
-    m.around = m.wide = 1;
+    m.has_orbit = m.wide = 1;
     m.lines = 16;
 
     (void)state;
@@ -1182,7 +1182,7 @@ static int setup(void **state)
     m.dips[0].is_number = true;
     m.dips[0].hi = 9;
     m.lua_kib = 512;
-    m.frozen = m.meet = m.bg = m.bodies = m.pierce = m.sound = 1;
+    m.has_freeze = m.bullets_can_meet = m.bg = m.bodies = m.pierce = m.sound = 1;
     m.items = 40;
     m.lasers = 12;
     m.curve_points = 512;

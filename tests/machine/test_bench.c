@@ -122,7 +122,7 @@ static void test_hits(void **state)
     (void)state;
     power(&x, 4096);
     for (uint32_t f = 0; f < 4000; f++) {
-        uint16_t pads[PADS] = { wander(f), 0 };
+        uint16_t pads[MAX_PLAYERS] = { wander(f), 0 };
         uint64_t hit = 0, graze = 0;
         if (f)
             memcpy(before, x.b->bullets.flags, sizeof before);
@@ -177,7 +177,7 @@ static void paint_bullets(const struct board *b, uint8_t *out, int w, int h)
 static void test_picture(void **state)
 {
     struct bench x;
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
     uint32_t rgb[256];
     struct fb fb;
     int w, h;

@@ -261,7 +261,7 @@ static bool where(struct enemies_world *w, int64_t thing, fx *x, fx *y)
 {
     struct board *b = w->context;
 
-    if (!board_alive(b, thing))
+    if (!board_is_alive(b, thing))
         return false;
     enemies_ensure_moved(&b->enemies, handle_slot(thing), w);
     return board_get_position(b, thing, x, y);
@@ -282,7 +282,7 @@ static void test_places(void **state)
 
     (void)state;
     m.enemies = FOES;
-    m.bodies = m.frozen = 1;
+    m.bodies = m.has_freeze = 1;
     rig_script(&g, &m, "enemy.def('foe', { sprite = 'dot', hit = { circle = 4 } })");
     rig_power(&r, &g, NULL);
     for (uint64_t seed = 1; seed < (rig_long() ? 400 : 40); seed++) {
@@ -385,7 +385,7 @@ static const char *says(bool on, const char *text)
 
     m.bodies = on;
     m.items = 16;
-    m.frozen = 1;
+    m.has_freeze = 1;
     snprintf(script, sizeof script,
              "spark.def('ping', { sprite = 'dot', life = 300 })\n"
              "item.def('coin', { sprite = 'dot', radius = 3, gives = { score = 1 } })\n"
@@ -646,8 +646,8 @@ static void test_stop(void **state)
 static void test_presses(void **state)
 {
     static struct rig_game g;
-    const uint16_t none[PADS] = { 0 }, fire[PADS] = { PAD_FIRE }, bomb[PADS] = { PAD_BOMB },
-                   special[PADS] = { PAD_SPECIAL };
+    const uint16_t none[MAX_PLAYERS] = { 0 }, fire[MAX_PLAYERS] = { PAD_FIRE }, bomb[MAX_PLAYERS] = { PAD_BOMB },
+                   special[MAX_PLAYERS] = { PAD_SPECIAL };
     char said[256] = "";
     struct rig r;
 

@@ -430,7 +430,7 @@ static struct manifest manifest(void)
     m.screen_w = m.field_w = FIELD_W;
     m.screen_h = m.field_h = FIELD_H;
     m.margin = 32;
-    m.frozen = 1;
+    m.has_freeze = 1;
     return m;
 }
 
@@ -827,7 +827,7 @@ static const char *harm(const char *actions, int frames)
     snprintf(xml, sizeof xml, "<bulletml>\n%s</bulletml>", actions);
     open_game(&g, &r, xml, "bullet.ml { name = 'doc', kind = 'orb', x = 160, y = 20 }");
     for (int i = 0; i < frames && !rig_fault(&r); i++)
-        if (board_tick(r.b, (const uint16_t[PADS]){ 0 })->fault)
+        if (board_tick(r.b, (const uint16_t[MAX_PLAYERS]){ 0 })->fault)
             break;
     snprintf(out, sizeof out, "%s", rig_fault(&r) ? rig_fault(&r)->message : "");
     close_game(&g, &r);
@@ -904,7 +904,7 @@ static void test_mutations(void **state)
                 rig_lump(&g, "bulletml/doc", out, size);
                 rig_power(&r, &g, NULL);
                 for (int f = 0; f < 12 && !rig_fault(&r); f++)
-                    board_tick(r.b, (const uint16_t[PADS]){ 0 });
+                    board_tick(r.b, (const uint16_t[MAX_PLAYERS]){ 0 });
                 close_game(&g, &r);
             } else
                 bad++;

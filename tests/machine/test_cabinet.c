@@ -279,7 +279,7 @@ void plat_poll(struct plat_input *in)
 }
 
 /* A game, one that is not there, no game, a demo of another game. */
-bool plat_dropped(char *path, size_t size)
+bool plat_take_dropped_file(char *path, size_t size)
 {
     static const char *const names[] = { "pattern", "first", "none.rom", "first/main.lua", "first/art", "other.demo" };
 
@@ -485,7 +485,7 @@ static void walk(struct cab_options *o)
 {
     struct cab_options other = *o;
     struct cab *cab = NULL, *second = cab_open(&other);
-    char next[FILES_PATH];
+    char next[FILES_PATH_SIZE];
 
     assert_non_null(second);
     while (port.polls < port.left) {

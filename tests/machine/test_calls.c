@@ -94,7 +94,7 @@ void plat_wait(uint64_t until)
     (void)until;
 }
 
-bool plat_dropped(char *path, size_t size)
+bool plat_take_dropped_file(char *path, size_t size)
 {
     const bool is = at->drop != NULL;
 

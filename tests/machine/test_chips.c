@@ -164,7 +164,7 @@ static void test_input(void **state)
     struct rig_game g;
     struct rig r;
     const struct input *in;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rig_script(&g, NULL, "");
@@ -650,7 +650,7 @@ static void test_last_generations(void **state)
         "  assert(not p.alive and not player.get(1).alive)\n"
         "  sys.join(1, 'ship')\n"
         "end)\n";
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rig r;
 
@@ -706,8 +706,8 @@ static void test_player(void **state)
         "player.def('b', { sprite = 'dot', hit = { circle = 2 }, registers = { zeal = 7, bombs = 2 } })\n"
         "stage.def('s', function() wait(forever) end) boot.run { stages = { 's' }, players = { 'a', 'b' } }\n";
     struct board_start start = { .seed = 1, .difficulty = -1, .practice.section = "s" };
-    const uint16_t right[PADS] = { PAD_RIGHT }, up_left[PADS] = { PAD_UP | PAD_LEFT },
-                   slow[PADS] = { PAD_DOWN | PAD_FOCUS }, none[PADS] = { 0 };
+    const uint16_t right[MAX_PLAYERS] = { PAD_RIGHT }, up_left[MAX_PLAYERS] = { PAD_UP | PAD_LEFT },
+                   slow[MAX_PLAYERS] = { PAD_DOWN | PAD_FOCUS }, none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rig r;
 

@@ -66,7 +66,7 @@ static void test_rests_and_comes(void **state)
 /* Does a game that keeps so many texts run for so many frames? */
 static bool holds(int texts, int frames)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rig r;
 

@@ -322,7 +322,7 @@ static bool check_slots(struct board *b, const struct sums *was, struct rng *rng
     flip(b, was, (uint8_t *)&s->refused, (int)rng_below(rng, 8), i, what);
     flip(b, was, (uint8_t *)&s->cap, (int)rng_below(rng, 8), -1, what);
     flip(b, was, (uint8_t *)&s->high, (int)rng_below(rng, 8), -1, what);
-    flip(b, was, (uint8_t *)&s->low, (int)rng_below(rng, 8), -1, what);
+    flip(b, was, (uint8_t *)&s->first_free_word, (int)rng_below(rng, 8), -1, what);
     if (s->used && s->top) {
         int32_t slot = live_slot(b, i, rng_next(rng)), dead = dead_slot(b, i);
         s->top += 64; /* nothing lives there */
@@ -414,7 +414,7 @@ static void test_flips(void **state)
     m.sprites = 128;
     m.shots = m.enemies = 128;
     m.bullet_values = m.shot_values = m.enemy_values = MAX_VALUES;
-    m.hp = m.around = m.frozen = m.meet = m.wide = m.bg = m.bodies = m.pierce = 1;
+    m.hp = m.has_orbit = m.has_freeze = m.bullets_can_meet = m.wide = m.bg = m.bodies = m.pierce = 1;
     m.options = 192;
     m.items = m.lines = m.lasers = 192; /* of two bits: with one flipped the part is still there */
     m.curve_points = 96 * 64;
@@ -459,7 +459,7 @@ static void test_groups(void **state)
     m.options = 64;
     all = m;
     all.bullet_values = all.shot_values = all.enemy_values = MAX_VALUES;
-    all.hp = all.around = all.frozen = all.meet = all.bg = all.bodies = all.pierce = 1;
+    all.hp = all.has_orbit = all.has_freeze = all.bullets_can_meet = all.bg = all.bodies = all.pierce = 1;
     all.items = 64;
     all.bulletml = 64;
     rig_script(&few, &m, without_items);
@@ -521,7 +521,7 @@ static void test_derived(void **state)
         b.b->shots.n_moved = 99;
         b.b->laser_heads.n_moved = 11;
         b.b->laser_heads.work_done = 12;
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             b.b->player.prev_x[p] = b.b->player.prev_y[p] = (fx)(f * 65536);
         for (uint32_t i = 0; i < b.b->items.s.cap; i++)
             b.b->items.prev_x[i] = b.b->items.prev_y[i] = (fx)(f * 65536);
@@ -580,7 +580,7 @@ static void test_counts(void **state)
     struct rig_game g;
     struct rig r;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
     int some = 0;
 
     (void)state;
@@ -615,7 +615,7 @@ static void test_links(void **state)
     struct rig_game g;
     struct rig r;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rig_folder(&g, "torture");

@@ -13,10 +13,10 @@ static const char *turned(struct rig *r, uint16_t buttons, int frames)
 
     name[0] = '\0';
     for (int f = 0; f < frames; f++) {
-        const uint16_t pads[PADS] = { f ? 0 : buttons };
+        const uint16_t pads[MAX_PLAYERS] = { f ? 0 : buttons };
         rig_tick(r, pads);
         const struct board_out *out = board_last_output(r->b);
-        for (int i = 0; i < out->markers; i++)
+        for (int i = 0; i < out->marker_count; i++)
             if (out->marker[i].kind == MARKER_STAGE)
                 snprintf(name, sizeof name, "%s", out->marker[i].name);
     }
@@ -85,7 +85,7 @@ static void test_practice(void **state)
     for (int f = 0; f < 200 && !listed; f++) {
         rig_run(&r, 1);
         const struct board_out *out = board_last_output(r.b);
-        for (int i = 0; i < out->markers; i++) {
+        for (int i = 0; i < out->marker_count; i++) {
             if (out->marker[i].kind == MARKER_STAGE && !pages++)
                 assert_string_equal(out->marker[i].name, "spiral");
             listed |= out->marker[i].kind == MARKER_LISTED;

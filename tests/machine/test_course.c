@@ -120,7 +120,7 @@ static void gather_crowd(const struct bullets *b)
 static void targets(void)
 {
     gather_crowd(&at_once.b->bullets);
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         const fx x = (fx)(below(400) << 16), y = (fx)(below(400) << 16);
         at_once.b->player.in_game[p] = singly.b->player.in_game[p] = (uint8_t)(below(4) != 0);
         at_once.b->player.x[p] = singly.b->player.x[p] = x;

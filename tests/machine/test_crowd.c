@@ -332,7 +332,7 @@ static int64_t gap(fx a, fx b)
 }
 
 /* One frame of straight bullets: who goes, where the others are, and who is near whom. */
-static void move(struct board *b, const struct box *keep, const struct bullets_query query[PADS], uint32_t clock)
+static void move(struct board *b, const struct box *keep, const struct bullets_query query[MAX_PLAYERS], uint32_t clock)
 {
     struct bullets *s = &b->bullets;
     struct motion_world w = { .motions = &b->motions, .steps = &b->steps, .kinds = &b->bullet_kinds, .clock = clock };
@@ -356,14 +356,14 @@ static void move(struct board *b, const struct box *keep, const struct bullets_q
         bool in = was[i] && x[i] >= keep->x0 && x[i] <= keep->x1 && y[i] >= keep->y0 && y[i] <= keep->y1;
         assert_int_equal(i < s->s.top && is_used(&s->s, i), in);
         if (!in) { /* it is held if it is near a player */
-            const uint64_t *near = &s->near[i / SLOTS_BLOCK * PADS];
+            const uint64_t *near = &s->near[i / SLOTS_BLOCK * MAX_PLAYERS];
             assert_int_equal(slots_has_held(&s->s, i, s->s.gen[i]),
                              was[i] && (near[0] | near[1]) >> (i % SLOTS_BLOCK) & 1);
             continue;
         }
         assert_true(s->x[i] == x[i] && s->y[i] == y[i] && vx[i] <= s->speed_bound && vy[i] <= s->speed_bound);
-        for (uint32_t p = 0; p < PADS; p++) {
-            bool near = s->near[i / SLOTS_BLOCK * PADS + p] >> (i % SLOTS_BLOCK) & 1;
+        for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
+            bool near = s->near[i / SLOTS_BLOCK * MAX_PLAYERS + p] >> (i % SLOTS_BLOCK) & 1;
             bool must = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + vx[i] &&
                         gap(y[i], query[p].y) <= query[p].reach + vy[i];
             bool may = query[p].reach >= 0 && gap(x[i], query[p].x) <= query[p].reach + s->speed_bound &&
@@ -390,12 +390,12 @@ static void test_moves(void **state)
     struct bullets *s = &r.b->bullets;
     for (int scene = 0; scene < 3000; scene++) {
         struct box keep = { -length(64 << 16), -length(64 << 16), world, world };
-        struct bullets_query query[PADS];
+        struct bullets_query query[MAX_PLAYERS];
         if (below(2))
             keep = (struct box){ -world, -world, world, world };
         else if (below(2))
             keep = (struct box){ -(64 << 16), -(64 << 16), 300 << 16, 300 << 16 };
-        for (uint32_t p = 0; p < PADS; p++)
+        for (uint32_t p = 0; p < MAX_PLAYERS; p++)
             query[p] = (struct bullets_query){ .x = length(world),
                                                .y = length(world),
                                                .reach = below(4) ? (int64_t)below(64 << 16) - 1

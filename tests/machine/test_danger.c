@@ -99,7 +99,7 @@ static void test_same_hits(void **state)
         danger_set_invincible(t.b, true);
         for (uint32_t i = 0; i < FRAMES; i++) {
             const unsigned buttons = PAD_UP | PAD_DOWN | PAD_LEFT | PAD_RIGHT | PAD_FOCUS;
-            const uint16_t pads[PADS] = { (uint16_t)(rng_below(&rng, PAD_ALL) & buttons) };
+            const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(rng_below(&rng, PAD_ALL) & buttons) };
             assert_int_equal(trial_tick(&t, pads), TRIAL_ON);
             if (!f.frame[i].ship.in_game)
                 continue;
@@ -124,7 +124,7 @@ static uint64_t fly(const struct forecast *f, const struct reach *r, uint32_t fr
         const struct forecast_frame *at = &f->frame[i];
         if (rng_below(&rng, 6) == 0)
             choice = (int)rng_below(&rng, REACH_WAYS);
-        way.was_x = way.x;
+        way.prev_x = way.x;
         way.was_y = way.y;
         way.radius = at->ship.path.radius;
         reach_step(&at->ship, choice, &way.x, &way.y);
@@ -145,7 +145,7 @@ static void test_sets_hold_all(void **state)
         struct forecast f = { 0 };
         struct danger_ship ship;
         begin(seed);
-        const uint16_t none[PADS] = { 0 };
+        const uint16_t none[MAX_PLAYERS] = { 0 };
         while (!trial_steers(&t))
             trial_tick(&t, none);
         danger_get_ship(t.b, 0, &ship);
@@ -173,7 +173,7 @@ static void test_plan_is_flown(void **state)
     struct trial_mark start = { 0 };
     struct reach r;
     struct plan p;
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     uint32_t lived = 0;
 
     (void)state;
@@ -192,7 +192,7 @@ static void test_plan_is_flown(void **state)
     assert_in_range(p.frames, 20, FRAMES);
     trial_restore(&t, &start);
     for (; lived < p.frames; lived++) {
-        const uint16_t pads[PADS] = { p.pads[lived], 0 };
+        const uint16_t pads[MAX_PLAYERS] = { p.pads[lived], 0 };
         if (trial_tick(&t, pads) != TRIAL_ON)
             break;
     }

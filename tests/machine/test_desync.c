@@ -100,7 +100,7 @@ static uint64_t differing(struct runner *a, struct runner *b)
 static struct verdict lockstep(struct runner *a, const struct demo *da, struct runner *b, const struct demo *db)
 {
     struct verdict v = { .kind = VERDICT_HOLDS, .first = da->frames, .frame = da->frames };
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = board_frame(a->rig.b); f <= da->frames; f++) {
         bool fault = rig_fault(&b->rig) != NULL;
@@ -204,7 +204,7 @@ static struct flip *flip(struct rng *rng)
 /* Both boards run on with the same pads to the frame. */
 static void advance(struct runner *a, struct runner *b, uint32_t frame)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     while (board_frame(a->rig.b) < frame) {
         demo_pads(&original, board_frame(a->rig.b), pads);

@@ -25,7 +25,7 @@ static struct manifest manifest(void)
 
     m.motions = 2000;
     m.lua_kib = 4096;
-    m.around = m.frozen = 1;
+    m.has_orbit = m.has_freeze = 1;
     m.bullet_values = 2;
     m.shot_values = 1;
     return m;
@@ -302,7 +302,7 @@ static void test_names(void **state)
 /* A full pool: all that finds no room is counted, one by one, and the log says it once. */
 static void test_full(void **state)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     int lines = 0;
 
     (void)state;
@@ -326,7 +326,7 @@ static void test_full(void **state)
     for (int f = 0; f < 6; f++) {
         const struct board_out *out = board_tick(rig.b, none);
         rig_sound(&rig);
-        lines += out->full_pools;
+        lines += out->full_pool_count;
         rig_spoil(&rig); /* a restored board finds its queue */
     }
     assert_int_equal(lines, 1);
@@ -527,7 +527,7 @@ static void refused(const char *steps, const char *message)
              "y = 1 } } motion.def { %s }",
              steps);
     m.bullet_values = 1;
-    m.around = 1;
+    m.has_orbit = 1;
     rig_script(&g, &m, text);
     rig_power_any(&rig, &g, NULL);
     if (!rig_fault(&rig))

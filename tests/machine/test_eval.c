@@ -241,7 +241,7 @@ static void what_a_tick_hands_out_stays(void **state)
 /* After a fault nothing happens any more, and the fault stays: a host that does not look ends no process. */
 static void a_board_with_a_fault_stays(void **state)
 {
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
     struct bed *t = *state;
 
     assert_false(board_eval(t->r.b, "error('boo')", t->out, sizeof t->out));
@@ -409,7 +409,7 @@ static void kept_lines_leave_a_board_that_runs(void **state)
     struct bed *t = *state;
     struct rng r;
     char line[120];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     rng_seed(&r, 81);
     for (int i = 0; i < 1500 && !rig_fault(&t->r); i++) {

@@ -185,7 +185,7 @@ static void test_scripts(void **state)
 
     (void)state;
     for (int seed = 0; seed < seeds; seed++) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         struct rng r;
 
         rng_seed(&r, (uint64_t)seed);

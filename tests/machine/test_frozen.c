@@ -174,7 +174,7 @@ static void power(struct rig_game *game, struct rig *r, bool freeze, int seed)
     struct board_start start = { .seed = (uint64_t)seed, .difficulty = -1 };
     char script[1 << 13];
 
-    m.frozen = freeze;
+    m.has_freeze = freeze;
     m.margin = 1024;
     m.motions = 128;
     m.tasks = 256;
@@ -236,7 +236,7 @@ static const char *says(bool on, const char *text)
     struct manifest m = rig_manifest();
     char script[1 << 12];
 
-    m.frozen = on;
+    m.has_freeze = on;
     snprintf(script, sizeof script,
              "bullet.def('dot', { sprite = 'dot', hit = { circle = 3 } })\n"
              "shot.def('bolt', { sprite = 'dot', hit = { circle = 3 } })\n"

@@ -62,7 +62,7 @@ static void draw_kinds(struct board *b, fx scale)
 
 static void draw_players(struct board *b, fx scale, fx place)
 {
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         struct player *pl = &b->player;
         pl->in_game[p] = !one_in(6);
         pl->kind[p] = (uint16_t)rng_below(&rng, 2);
@@ -116,7 +116,7 @@ static void draw_bullets(struct board *b, fx scale, fx place)
         shape.y = within(place);
         int32_t i = bullets_fire(&b->bullets, &shape, 0);
         if (!one_in(6))
-            graze_past(b, (uint32_t)i, (uint32_t)rng_below(&rng, PADS));
+            graze_past(b, (uint32_t)i, (uint32_t)rng_below(&rng, MAX_PLAYERS));
         b->bullets.flags[i] = (uint8_t)(one_in(4) ? rng_below(&rng, 4) : 0);
         if (one_in(9))
             bullets_drop(&b->bullets, (uint32_t)i);
@@ -129,7 +129,7 @@ static void draw_others(struct board *b, fx scale, fx place)
 
     for (uint64_t n = rng_below(&rng, FOES + 1); n--;) {
         uint16_t k = (uint16_t)rng_below(&rng, KINDS);
-        uint32_t p = (uint32_t)rng_below(&rng, PADS);
+        uint32_t p = (uint32_t)rng_below(&rng, MAX_PLAYERS);
         int64_t r = b->player_kinds.radius[b->player.kind[p]];
         fx x = within(place), y = within(place);
         if (!one_in(3)) {

@@ -252,7 +252,7 @@ static void look(struct rig *r, struct run *run, int f, bool draws)
 static void play(const struct host_kind *h, const struct rig_game *g, const struct demo *d, int frames, struct run *run)
 {
     static char said[EVAL_TEXT_SIZE];
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
     struct rig r;
 
     run->size = 0;

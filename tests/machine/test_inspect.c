@@ -89,15 +89,15 @@ static void shapes_are_those_of_the_tests(void **state)
     assert_int_equal(l.n, 8);
     /* a task that is started in its turn comes after those of before: fires() has slot 3 */
     const struct inspect_body *brick = &l.body[3], *mist = &l.body[4], *still = &l.body[5], *rice = &l.body[6];
-    assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->inactive);
+    assert_true(brick->kind == INSPECT_BULLET && brick->shape == INSPECT_BOX && brick->is_dimmed);
     assert_true(brick->a == PX(6) && brick->b == PX(3) && brick->x == PX(76) && brick->y == PX(98));
     assert_true(mist->shape == INSPECT_NONE && mist->a == 0);
-    assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->inactive);
+    assert_true(still->shape == INSPECT_CIRCLE && still->a == PX(2.5) && !still->is_dimmed);
     assert_true(rice->x == PX(116.25) && rice->y == PX(58.5) && rice->slot == 3);
     assert_true(l.body[2].kind == INSPECT_SHOT && l.body[2].a == PX(3) && l.body[2].x == PX(46));
     assert_true(l.body[0].kind == INSPECT_ENEMY && l.body[0].shape == INSPECT_BOX && l.body[0].a == PX(20));
-    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].inactive);
-    assert_false(l.body[0].inactive);
+    assert_true(l.body[1].kind == INSPECT_ENEMY && l.body[1].shape == INSPECT_CIRCLE && l.body[1].is_dimmed);
+    assert_false(l.body[0].is_dimmed);
     assert_true(l.body[7].kind == INSPECT_PLAYER && l.body[7].a == PX(2) && l.body[7].graze == PX(16));
     struct inspect_area f = inspect_field(t->r.b);
     assert_true(f.x == 16 && f.y == 8 && f.w == t->g.cart.manifest.field_w && f.h == t->g.cart.manifest.field_h);
@@ -256,7 +256,7 @@ static void what_is_under_a_point(void **state)
     assert_string_equal(at.tag, "first");
     assert_int_equal(at.age, 11);
     assert_true(at.x == at.body.x - PX(16) && at.y == at.body.y - PX(8) && at.speed == PX(0.5));
-    assert_true(at.has_motion && at.step == 2 && at.steps == 3 && at.frames_left == 30 - 6);
+    assert_true(at.has_motion && at.step == 2 && at.step_count == 3 && at.frames_left == 30 - 6);
     assert_true(at.dir > 107.9 && at.dir < 108.1);
     assert_string_equal(at.motion, "swerve");
     assert_int_equal(at.owner_task, 3);
@@ -341,7 +341,7 @@ static void a_board_that_is_asked_runs_on_alike(void **state)
     struct rig_game g;
     struct rig a, b;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rig_folder(&g, "torture");
@@ -450,7 +450,8 @@ static void what_sounds(void **state)
         if (f < 40)
             continue;
         assert_string_equal(music.name, "tide");
-        snprintf(want, sizeof want, "%d %d %s", (int)music.bar, (int)music.bar * music.beats + music.beat, music.mark);
+        snprintf(want, sizeof want, "%d %d %s", (int)music.bar, (int)music.bar * music.beats_per_bar + music.beat,
+                 music.mark);
         assert_string_equal(rig_told(&r), want);
     }
     inspect_voice(r.b, 0, &v);

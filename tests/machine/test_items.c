@@ -37,7 +37,7 @@ static void power(const char *text)
     static char script[8192];
 
     m.items = 64;
-    m.hp = m.frozen = 1;
+    m.hp = m.has_freeze = 1;
     snprintf(script, sizeof script, "%s%s", kinds, text);
     rig_with_sys(&g, &m, script);
     rig_power(&rig, &g, NULL);
@@ -72,7 +72,7 @@ static void test_fall(void **state)
     power("");
     struct items *s = &rig.b->items;
     struct item_kinds *k = &rig.b->item_kinds;
-    const struct item_pull none[PADS] = { { 0 } };
+    const struct item_pull none[MAX_PLAYERS] = { { 0 } };
     long capped = 0;
     rng_seed(&rng, 11);
     for (int round = 0; round < 4000; round++) {
@@ -119,7 +119,7 @@ static void test_pull(void **state)
     rng_seed(&rng, 12);
     for (int round = 0; round < 1500; round++) {
         int64_t span = round % 3 ? 1 << 24 : 1000, speed = between(1, round % 3 ? 1 << 20 : 300);
-        struct item_pull pull[PADS] = { { 0 }, { 0 } };
+        struct item_pull pull[MAX_PLAYERS] = { { 0 }, { 0 } };
         uint32_t i = (uint32_t)items_spawn(s, 0, (fx)between(-span, span), (fx)between(-span, span), 0);
         pull[1] = (struct item_pull){ (fx)between(-span, span), (fx)between(-span, span), 0, false, true, (fx)speed };
         items_pull(s, i, 1);
@@ -194,7 +194,7 @@ static struct taken reference(const struct board *b)
 
     EACH_LIVE (i, &s->s) {
         wide best = 0;
-        for (uint32_t k = 0; k < PADS; k++) {
+        for (uint32_t k = 0; k < MAX_PLAYERS; k++) {
             wide x = (wide)s->prev_x[i] - p->prev_x[k], y = (wide)s->prev_y[i] - p->prev_y[k];
             wide wx = (wide)s->x[i] - s->prev_x[i] - p->x[k] + p->prev_x[k];
             wide wy = (wide)s->y[i] - s->prev_y[i] - p->y[k] + p->prev_y[k];
@@ -225,7 +225,7 @@ static void test_taken(void **state)
         b->events.n = 0;
         b->item_kinds.radius[0] = (fx)between(0, span / 2);
         b->item_kinds.radius[1] = (fx)between(0, span / 8);
-        for (uint32_t k = 0; k < PADS; k++) {
+        for (uint32_t k = 0; k < MAX_PLAYERS; k++) {
             b->player.in_game[k] = (uint8_t)(k == 0 || round % 4 > 0);
             b->player.x[k] = (fx)(between(-span, span) / grain * grain);
             b->player.y[k] = (fx)(between(-span, span) / grain * grain);
@@ -326,7 +326,7 @@ static void test_points(void **state)
 static const char *says(const char *text, int frames)
 {
     static char said[4096], script[6000];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     size_t n = 0;
 
     snprintf(script, sizeof script, "%s", text);

@@ -50,7 +50,7 @@ static const struct board_start start = { .seed = 7, .difficulty = -1 };
 
 static void play(struct demo_writer *w, struct rig *r, struct rng *rng, int frames)
 {
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     for (int i = 0; i < frames; i++) {
         pads[0] = (uint16_t)(rng_next(rng) & (PAD_FIRE | PAD_BOMB | PAD_LEFT));
@@ -147,7 +147,7 @@ static void holds(const uint8_t *bytes, size_t size, uint32_t frames)
 static void test_now(void **state)
 {
     struct demo_writer w = { .recording = false };
-    uint16_t select[PADS] = { PAD_SELECT };
+    uint16_t select[MAX_PLAYERS] = { PAD_SELECT };
     struct rng rng;
     struct rig r;
     size_t size;
@@ -188,7 +188,7 @@ static void count(void *of, const struct session *s)
 /* A session that was left goes on: the same run, not branched, flagged; its scores would count. */
 static void test_go_on(void **state)
 {
-    static const uint16_t bomb[PADS] = { PAD_BOMB };
+    static const uint16_t bomb[MAX_PLAYERS] = { PAD_BOMB };
     struct session s, straight;
     struct demo d;
 
@@ -227,7 +227,7 @@ static void test_go_on(void **state)
 /* Where the run is another one now, it does not go on. */
 static void test_differs(void **state)
 {
-    static const uint16_t none[PADS] = { 0 };
+    static const uint16_t none[MAX_PLAYERS] = { 0 };
     struct session s;
     struct demo d;
 

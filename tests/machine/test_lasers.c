@@ -32,7 +32,7 @@ static struct manifest manifest(void)
     m.lasers = 8;
     m.curve_points = 256;
     m.items = 64;
-    m.frozen = m.around = 1;
+    m.has_freeze = m.has_orbit = 1;
     return m;
 }
 
@@ -400,7 +400,7 @@ static void test_hits(void **state)
     rng_seed(&rng, 5);
     for (size_t s = 0; s < sizeof scripts / sizeof *scripts; s++) {
         begin(scripts[s]);
-        uint16_t pads[PADS] = { 0 };
+        uint16_t pads[MAX_PLAYERS] = { 0 };
         one_frame();
         note_was(&was);
         for (int frame = 0; frame < 500; frame++, was = now) {
@@ -845,7 +845,7 @@ static void test_patterns(void **state)
 
 static void fault(const char *script, const char *message)
 {
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
 
     begin(script);
     for (int i = 0; i < 3 && !rig_fault(&r); i++)
@@ -907,7 +907,7 @@ static void test_without(void **state)
     }
     assert_int_equal(board_hash(r.b), board_combine_hashes(hashes));
     for (int i = 0; i < 4 && !rig_fault(&r); i++)
-        board_tick(r.b, (const uint16_t[PADS]){ 0 });
+        board_tick(r.b, (const uint16_t[MAX_PLAYERS]){ 0 });
     assert_non_null(
         strstr(rig_fault(&r)->message, "laser: lasers are disabled; add `lasers = 64` to `board` in rom.lua"));
     end();
@@ -916,7 +916,7 @@ static void test_without(void **state)
                "task.go(function() wait(5) pattern.ring { fire = 'curve', n = 3 } end)\n");
     rig_power(&r, &g, NULL);
     for (int i = 0; i < 8 && !rig_fault(&r); i++)
-        board_tick(r.b, (const uint16_t[PADS]){ 0 });
+        board_tick(r.b, (const uint16_t[MAX_PLAYERS]){ 0 });
     assert_non_null(strstr(rig_fault(&r)->message,
                            "pattern.ring: fire: lasers are disabled; add `lasers = 64` to `board` in rom.lua"));
     end();
@@ -943,7 +943,7 @@ static void test_without_curves(void **state)
             texts[i]);
         rig_script(&g, &m, text);
         rig_power(&r, &g, NULL);
-        board_tick(r.b, (const uint16_t[PADS]){ 0 });
+        board_tick(r.b, (const uint16_t[MAX_PLAYERS]){ 0 });
         assert_int_equal(r.b->lasers.s.live, 3);
         assert_non_null(strstr(rig_fault(&r)->message, i ? "pattern.ring: fire: " : "laser.curve: "));
         assert_non_null(strstr(rig_fault(&r)->message, "add `curve_points = 2048` to `board` in rom.lua"));

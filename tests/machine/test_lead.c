@@ -253,7 +253,7 @@ static void holds(const char *text, int frames)
 {
     struct manifest m = rig_manifest();
 
-    m.around = 1;
+    m.has_orbit = 1;
     m.bullet_values = 3;
     rig_script(&g, &m, text);
     rig_power(&rig, &g, NULL);

@@ -62,15 +62,15 @@ struct later { /* an event */
 static struct {
     struct mine bullet[BULLETS], shot[SHOTS], foe[FOES];
     int bullets, shots, foes;
-    struct thing ship[PADS];
-    int safe[PADS];
+    struct thing ship[MAX_PLAYERS];
+    int safe[MAX_PLAYERS];
     wide x0, y0, x1, y1; /* where things live */
     bool slot[4 * BULLETS];
     struct later event[4096];
     int events;
     char log[1 << 16];
     size_t log_n;
-    int64_t score[PADS];
+    int64_t score[MAX_PLAYERS];
 } model;
 
 /* What was tried. */
@@ -209,7 +209,7 @@ static void frame(void)
     model.events = 0;
     model.log_n = 0;
     model.log[0] = 0;
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         ask_player(p);
     ask_shots();
     for (int i = 0; i < model.foes; i++)
@@ -243,7 +243,7 @@ static fx speed(void)
 /* Ships stand at the field's edges more often than not. */
 static void place_ships(struct board *b)
 {
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         fx x = (fx)about(FIELD_W / 2 * 65536, (FIELD_W / 2 - 8) * 65536);
         fx y = (fx)about(FIELD_H / 2 * 65536, (FIELD_H / 2 - 8) * 65536);
         if (!one_in(4))
@@ -275,10 +275,10 @@ static void fire(struct board *b, bool shot)
     const struct bullet_kinds *k = shot ? &b->shot_kinds : &b->bullet_kinds;
     struct mine *m = shot ? &model.shot[model.shots++] : &model.bullet[model.bullets++];
     struct bullet_spec shape = { .kind = (uint16_t)rng_below(&rng, KINDS), .speed = speed() };
-    const struct thing *at = &model.ship[rng_below(&rng, PADS)];
+    const struct thing *at = &model.ship[rng_below(&rng, MAX_PLAYERS)];
 
     shape.dir = one_in(2) ? (ang)rng_below(&rng, 4) << 30 : (ang)rng_next(&rng);
-    shape.player = shot ? (uint8_t)(1 + rng_below(&rng, PADS)) : 0;
+    shape.player = shot ? (uint8_t)(1 + rng_below(&rng, MAX_PLAYERS)) : 0;
     if (shot && model.foes)
         at = &model.foe[rng_below(&rng, (uint64_t)model.foes)].t;
     fx vx, vy;
@@ -301,7 +301,7 @@ static void bring(struct board *b)
     struct mine *m = &model.foe[model.foes++];
     const struct enemy_kinds *k = &b->enemy_kinds;
     uint16_t kind = (uint16_t)rng_below(&rng, KINDS);
-    const struct thing *at = &model.ship[rng_below(&rng, PADS)];
+    const struct thing *at = &model.ship[rng_below(&rng, MAX_PLAYERS)];
     fx x, y, vx = 0, vy = 0;
 
     if (!one_in(3))
@@ -335,7 +335,7 @@ static void check_left(struct board *b, const struct mine *m, const fx *x, const
     uint32_t i = handle_slot(m->handle);
     bool lives = !m->gone && !m->leaves;
 
-    if (board_alive(b, m->handle) != lives || board_is_readable(b, m->handle) != lives)
+    if (board_is_alive(b, m->handle) != lives || board_is_readable(b, m->handle) != lives)
         fail_msg("scene %d: a %s is %s, and should not be", scene, what, lives ? "gone" : "there");
     if (lives && (x[i] != m->t.x || y[i] != m->t.y))
         fail_msg("scene %d: a %s is elsewhere", scene, what);
@@ -354,7 +354,7 @@ static void check(struct rig *r, int scene)
         check_left(b, &model.shot[i], b->shots.x, b->shots.y, scene, "shot");
     for (int i = 0; i < model.foes; i++)
         check_left(b, &model.foe[i], b->enemies.x, b->enemies.y, scene, "enemy");
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         assert_int_equal(b->player.score[p], model.score[p]);
     assert_int_equal(b->bullets.s.held_count + b->shots.s.held_count, 0);
 }
@@ -388,7 +388,7 @@ static void off(void)
 static void test_model(void **state)
 {
     static const int margins[] = { 0, 1, 16, 64 };
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rng_seed(&rng, 11);
@@ -425,7 +425,7 @@ static void test_model(void **state)
 
 static bool hits_once(fx x, fx y, fx v)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct bullet_spec shape = { .x = x, .y = y, .speed = v, .dir = 0x40000000u };
 
     clear(rig.b);

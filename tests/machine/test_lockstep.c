@@ -16,7 +16,7 @@ static void lockstep(const char *name, int frames)
     struct rig_game g;
     struct rig a, b;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     rig_folder(&g, name);
     rig_power(&a, &g, NULL);
@@ -56,7 +56,7 @@ static void test_hash_moves(void **state)
     struct rig_game g;
     struct rig a, b;
     struct board_start start = { .seed = 2, .difficulty = -1 };
-    const uint16_t fire[PADS] = { PAD_FIRE, 0 }, none[PADS] = { 0 };
+    const uint16_t fire[MAX_PLAYERS] = { PAD_FIRE, 0 }, none[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rig_folder(&g, "torture");
@@ -85,7 +85,7 @@ static void record(const struct rig_game *g, const struct board_start *start, st
 {
     struct rig r;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     rig_power(&r, g, start);
     rng_seed(&rng, 3);
@@ -105,14 +105,14 @@ static int play(const struct rig_game *g, const struct demo *d, const struct boa
 {
     struct rig r;
     uint64_t hashes[MAX_PARTS];
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     int wrong = -1;
 
     rig_power(&r, g, start);
     for (uint32_t f = 0; f <= d->frames && wrong < 0; f++) {
         board_hashes(r.b, hashes);
         uint64_t differ = demo_differing_parts(d, f, hashes);
-        for (int i = d->parts - 1; i >= 0; i--)
+        for (int i = d->n_parts - 1; i >= 0; i--)
             if (differ >> i & 1) {
                 wrong = (int)f;
                 *part = d->part[i];

@@ -183,7 +183,7 @@ static void test_sparks(void **state)
 
 static void held(uint16_t buttons, const char *name, int frame)
 {
-    const uint16_t pads[PADS] = { buttons, 0 };
+    const uint16_t pads[MAX_PLAYERS] = { buttons, 0 };
 
     rig_tick(&r, pads);
     r.b->player.x[0] = X * 65536; /* the picture alone is asked for here */
@@ -223,7 +223,7 @@ static void test_first(void **state)
     open_with("string.sys.join(1, 'first') local p = player.get(1) p.safe = 0 assert(not p.flip_x) p.flip_x = true "
               "assert(p.flip_x)\n"
               "assert(p.kind == 'first' and p.bombs == 2 and p.picture == nil)");
-    const uint16_t pads[PADS] = { PAD_RIGHT, 0 };
+    const uint16_t pads[MAX_PLAYERS] = { PAD_RIGHT, 0 };
     rig_tick(&r, pads);
     assert_int_equal(r.b->player.flags[0], PLAYER_FLIP);
     r.b->player.x[0] = X * 65536;

@@ -191,7 +191,7 @@ static void test_random(void **state)
 
     (void)state;
     m.bullets = BULLETS;
-    m.meet = 1;
+    m.bullets_can_meet = 1;
     rig_script(&g, &m, "");
     rig_power(&r, &g, NULL);
     rng_seed(&rng, 5);
@@ -226,7 +226,7 @@ static void test_crowd(void **state)
 
     (void)state;
     m.bullets = 8000;
-    m.meet = 1;
+    m.bullets_can_meet = 1;
     rig_script(&g, &m,
                "bullet.def('dot', { sprite = 'dot', hit = { circle = 2 } })\n"
                "bullet.def('moon', { sprite = 'dot', hit = { circle = 60 } })\n"
@@ -278,12 +278,12 @@ static void holds(const char *pairs, const char *task, int pings, int pongs)
     struct rig r;
     int sparks[2] = { 0 };
 
-    m.meet = m.frozen = m.hp = 1;
+    m.bullets_can_meet = m.has_freeze = m.hp = 1;
     snprintf(text, sizeof text, "%s%s\ntask.go(function() wait(1) %s string.good = 1 end)\n", kinds, pairs, task);
     rig_with_sys(&g, &m, text);
     rig_power(&r, &g, NULL);
     for (int i = 0; i < 40; i++) {
-        board_tick(r.b, (uint16_t[PADS]){ 0 });
+        board_tick(r.b, (uint16_t[MAX_PLAYERS]){ 0 });
         if (rig_fault(&r))
             fail_msg("%s: %s", task, rig_fault(&r)->message);
         rig_spoil(&r);
@@ -462,7 +462,7 @@ static void test_trace(void **state)
         struct pair_seen s = { 0 };
         struct rig_game g;
         struct rig r;
-        m.meet = on;
+        m.bullets_can_meet = on;
         rig_script(&g, &m,
                    on ? "bullet.meet('a', 'b', { clear = 'both' }) bullet.meet('b', 'a', { clear = 'both' })" : "");
         rig_power(&r, &g, NULL);
@@ -483,11 +483,11 @@ static void fault(bool on, const char *text, const char *words)
     struct rig_game g;
     struct rig r;
 
-    m.meet = on;
+    m.bullets_can_meet = on;
     rig_script(&g, &m, text);
     rig_power_any(&r, &g, NULL);
     for (int i = 0; i < 3 && !rig_fault(&r); i++)
-        board_tick(r.b, (uint16_t[PADS]){ 0 });
+        board_tick(r.b, (uint16_t[MAX_PLAYERS]){ 0 });
     assert_non_null(rig_fault(&r));
     assert_string_equal(rig_fault(&r)->message, words);
     rig_free(&r);

@@ -78,7 +78,7 @@ static struct run {
     const char *section; /* "": from the title */
     const char *wanted;  /* the moments it must have */
     struct board_start start;
-    uint16_t pads[FRAMES][PADS];
+    uint16_t pads[FRAMES][MAX_PLAYERS];
     uint64_t plain[FRAMES + 1];
     uint32_t moments;
     struct moment {
@@ -114,7 +114,7 @@ static void press(struct run *run)
 
     rng_seed(&rng, 11);
     for (uint32_t f = 0; f < FRAMES; f++) {
-        for (uint32_t p = 0; p < PADS; p++) {
+        for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
             uint16_t *pads = &run->pads[f][p];
             rig_pads(&rng, run->pads[f]);
             *pads &= PAD_LEFT | PAD_RIGHT | PAD_UP | PAD_DOWN;
@@ -275,7 +275,7 @@ static void each_moment(void (*f)(void))
 /* Into the middle of it, out of it backwards, and into it with other hands: then all as it was. */
 static void back(void)
 {
-    static const uint16_t other[PADS] = { PAD_FIRE | PAD_BOMB | PAD_DOWN, PAD_UP };
+    static const uint16_t other[MAX_PLAYERS] = { PAD_FIRE | PAD_BOMB | PAD_DOWN, PAD_UP };
     struct session s;
 
     opened(&s, NULL, NULL);

@@ -304,7 +304,7 @@ static void test_screens(void **state)
 /* Runs until the game prints something; false: it does not in so many frames. */
 static bool until_told(int frames)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     for (int f = 0; f < frames; f++) {
         rig_tick(&rig, none);
@@ -479,7 +479,7 @@ static void test_stop(void **state)
 
 static void press(uint16_t button)
 {
-    const uint16_t down[PADS] = { button, 0 };
+    const uint16_t down[MAX_PLAYERS] = { button, 0 };
 
     rig_tick(&rig, down);
     rig_run(&rig, 3);
@@ -620,10 +620,10 @@ static int begun(int frames, bool presses_any)
 
     for (int f = 0; f < frames; f++) {
         static const uint16_t presses[] = { PAD_DOWN, PAD_FIRE, PAD_BOMB, PAD_START };
-        const uint16_t pads[PADS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
+        const uint16_t pads[MAX_PLAYERS] = { f % 2 && presses_any ? presses[f / 4 % 4] : 0, 0 };
         rig_tick(&rig, pads);
         for (int i = 0; i < CUES; i++)
-            n += rig.b->cues.tune[i] && rig.b->cues.born[i] + 1 == rig.b->core.frame;
+            n += rig.b->cues.tune[i] && rig.b->cues.start_frame[i] + 1 == rig.b->core.frame;
     }
     return n;
 }

@@ -262,7 +262,7 @@ static void run(const struct order *o)
 {
     static const char last[] = "\nfunction string.frame_end() say('/') end\n";
     static char text[1 << 14];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig r;
@@ -329,7 +329,7 @@ static void test_reset(void **state)
         "print('load')\n"
         "local n = save.get('n', 0) save.set('n', n + 1)\n"
         "task.go(function() wait(3) if n == 0 then board.reset() print('last') end wait(forever) end)\n";
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rig r;
 

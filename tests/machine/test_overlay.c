@@ -279,7 +279,7 @@ static void ships_show_where_they_are_hit(void **state)
 /* Asking for times and drawing leave the game alone. */
 static void the_game_does_not_notice(void **state)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct bed *t = *state;
     struct guard a, b;
     struct board_start start = { .seed = 3, .difficulty = -1 };

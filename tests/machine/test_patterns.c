@@ -28,7 +28,7 @@ static void begin(int frames, const char *format, ...)
     va_end(args);
     rig_with_sys(&g, NULL, text);
     rig_power_any(&rig, &g, NULL);
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     for (int f = 0; f < frames && !rig_fault(&rig); f++)
         board_tick(rig.b, none);
 }

@@ -37,7 +37,7 @@ static int bed_open(void **state)
     struct manifest m = rig_manifest();
 
     m.bullet_values = 2;
-    m.around = true;
+    m.has_orbit = true;
     m.items = 32;
     m.lasers = 16;
     m.curve_points = 256;

@@ -43,7 +43,7 @@ static void done(void)
 
 static void hold(uint16_t first, uint16_t second, int frames)
 {
-    const uint16_t pads[PADS] = { first, second };
+    const uint16_t pads[MAX_PLAYERS] = { first, second };
 
     while (frames-- > 0)
         rig_tick(&rig, pads);
@@ -564,8 +564,8 @@ static void test_asks(void **state)
 /* A practice start sets registers of the ship, and of the run, in each try; F2 is told of both. */
 static void test_practised(void **state)
 {
-    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "s", .registers = 2 } };
-    const uint16_t none[PADS] = { 0 };
+    struct board_start start = { .seed = 1, .difficulty = -1, .practice = { .section = "s", .register_count = 2 } };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     char names[64] = "";
 
     (void)state;
@@ -591,7 +591,7 @@ static void test_practised(void **state)
     rig_power(&rig, &g, &start);
     for (int f = 0; f < 30; f++) {
         const struct board_out *out = board_tick(rig.b, none);
-        for (int i = 0; i < out->markers; i++)
+        for (int i = 0; i < out->marker_count; i++)
             if (out->marker[i].kind == MARKER_REGISTER)
                 snprintf(names + strlen(names), sizeof names - strlen(names), "%s=%d ", out->marker[i].name,
                          (int)out->marker[i].value);

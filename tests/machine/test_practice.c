@@ -79,8 +79,8 @@ static void add_register(struct board_start *s, const char *name, int32_t value)
 {
     struct practice *p = &s->practice;
 
-    snprintf(p->reg[p->registers].name, sizeof p->reg[0].name, "%s", name);
-    p->reg[p->registers++].value = value;
+    snprintf(p->reg[p->register_count].name, sizeof p->reg[0].name, "%s", name);
+    p->reg[p->register_count++].value = value;
 }
 
 /* So often was a line said in the log of the last tick. */
@@ -100,7 +100,7 @@ static int told(const struct rig *r, enum board_marker_kind kind, const char *na
     const struct board_out *out = board_last_output(r->b);
     int n = 0;
 
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         n += out->marker[i].kind == kind && (!name || !strcmp(out->marker[i].name, name));
     return n;
 }
@@ -231,11 +231,11 @@ static void test_ranges(void **state)
     start.practice.lives = 100;
     expect_refusal(&start, "practice start: lives: expected 0 to 99, got 100");
     start.practice.lives = 0;
-    start.practice.registers = 17;
+    start.practice.register_count = 17;
     expect_refusal(&start, "practice start: expected at most 16 registers, got 17");
-    start.practice.registers = -1;
+    start.practice.register_count = -1;
     expect_refusal(&start, "practice start: expected at most 16 registers, got -1");
-    start.practice.registers = 0;
+    start.practice.register_count = 0;
     start.practice.section[0] = 0;
     start.practice.invincible = true;
     expect_refusal(&start, "lives, registers and invincibility require a practice start");
@@ -327,10 +327,10 @@ static void tell_games(const char *text, const uint16_t pads[4], uint32_t frames
     rig_power(&r, &g, &start);
     out[0] = 0;
     for (uint32_t f = 0; f < frames; f++) {
-        const uint16_t held[PADS] = { f % 20 < 2 ? pads[f / 20 % 4] : 0, 0 };
+        const uint16_t held[MAX_PLAYERS] = { f % 20 < 2 ? pads[f / 20 % 4] : 0, 0 };
         rig_tick(&r, held);
         const struct board_out *o = board_last_output(r.b);
-        for (int i = 0; i < o->markers; i++)
+        for (int i = 0; i < o->marker_count; i++)
             if (o->marker[i].kind > MARKER_LISTED)
                 n += (size_t)snprintf(out + n, size - n, "%d %s %d\n", (int)o->marker[i].kind - MARKER_GAME,
                                       o->marker[i].name, (int)o->marker[i].value);
@@ -388,7 +388,7 @@ static void tell(const char *mark, int frames, char *out, size_t size)
     for (int f = 0; f < frames; f++) {
         rig_run(&r, 1);
         const struct board_out *now = board_last_output(r.b);
-        for (int i = 0; i < now->markers; i++) {
+        for (int i = 0; i < now->marker_count; i++) {
             const struct board_marker *m = &now->marker[i];
             n += (size_t)snprintf(out + n, size - n, "%s %s%s%s%s%s%s\n", kinds[m->kind], m->name,
                                   m->parent[0] ? " of " : "", m->parent, m->title[0] ? " \"" : "", m->title,
@@ -440,8 +440,8 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
         assert_true(*frames < 1000);
         rig_run(&r, 1);
         const struct board_out *now = board_last_output(r.b);
-        assert_true(now->markers < MAX_TICK_MARKERS); /* or some may not have been told */
-        for (int i = 0; i < now->markers; i++) {
+        assert_true(now->marker_count < MAX_TICK_MARKERS); /* or some may not have been told */
+        for (int i = 0; i < now->marker_count; i++) {
             const struct board_marker *m = &now->marker[i];
             done |= m->kind == MARKER_LISTED;
             if (m->kind == MARKER_SHIP && ship) {
@@ -459,7 +459,7 @@ static void list(const struct rig_game *g, char *out, size_t size, int *frames)
         }
     }
     rig_run(&r, 5); /* and then nothing */
-    assert_int_equal(board_last_output(r.b)->markers, 0);
+    assert_int_equal(board_last_output(r.b)->marker_count, 0);
     rig_free(&r);
 }
 
@@ -624,7 +624,7 @@ static void test_endless(void **state)
         "main.lua:34: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)",
         "main.lua:37: wait: more than 100000 waits while skipping to a mark (waiting for something that is skipped?)"
     };
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     (void)state;
     for (int i = 0; i < 2; i++) {
@@ -667,7 +667,7 @@ static void run_twice(const char *mark, bool invincible, uint32_t frames)
     struct rig_game torture;
     struct rng hands;
     struct rig a, b;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     start.practice.lives = 2;
     start.practice.invincible = invincible;
@@ -841,7 +841,7 @@ static void test_menu(void **state)
     practice_chosen(&menu, &got);
     assert_string_equal(got.practice.section, "one:guard");
     assert_int_equal(got.practice.lives, 0);
-    assert_int_equal(got.practice.registers, 0);
+    assert_int_equal(got.practice.register_count, 0);
     assert_false(got.practice.invincible);
     assert_int_equal(got.seed, 77);
     begin_menu(&got, 2);
@@ -857,7 +857,7 @@ static void test_menu(void **state)
     assert_string_equal(got.practice.section, "queen/second");
     assert_int_equal(got.practice.lives, 11);
     assert_true(got.practice.invincible);
-    assert_int_equal(got.practice.registers, 2);
+    assert_int_equal(got.practice.register_count, 2);
     assert_string_equal(got.practice.reg[0].name, "bombs");
     assert_int_equal(got.practice.reg[0].value, 0); /* it stops there */
     assert_string_equal(got.practice.reg[1].name, "power");
@@ -937,7 +937,7 @@ static void told_now(enum board_marker_kind kind, const char *name, const char *
 {
     static struct board_out out;
 
-    out = (struct board_out){ .markers = 1, .marker[0] = { .kind = kind } };
+    out = (struct board_out){ .marker_count = 1, .marker[0] = { .kind = kind } };
     snprintf(out.marker[0].name, sizeof out.marker[0].name, "%s", name);
     snprintf(out.marker[0].parent, sizeof out.marker[0].parent, "%s", of);
     practice_after_tick(&menu, &out);

@@ -246,7 +246,7 @@ static void test_card_mutants(void **state)
 static uint8_t *record(size_t *size)
 {
     struct board_start start = { .seed = 5, .difficulty = -1, .practice.section = "one" };
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
     struct demo_writer w = { 0 };
     char path[] = "/tmp/curtain-readers-XXXXXX";
     struct rng r;

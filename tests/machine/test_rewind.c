@@ -45,7 +45,7 @@ struct run {
     struct rig_game game;
     struct demo demo;
     uint32_t frames;
-    uint16_t pads[MOST_FRAMES][PADS];
+    uint16_t pads[MOST_FRAMES][MAX_PLAYERS];
     uint64_t hash[MOST_FRAMES + 1];
 };
 
@@ -230,7 +230,7 @@ static void pads_have_a_share(void **state)
     struct rewind p;
     struct rig_game g;
     struct rig r;
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rig_script(&g, NULL, "");
@@ -255,7 +255,7 @@ static void taking_over(void **state)
     struct rewind p;
     struct rig r, straight;
     struct rng rng;
-    uint16_t pads[200][PADS];
+    uint16_t pads[200][MAX_PLAYERS];
 
     (void)state;
     rng_seed(&rng, 6);
@@ -296,7 +296,7 @@ static void another_place(void **state)
 {
     struct rewind p;
     struct rig r;
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     (void)state;
     rewind_open(&p, REWIND_BYTES);
@@ -322,7 +322,7 @@ static void back_from_a_fault(void **state)
                                "  for i = 1, 150 do board.note(i * rng.int(1, 1000)) wait(1) end\n"
                                "  error('the end')\n"
                                "end)\n";
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rewind p;
     struct rig r;
@@ -382,7 +382,7 @@ static void back_before_a_reset(void **state)
     rig_power(&r, &g, NULL);
     rewind_open(&p, REWIND_BYTES);
     for (uint32_t f = 0; f < 400; f++) {
-        const uint16_t pads[PADS] = { f % 90 == 77 ? PAD_FIRE : 0, 0 };
+        const uint16_t pads[MAX_PLAYERS] = { f % 90 == 77 ? PAD_FIRE : 0, 0 };
         hash[f] = board_hash(r.b);
         assert_true(rewind_push(&p, r.b, pads));
         rig_tick(&r, pads);

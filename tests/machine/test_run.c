@@ -77,7 +77,7 @@ static void test_whole_run(void **state)
     power(&g, &d.start);
     assert_int_equal(nvram_get_rows(&g.b->nvram, "normal", NULL, rows), 0);
     while (board_frame(g.b) < d.frames) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         demo_pads(&d, board_frame(g.b), pads);
         tally_before(&t, g.b);
         assert_null(board_tick(g.b, pads)->fault);
@@ -121,7 +121,7 @@ static void test_standing_still(void **state)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
-    const uint16_t pads[PADS] = { PAD_FIRE, 0 };
+    const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE, 0 };
     uint32_t f = 0;
 
     (void)state;
@@ -140,7 +140,7 @@ static void test_practice_rounds(void **state)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
-    const uint16_t pads[PADS] = { PAD_FIRE, 0 };
+    const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE, 0 };
     uint32_t tasks[3], shots[3], rounds = 0, since = 0;
 
     (void)state;
@@ -165,7 +165,7 @@ static void test_never_shooting(void **state)
 {
     struct game g;
     struct board_start start = { .difficulty = -1, .practice.section = "one" };
-    const uint16_t pads[PADS] = { 0, 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0, 0 };
     char title[64];
     bool crab = false;
 

@@ -202,7 +202,7 @@ static const struct scene scenes[] = {
 
 static void frame(struct rig *r, bool spoil)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
 
     rig_tick(r, none);
     lua_State *L = r->b->vm.L;
@@ -242,7 +242,7 @@ static void run(const struct scene *s)
 static void play(struct rig *r, struct rig_game *g, const char *code, int again, int frames)
 {
     static const char last[] = "boot.run { stages = { 's' }, players = { 'ship' } }\n";
-    const uint16_t start[PADS] = { PAD_START };
+    const uint16_t start[MAX_PLAYERS] = { PAD_START };
     struct manifest m = rig_manifest();
     static char text[1 << 14];
 

@@ -43,7 +43,7 @@ static void done(void)
 static const char *says_from(const char *text, int frames, const struct board_start *start)
 {
     static char said[4096];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     size_t n = 0;
 
     power(text, start);

@@ -269,14 +269,14 @@ static void test_leaving(void **state)
 /* However fast fire is pressed, by hand or by a turbo button: the choices lead into the game. */
 static void test_mashed(void **state)
 {
-    static const uint16_t down[PADS] = { PAD_FIRE };
+    static const uint16_t down[MAX_PLAYERS] = { PAD_FIRE };
 
     (void)state;
     for (int every = 2; every <= 12; every++) {
         open_game(run_all);
         soon("PRESS START", 60);
         for (int f = 0; f < 60 * every && !r.b->player.in_game[0]; f++)
-            rig_tick(&r, f % every < every / 2 ? down : (const uint16_t[PADS]){ 0 });
+            rig_tick(&r, f % every < every / 2 ? down : (const uint16_t[MAX_PLAYERS]){ 0 });
         if (!r.b->player.in_game[0])
             fail_msg("fire every %d frames: no game has begun", every);
         close_game();
@@ -286,7 +286,7 @@ static void test_mashed(void **state)
 /* Right that is held fills a name, and does not end it. */
 static void test_held_in_a_name(void **state)
 {
-    static const uint16_t right[PADS] = { PAD_RIGHT };
+    static const uint16_t right[MAX_PLAYERS] = { PAD_RIGHT };
 
     (void)state;
     open_game("boot.run { players = { 'heron' }, stages = { 'one' }, screens = { results = function() end,\n"
@@ -305,7 +305,7 @@ static void test_held_in_a_name(void **state)
 /* Presses START in this frame; the list of the title is there then, without another press. */
 static void start_leads_to_the_list(void)
 {
-    const uint16_t down[PADS] = { PAD_START };
+    const uint16_t down[MAX_PLAYERS] = { PAD_START };
 
     rig_tick(&r, down);
     for (int f = 0; f < 20; f++) {
@@ -362,10 +362,10 @@ static enum board_host_screen asked(void)
 /* Presses until that frame asks, if it does. */
 static enum board_host_screen press_asked(uint16_t button)
 {
-    const uint16_t down[PADS] = { button };
+    const uint16_t down[MAX_PLAYERS] = { button };
 
     for (int i = 0; i < 4; i++) {
-        rig_tick(&r, i < 2 ? down : (const uint16_t[PADS]){ 0 });
+        rig_tick(&r, i < 2 ? down : (const uint16_t[MAX_PLAYERS]){ 0 });
         if (asked() != HOST_SCREENS)
             return asked();
     }
@@ -902,8 +902,8 @@ static void test_snapshots(void **state)
     rig_power(&b, &g, NULL);
     rng_seed(&rng, 3);
     for (int f = 0; f < 6000; f++) {
-        uint16_t now[PADS] = { 0 };
-        for (int p = 0; p < PADS; p++)
+        uint16_t now[MAX_PLAYERS] = { 0 };
+        for (int p = 0; p < MAX_PLAYERS; p++)
             if (f % 16 < 2)
                 now[p] = pads[(f / 16 * 7 + p * 3) % 8];
         rig_tick(&r, now);

@@ -90,7 +90,7 @@ static void get_there(struct session *s)
 /* A playback goes anywhere in its demo, whatever is pressed; most steps are short. */
 static void walks(void **state)
 {
-    static const uint16_t pressed[PADS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
+    static const uint16_t pressed[MAX_PLAYERS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
     struct session s;
     struct rng rng;
     int steps = rig_long() ? 10000 : 700;
@@ -155,7 +155,7 @@ static void seeks(void **state)
 /* A live run: back, forward as it was, and on by other inputs, which makes it another run. */
 static void branches(void **state)
 {
-    static const uint16_t other[PADS] = { PAD_START };
+    static const uint16_t other[MAX_PLAYERS] = { PAD_START };
     char path[NAME];
     struct session s;
     struct demo d;
@@ -214,7 +214,7 @@ static void stops_in_the_past(void **state)
     assert_true(demo_load(&d, path, err, sizeof err));
     assert_int_equal(d.frames, 77);
     assert_int_equal(d.flags, DEMO_BRANCHED);
-    uint64_t h = d.rows[(d.n_rows - 1) * (uint32_t)d.parts];
+    uint64_t h = d.rows[(d.n_rows - 1) * (uint32_t)d.n_parts];
     demo_free(&d);
     open_session(&s, false, NULL);
     play_to(&s, 77);

@@ -22,7 +22,7 @@ static void model_latch(const struct input *in, enum press_side side)
 {
     for (int i = 0; i < model.n; i++)
         model.list[i].age += model.list[i].side == side;
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         for (uint32_t k = 0; k < PAD_BUTTONS; k++)
             if (in->pressed[p] >> k & 1) {
                 assert_true(model.n < MOST);
@@ -63,12 +63,12 @@ static void test_model(void **state)
     rng_seed(&rng, 11);
     memset(&model, 0, sizeof model);
     for (int f = 0; f < 600; f++) {
-        const uint16_t pads[PADS] = { (uint16_t)(rng_next(&rng) & rng_next(&rng)), (uint16_t)rng_next(&rng) };
+        const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(rng_next(&rng) & rng_next(&rng)), (uint16_t)rng_next(&rng) };
         enum press_side side = f / 50 % 3 == 1 ? PRESS_PAUSE : PRESS_GAME;
         input_latch(in, pads, side, false);
         model_latch(in, side);
         for (int i = 0; i < 6; i++) {
-            uint32_t p = (uint32_t)rng_below(&rng, PADS), k = (uint32_t)rng_below(&rng, PAD_BUTTONS);
+            uint32_t p = (uint32_t)rng_below(&rng, MAX_PLAYERS), k = (uint32_t)rng_below(&rng, PAD_BUTTONS);
             uint32_t n =
                 rng_below(&rng, 3) ? (uint32_t)rng_below(&rng, 6) : (uint32_t)rng_below(&rng, MAX_PRESS_AGE + 1);
             bool want = model_take(p, k, n, side);
@@ -76,7 +76,7 @@ static void test_model(void **state)
             taken += want;
         }
         if (rng_below(&rng, 40) == 0) {
-            uint32_t p = (uint32_t)rng_below(&rng, PADS);
+            uint32_t p = (uint32_t)rng_below(&rng, MAX_PLAYERS);
             input_drop_presses(in, p, side, PAD_ALL);
             model_forget(p, side);
         }
@@ -107,7 +107,7 @@ static void shut(void)
 
 static void frame(uint16_t first, uint16_t second)
 {
-    const uint16_t pads[PADS] = { first, second };
+    const uint16_t pads[MAX_PLAYERS] = { first, second };
     size_t n = strlen(told);
 
     rig_tick(&rig, pads);
@@ -431,7 +431,7 @@ static void press_all(const char *page, const char *text, const char *ask, const
     rig_power(&rig, &g, &start);
     for (int f = 0; f < (PRESSES + 1) * LONG; f++) {
         bool down = f >= LONG && f % LONG < 1 + f / LONG % 3;
-        const uint16_t pads[PADS] = { (uint16_t)(down ? 1 << k : 0), 0 };
+        const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(down ? 1 << k : 0), 0 };
         rig_tick(&rig, pads);
         n += said(words);
     }

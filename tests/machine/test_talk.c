@@ -66,7 +66,7 @@ static void close_it(void)
 
 static void hold(int frames, uint16_t one, uint16_t two)
 {
-    const uint16_t pads[PADS] = { one, two };
+    const uint16_t pads[MAX_PLAYERS] = { one, two };
 
     while (frames-- > 0)
         rig_tick(&r, pads);
@@ -510,7 +510,7 @@ static void test_snapshots(void **state)
 {
     struct rng rng;
     uint64_t hash[MAX_PARTS], again[MAX_PARTS];
-    uint16_t pads[40][PADS];
+    uint16_t pads[40][MAX_PLAYERS];
 
     (void)state;
     rng_seed(&rng, 3);
@@ -519,7 +519,7 @@ static void test_snapshots(void **state)
             "local n = choose({ 'SO SO', 'ILL', 'WELL' }, { title = 'SAY' }) say('iri', 'N' .. n) end) end");
     for (int round = 0; round < 60; round++) {
         for (int f = 0; f < 40; f++)
-            for (int p = 0; p < PADS; p++)
+            for (int p = 0; p < MAX_PLAYERS; p++)
                 pads[f][p] = (uint16_t)(rng_next(&rng) & rng_next(&rng) & (PAD_FIRE | PAD_UP | PAD_DOWN | PAD_LEFT));
         rig_spoil(&r);
         rig_save(&r);

@@ -448,7 +448,7 @@ static void test_full_again(void **state)
         "task.go(function() wait(5) for i = 1, 300 do bullet.fire { kind = 'dot', x = 9, y = 9, speed = "
         "0 } end wait(5) if save.get('n', 0) < 2 then save.set('n', save.get('n', 0) + 1) board.reset() "
         "end end)";
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     char script[2048];
     int heard[2] = { 0 };
 
@@ -462,9 +462,9 @@ static void test_full_again(void **state)
         for (int f = 0; f < 60; f++) {
             const struct board_out *out = board_tick(rig.b, none);
             rig_sound(&rig);
-            heard[spoilt] += out->full_pools;
-            assert_int_equal(out->full_pools, f == 5 || f == 16 || f == 27);
-            for (int i = 0; i < out->full_pools; i++) {
+            heard[spoilt] += out->full_pool_count;
+            assert_int_equal(out->full_pool_count, f == 5 || f == 16 || f == 27);
+            for (int i = 0; i < out->full_pool_count; i++) {
                 assert_string_equal(out->full_pool[i].part, "bullets");
                 assert_int_equal(strlen(out->full_pool[i].line) + 1, out->log_size);
                 assert_memory_equal(out->full_pool[i].line, out->log, out->log_size - 1);
@@ -480,8 +480,8 @@ static void test_full_again(void **state)
     rig_run(&rig, 5);
     rig_save(&rig);
     for (int again = 0; again < 3; again++) {
-        assert_int_equal(board_tick(rig.b, none)->full_pools, 1);
-        assert_int_equal(board_tick(rig.b, none)->full_pools, 0);
+        assert_int_equal(board_tick(rig.b, none)->full_pool_count, 1);
+        assert_int_equal(board_tick(rig.b, none)->full_pool_count, 0);
         rig_restore(&rig);
     }
     rig_free(&rig);
@@ -518,7 +518,7 @@ static void test_places_in_library(void **state)
         { "pcall(path.def, {})", "main.lua:1: @std/path.lua:2: attempt to index a nil value (field 'b')" },
         { "\npath.run()", "main.lua:2: @std/path.lua:4: attempt to perform arithmetic on a nil value" },
     };
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
 
     (void)state;
     for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
@@ -549,7 +549,7 @@ static void test_pieces(void **state)
     const struct rig_script scripts[] = { { "@std/boot/list", piece },
                                           { "@std/prelude", "string.sys = ... return {}" },
                                           { "main", game } };
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
 
     (void)state;
     rig_scripts(&g, NULL, scripts, 3);
@@ -636,7 +636,7 @@ static void test_players(void **state)
     static const char text[] = "player.def('ship', { sprite = 'dot', hit = { circle = 2 } })\n"
                                "stage.def('s', function() wait(forever) end)\n"
                                "boot.run { stages = { 's' }, players = { 'ship' } }\n";
-    const uint16_t none[PADS] = { 0 }, start[PADS] = { PAD_START }, down[PADS] = { PAD_DOWN };
+    const uint16_t none[MAX_PLAYERS] = { 0 }, start[MAX_PLAYERS] = { PAD_START }, down[MAX_PLAYERS] = { PAD_DOWN };
     struct manifest m;
 
     (void)state;
@@ -849,7 +849,7 @@ static bool is_inner(const struct api_entry *e)
 static const char *failure(struct blame *t, bool task)
 {
     static char out[EVAL_TEXT_SIZE], line[sizeof t->line + 40];
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct board *b = t->rig.b;
     const char *said = NULL;
 
@@ -939,7 +939,7 @@ static void test_blame(void **state)
     m.curve_points = 64;
     m.options = 4;
     m.bullet_values = 1;
-    m.frozen = m.meet = m.bg = m.bodies = m.pierce = m.sound = m.around = 1;
+    m.has_freeze = m.bullets_can_meet = m.bg = m.bodies = m.pierce = m.sound = m.has_orbit = 1;
     m.lua_kib = 512;
     snprintf(script, sizeof script, "%s%s", kinds, scene);
     rig_with_sys(&g, &m, script);

@@ -96,7 +96,7 @@ static void every_frame_from(const char *name, const struct rig_game *g, const s
 {
     struct rig calm, hurt;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     rig_power(&calm, g, start);
     rig_power(&hurt, g, start);
@@ -214,7 +214,7 @@ static void test_lua_only(void **state)
 struct run {
     const struct rig_game *g;
     uint32_t frames;
-    uint16_t (*pads)[PADS];
+    uint16_t (*pads)[MAX_PLAYERS];
     uint64_t *hash, *picture; /* of every frame, 0 .. frames */
 };
 
@@ -223,7 +223,7 @@ static void run_make(struct run *run, const struct rig_game *g, uint32_t frames,
 {
     struct rig r;
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     *run = (struct run){ .g = g, .frames = frames };
     run->pads = calloc(frames, sizeof *run->pads);
@@ -266,7 +266,7 @@ static void again(const struct run *run, struct rig *r, uint32_t from, uint32_t 
 
 static void astray(struct rig *r, struct rng *rng)
 {
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     for (int f = 0; f < ASTRAY; f++) {
         rig_pads(rng, pads);
@@ -340,7 +340,7 @@ static void test_sizes(void **state)
                                "    wait(1)\n"
                                "  end\n"
                                "end)\n";
-    const uint16_t fire[PADS] = { PAD_FIRE }, bomb[PADS] = { PAD_BOMB };
+    const uint16_t fire[MAX_PLAYERS] = { PAD_FIRE }, bomb[MAX_PLAYERS] = { PAD_BOMB };
     struct manifest m = rig_manifest();
     struct rig_game g;
     struct rig a, b;

@@ -40,7 +40,7 @@ static int teardown(void **state)
 static void play(struct rig *r, const struct rig_game *g, const char *demo_name, uint32_t frames)
 {
     static struct demo d;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     assert_true(rig_demo(g, demo_name, &d));
     rig_power(r, g, &d.start);
@@ -283,7 +283,7 @@ static void test_first_frame(void **state)
     static const char text[] =
         "bullet.def(\"orb\", { sprite = \"dot\", hit = \"none\" })\n"
         "for i = 1, 20 do bullet.fire { kind = \"orb\", x = 20, y = 10 * i, speed = 0.5, dir = 0 } end";
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     struct rig_game g;
     struct rig r;
 

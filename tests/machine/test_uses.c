@@ -250,11 +250,11 @@ static const struct press presses[] = { { 20, 0, PAD_START }, { 40, 0, PAD_DOWN 
                                         { 70, 0, PAD_FIRE },  { 90, 1, PAD_DOWN }, { 100, 1, PAD_FIRE },
                                         { 120, 0, PAD_FIRE } };
 
-static void recipe(int f, struct rng *rng, uint16_t pads[PADS])
+static void recipe(int f, struct rng *rng, uint16_t pads[MAX_PLAYERS])
 {
     if (f > 140)
         rig_pads(rng, pads);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         pads[p] = (uint16_t)(f > 140 ? pads[p] & ~PAD_SELECT : 0);
     for (size_t i = 0; i < sizeof presses / sizeof *presses; i++)
         if (f == presses[i].frame)
@@ -269,7 +269,7 @@ static void record(const struct rig_game *game, const char *to)
     struct demo_writer w;
     struct rng rng;
     struct rig r;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     memset(&w, 0, sizeof w);
     rig_power(&r, game, &at);
@@ -320,7 +320,7 @@ static void test_demo_holds(void **state)
 {
     char err[512];
     uint64_t hashes[MAX_PARTS];
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     struct rig r;
 
     (void)state;
@@ -348,7 +348,7 @@ struct reached {
     uint32_t most[PARTS], cap[PARTS];
     int64_t refused[PARTS];
     uint32_t does;
-    bool in[PADS], grazed[PADS], scored[PADS], hurt[PADS], focused[PADS];
+    bool in[MAX_PLAYERS], grazed[MAX_PLAYERS], scored[MAX_PLAYERS], hurt[MAX_PLAYERS], focused[MAX_PLAYERS];
     unsigned shapes[3],
         flags[3]; /* of the kinds of what lived: bits of SHAPE_, and of flags that were and were not set */
     bool fine;
@@ -384,7 +384,7 @@ static void look(const struct board *b, struct reached *at)
     }
     for (uint32_t i = 0; i < b->steps.s.live; i++)
         at->does |= b->steps.actions[i];
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         at->in[p] |= b->player.in_game[p];
         at->grazed[p] |= b->player.grazes[p] > 0;
         at->scored[p] |= b->player.score[p] > 0;
@@ -400,7 +400,7 @@ static int play(void **state)
 {
     struct rig_game counted;
     struct rig r;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     if (setup(state))
         return -1;
@@ -501,7 +501,7 @@ static void test_pools(void **state)
         if ((!machine_parts[i].chip->is_list || !strcmp(name, "motions")) && !at.refused[i])
             fail_msg("%s: never full", name);
     }
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         if (!at.in[p] || !at.grazed[p] || !at.scored[p] || !at.hurt[p] || !at.focused[p])
             fail_msg("player %d: in %d, grazed %d, scored %d, hurt %d, focused %d", p + 1, at.in[p], at.grazed[p],
                      at.scored[p], at.hurt[p], at.focused[p]);

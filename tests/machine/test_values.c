@@ -84,7 +84,7 @@ static void refused(const struct manifest *m, const char *code, const char *mess
     rig_script(&g, m, text);
     rig_power_any(&rig, &g, NULL);
     if (!rig_fault(&rig))
-        board_tick(rig.b, (const uint16_t[PADS]){ 0 });
+        board_tick(rig.b, (const uint16_t[MAX_PLAYERS]){ 0 });
     if (!rig_fault(&rig))
         fail_msg("%s: no fault", code);
     if (!strstr(rig_fault(&rig)->message, message))

@@ -47,7 +47,8 @@ static void same(const char *of, const struct rig *r, const struct picture *a, c
 
 /* The colours of a view, from those of the same picture with as soft a flash: the text's dim moves entries, so by
  * pixel. */
-static void coloured(const struct rig *r, const struct picture *plain, const struct picture *p, enum view_colours kind)
+static void coloured(const struct rig *r, const struct picture *plain, const struct picture *p,
+                     enum colour_blind_mode kind)
 {
     for (int i = 0; i < p->w * p->h; i++)
         if (p->rgb[p->pix[i]] != view_colour(kind, plain->rgb[plain->pix[i]]))
@@ -135,7 +136,7 @@ static void play(const char *name, const char *section, const char *demo, uint32
     struct rig r, alone;
     struct demo d = { 0 };
     struct rng rng;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
     uint8_t made[CART_SHADES_SIZE];
 
     rig_folder(&g, name);

@@ -255,12 +255,12 @@ static void words_are_readable_by_each_view(void **state)
         uint32_t was[256];
         canvas_open(&b->canvas, &b->fb, b->rgb);
         memcpy(was, b->rgb, sizeof was);
-        canvas_view(&b->canvas, (enum view_colours)view);
+        canvas_view(&b->canvas, (enum colour_blind_mode)view);
         for (int i = 0; i < 256; i++) {
             bool own = false;
             for (int c = 0; c < CANVAS_COLOURS; c++)
                 own = own || b->canvas.colour[c] == i;
-            assert_int_equal(b->rgb[i], own ? view_colour((enum view_colours)view, was[i]) : was[i]);
+            assert_int_equal(b->rgb[i], own ? view_colour((enum colour_blind_mode)view, was[i]) : was[i]);
         }
         const double dark = light_of(b->rgb[b->canvas.colour[CANVAS_DARK]]);
         for (int c = CANVAS_DARK + 1; c < CANVAS_COLOURS; c++)

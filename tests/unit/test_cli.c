@@ -212,7 +212,7 @@ static void test_frames(void **state)
 /* What both players hold, the second's shifted by 16. */
 static uint32_t pressed(uint32_t frame)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     args_pressed(&a, frame, pads);
     return pads[0] | (uint32_t)pads[1] << 16;

@@ -109,9 +109,9 @@ static struct board *power(const struct board_start *start)
 }
 
 /* Any pads but select, held for some frames as by hands. */
-static void next_pads(struct rng *r, uint16_t pads[PADS])
+static void next_pads(struct rng *r, uint16_t pads[MAX_PLAYERS])
 {
-    for (int i = 0; i < PADS; i++) {
+    for (int i = 0; i < MAX_PLAYERS; i++) {
         if (rng_below(r, 8) == 0)
             pads[i] = (uint16_t)(rng_below(r, PAD_ALL + 1) & ~(uint64_t)PAD_SELECT);
     }
@@ -120,7 +120,7 @@ static void next_pads(struct rng *r, uint16_t pads[PADS])
 /* Ticks and records n frames. */
 static void play(struct demo_writer *w, struct board *b, struct rng *r, uint32_t n)
 {
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     for (uint32_t i = 0; i < n; i++) {
         next_pads(r, pads);
@@ -145,8 +145,8 @@ static void same(const struct demo *a, const struct demo *b)
     assert_int_equal(a->start.nvram_size, b->start.nvram_size);
     assert_memory_equal(a->nvram, b->nvram, a->start.nvram_size);
     assert_int_equal(a->flags, b->flags);
-    assert_int_equal(a->parts, b->parts);
-    for (int i = 0; i < a->parts; i++)
+    assert_int_equal(a->n_parts, b->n_parts);
+    for (int i = 0; i < a->n_parts; i++)
         assert_string_equal(a->part[i], b->part[i]);
     assert_int_equal(a->frames, b->frames);
     if (a->frames)
@@ -154,7 +154,8 @@ static void same(const struct demo *a, const struct demo *b)
     assert_true(a->checksum_parts == b->checksum_parts);
     assert_int_equal(a->checksum_frames, b->checksum_frames);
     if (a->checksum_frames)
-        assert_memory_equal(a->checksums, b->checksums, a->checksum_frames * (size_t)a->parts * sizeof a->checksums[0]);
+        assert_memory_equal(a->checksums, b->checksums,
+                            a->checksum_frames * (size_t)a->n_parts * sizeof a->checksums[0]);
     assert_int_equal(a->n_markers, b->n_markers);
     for (uint32_t i = 0; i < a->n_markers; i++) {
         assert_int_equal(a->markers[i].frame, b->markers[i].frame);
@@ -164,7 +165,7 @@ static void same(const struct demo *a, const struct demo *b)
     }
     assert_int_equal(a->n_rows, b->n_rows);
     if (a->n_rows)
-        assert_memory_equal(a->rows, b->rows, a->n_rows * (size_t)a->parts * sizeof a->rows[0]);
+        assert_memory_equal(a->rows, b->rows, a->n_rows * (size_t)a->n_parts * sizeof a->rows[0]);
     assert_int_equal(a->complete, b->complete);
     assert_int_equal(a->fault, b->fault);
 }
@@ -227,7 +228,7 @@ static void test_track(void **state)
     struct board_start start = { .seed = 5, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     uint64_t hashes[MAX_PARTS];
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     struct demo d;
 
     (void)state;
@@ -237,12 +238,12 @@ static void test_track(void **state)
     for (uint32_t f = 0, row = 0; f <= 130; f++) {
         board_hashes(b, hashes);
         if (f == demo_row_frame(&d, row)) {
-            assert_memory_equal(hashes, d.rows + row * (uint32_t)d.parts, sizeof hashes[0] * (size_t)d.parts);
+            assert_memory_equal(hashes, d.rows + row * (uint32_t)d.n_parts, sizeof hashes[0] * (size_t)d.n_parts);
             row++;
         }
         assert_int_equal(demo_differing_parts(&d, f, hashes), 0);
-        for (int i = 0; i < d.parts; i++) {
-            assert_true(f == 0 || d.checksums[(f - 1) * (uint32_t)d.parts + (uint32_t)i] == (uint16_t)hashes[i]);
+        for (int i = 0; i < d.n_parts; i++) {
+            assert_true(f == 0 || d.checksums[(f - 1) * (uint32_t)d.n_parts + (uint32_t)i] == (uint16_t)hashes[i]);
             hashes[i] ^= 0x8000;
             assert_int_equal(demo_differing_parts(&d, f, hashes), (uint64_t)1 << i);
             hashes[i] ^= 0x10000 | 0x8000; /* beyond the checksum: only rows know */
@@ -265,7 +266,7 @@ static uint32_t disagrees(const struct demo *d, uint32_t frame)
 {
     struct board *b = power(&d->start);
     uint64_t hashes[MAX_PARTS];
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = 0; f <= d->frames; f++) {
         board_hashes(b, hashes);
@@ -468,7 +469,7 @@ static void test_nonsense(void **state)
     (void)state;
     record(&w, &start, 100);
     size_t n = file_bytes(), head = record_at(0) + 8, first = record_at(1) + 8, second = record_at(2) + 8;
-    size_t end = record_at(4 + PADS) + 8; /* behind the points */
+    size_t end = record_at(4 + MAX_PLAYERS) + 8; /* behind the points */
     refused(0, "not a demo");
     refused(7, "not a demo");
     refused(8, "truncated header");
@@ -561,7 +562,7 @@ static void test_practice(void **state)
     snprintf(p->section, sizeof p->section, "%063d", 0);
     p->lives = 99;
     p->invincible = true;
-    p->registers = PRACTICE_REGISTERS;
+    p->register_count = PRACTICE_REGISTERS;
     for (int i = 0; i < PRACTICE_REGISTERS; i++) {
         snprintf(p->reg[i].name, sizeof p->reg[i].name, "%0*d", 1 + 2 * i, i);
         p->reg[i].value = i % 2 ? INT32_MIN + i : INT32_MAX - i;
@@ -587,7 +588,7 @@ static void test_practice(void **state)
 /* The kinds in turn, at every 7th frame; every 21st has two, with names of all lengths. */
 static void mark_frames(struct demo_writer *w, struct board *b, uint32_t n)
 {
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
     static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
 
     for (uint32_t i = 0; i < n; i++) {
@@ -620,7 +621,7 @@ static void test_markers(void **state)
     assert_true(demo_end(&w, b));
     loads(&d);
     same(&d, &w.demo);
-    assert_int_equal(d.n_markers, 343 / 7 + 343 / 21 + PADS); /* and the points */
+    assert_int_equal(d.n_markers, 343 / 7 + 343 / 21 + MAX_PLAYERS); /* and the points */
     assert_int_equal(d.markers[0].frame, 7);
     assert_int_equal(d.markers[3].frame, 21);
     assert_int_equal(strlen(d.markers[0].marker.name), sizeof d.markers[0].marker.name - 1); /* cut to fit */
@@ -641,7 +642,7 @@ static void test_markers(void **state)
         assert_true(demo_end(&w, b));
         loads(&d);
         same(&d, &w.demo);
-        assert_int_equal(d.n_markers, (to + 100) / 7 + (to + 100) / 21 + PADS);
+        assert_int_equal(d.n_markers, (to + 100) / 7 + (to + 100) / 21 + MAX_PLAYERS);
         demo_free(&d);
         demo_free(&w.demo);
     }
@@ -650,7 +651,7 @@ static void test_markers(void **state)
 /* A recording ends with what everybody had. */
 static void test_points(void **state)
 {
-    static const int64_t points[][PADS] = { { 0, 0 }, { 120300, 0 }, { 7, 999999999999 } };
+    static const int64_t points[][MAX_PLAYERS] = { { 0, 0 }, { 120300, 0 }, { 7, 999999999999 } };
     static const uint32_t frames[] = { 0, 60, 61 };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
@@ -671,7 +672,7 @@ static void test_points(void **state)
         assert_true(demo_end(&w, b));
         loads(&d);
         same(&d, &w.demo);
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             assert_true(demo_points(&d, p, &got) && got == points[i][p]);
         demo_free(&d);
         demo_free(&w.demo);
@@ -733,10 +734,10 @@ static void test_marker_lies(void **state)
         at++;
     assert_int_equal(file[record_at(at + 1)], 'M');
     size_t first = record_at(at) + 8, second = record_at(at + 1) + 8;
-    refused_with(n, first, 15, "(moment)");  /* later than the next */
-    refused_with(n, second, 6, "(moment)");  /* earlier than the one before */
-    refused_with(n, second, 61, "(moment)"); /* before its frame is there */
-    refused_with(n, second + 4, MARKER_KINDS, "(moment)");
+    refused_with(n, first, 15, "(marker)");  /* later than the next */
+    refused_with(n, second, 6, "(marker)");  /* earlier than the one before */
+    refused_with(n, second, 61, "(marker)"); /* before its frame is there */
+    refused_with(n, second + 4, MARKER_KINDS, "(marker)");
     refused_with(n, second + 5, 32, "damaged");
     refused_with(n, second + 6, 31, "(size)");
     refused_with(n, record_at(1), 'M', "damaged"); /* before the first second */
@@ -758,7 +759,7 @@ static void test_values(void **state)
 
     (void)state;
     assert_true(demo_begin(&w, path, &cart, b, &start, 0));
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
     for (int i = 0; i < 5; i++) {
         board_tick(b, none);
         board_add_marker(b, MARKER_ROW, "normal", "", "", values[i]);
@@ -774,7 +775,7 @@ static void test_values(void **state)
     }
     size_t n = file_bytes(), value = record_at(3) + 8 + 4 + 1 + 1 + strlen("normal");
     assert_int_equal(bytes_get32(file + value), 1);
-    refused_with(n, value, 0, "(moment)");
+    refused_with(n, value, 0, "(marker)");
     refused(resize(3, -1), "damaged");
     refused(resize(4, 1), "damaged");
     demo_free(&d);
@@ -818,14 +819,14 @@ static void test_many_parts(void **state)
     static uint64_t track[2 * 64];
     static uint16_t checksums[59 * 64];
     static struct demo d, again;
-    uint16_t pads[59][PADS] = { { 0 } };
+    uint16_t pads[59][MAX_PLAYERS] = { { 0 } };
     struct rng r;
 
     (void)state;
     rng_seed(&r, 64);
     for (size_t k = 0; k < sizeof counts / sizeof *counts; k++) {
         int parts = counts[k];
-        d = (struct demo){ .core = 9, .id = "many", .lua = "5.4", .parts = parts, .complete = true, .frames = 59 };
+        d = (struct demo){ .core = 9, .id = "many", .lua = "5.4", .n_parts = parts, .complete = true, .frames = 59 };
         d.start.difficulty = -1;
         d.checksum_parts = UINT64_MAX;
         d.checksum_frames = 59;
@@ -892,7 +893,7 @@ static void test_old_format(void **state)
     assert_true(d.complete && d.frames == 905 && d.checksum_frames == 905 && d.n_rows == 17 && d.n_markers == 0);
     assert_int_equal(d.checksum_parts, 1u << 0); /* script, the first */
     assert_string_equal(d.part[0], "script");
-    assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.registers == 0);
+    assert_true(d.start.practice.lives == 0 && !d.start.practice.invincible && d.start.practice.register_count == 0);
     for (uint32_t f = 0; f <= d.frames; f++) {
         const uint64_t *row = demo_hashes(&d, f);
         assert_int_equal(row != NULL, f % 60 == 0 || f == d.frames);
@@ -910,7 +911,7 @@ static void test_old_format(void **state)
 /* demo_save writes what was read, byte for byte: whole, cut short, and with a fault. */
 static void test_save(void **state)
 {
-    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     static uint8_t was[MOST];
     struct board_start start = { .seed = 4, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
@@ -1030,14 +1031,14 @@ static void test_sparse(void **state)
         for (uint32_t row = 0; row < d.n_rows; row++) {
             const bool whole = row % 60 == 0 || row + 1 == d.n_rows;
             assert_int_equal(demo_row_is_full(&d, row), whole);
-            for (uint32_t k = row * (uint32_t)d.parts; k < (row + 1) * (uint32_t)d.parts; k++)
+            for (uint32_t k = row * (uint32_t)d.n_parts; k < (row + 1) * (uint32_t)d.n_parts; k++)
                 assert_true(d.rows[k] == (whole ? w.demo.rows[k] : (uint16_t)w.demo.rows[k]));
         }
         const size_t bytes = file_bytes();
         assert_true(demo_save(&d, path, err, sizeof err));
         assert_int_equal(file_bytes(), bytes);
         loads(&again);
-        assert_memory_equal(again.rows, d.rows, d.n_rows * (size_t)d.parts * sizeof d.rows[0]);
+        assert_memory_equal(again.rows, d.rows, d.n_rows * (size_t)d.n_parts * sizeof d.rows[0]);
         demo_free(&again);
         demo_free(&d);
         demo_free(&w.demo);
@@ -1049,7 +1050,7 @@ static void test_sparse_differs(void **state)
 {
     struct demo_writer w = { .recording = false };
     uint64_t hashes[MAX_PARTS];
-    uint16_t pads[PADS], print;
+    uint16_t pads[MAX_PLAYERS], print;
     struct demo d;
 
     (void)state;
@@ -1063,7 +1064,7 @@ static void test_sparse_differs(void **state)
         assert_int_equal(demo_hashes(&d, f) != NULL, whole);
         assert_null(demo_checksums(&d, f));
         assert_int_equal(demo_differing_parts(&d, f, hashes), 0);
-        for (int i = 0; i < d.parts; i++) {
+        for (int i = 0; i < d.n_parts; i++) {
             assert_int_equal(demo_checksum(&d, f, i, &print), told);
             hashes[i] ^= 0x8000;
             assert_int_equal(demo_differing_parts(&d, f, hashes), told ? (uint64_t)1 << i : 0);
@@ -1176,7 +1177,7 @@ static void test_flags(void **state)
 static void test_fault(void **state)
 {
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
-    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
@@ -1213,7 +1214,7 @@ static void test_fault(void **state)
 /* Only the last second has no hashes. */
 static void test_after_fault(void **state)
 {
-    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
     struct demo_writer w = { .recording = false };
@@ -1225,7 +1226,7 @@ static void test_after_fault(void **state)
     play(&w, b, &r, 59);
     board_tick(b, select);
     assert_true(demo_record_frame(&w, b, select) && demo_end(&w, b));
-    size_t n = file_bytes(), end = record_at(3 + PADS);
+    size_t n = file_bytes(), end = record_at(3 + MAX_PLAYERS);
     assert_int_equal(file[end], 'E');
     assert_int_equal(n, end + 20);
     end = record_at(3);                                           /* in place of the points */
@@ -1296,7 +1297,7 @@ static void test_idle_writer(void **state)
     struct board_start start = { .difficulty = -1 };
     struct board *b = power(&start);
     struct demo_writer w = { .recording = false };
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     (void)state;
     assert_true(demo_record_frame(&w, b, pads) && demo_add_flags(&w, 1) && demo_rewind(&w, 0) && demo_end(&w, b));
@@ -1352,7 +1353,7 @@ static void test_dump(void **state)
         mark_frames(&w, b, lengths[i]);
         dump(&w, (struct demo_dump){ .frames = lengths[i] }, &d);
         assert_true(demo_end(&w, b));
-        w.demo.n_markers -= PADS; /* the points, which it does not tell */
+        w.demo.n_markers -= MAX_PLAYERS; /* the points, which it does not tell */
         same(&d, &w.demo);
         assert_true(d.complete);
         demo_free(&d);
@@ -1364,7 +1365,7 @@ static void test_dump(void **state)
 static void test_dump_in_a_tick(void **state)
 {
     static const uint32_t lengths[] = { 0, 1, 58, 59, 60, 61, 130 };
-    static const uint16_t last[PADS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
+    static const uint16_t last[MAX_PLAYERS] = { PAD_FIRE | PAD_LEFT, PAD_BOMB };
     struct board_start start = { .seed = 4, .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
@@ -1384,7 +1385,7 @@ static void test_dump_in_a_tick(void **state)
         assert_int_equal(d.checksum_frames, n);
         assert_memory_equal(d.pads[n], last, sizeof last);
         assert_memory_equal(d.pads, w.demo.pads, n * sizeof d.pads[0]);
-        assert_memory_equal(d.checksums, w.demo.checksums, n * (size_t)d.parts * sizeof d.checksums[0]);
+        assert_memory_equal(d.checksums, w.demo.checksums, n * (size_t)d.n_parts * sizeof d.checksums[0]);
         demo_free(&d);
         assert_int_equal(w.demo.frames, n);
         demo_writer_free(&w);
@@ -1418,7 +1419,7 @@ static void test_dump_of_the_past(void **state)
 static void test_dump_of_a_fault(void **state)
 {
     static const uint32_t at[] = { 0, 30, 59, 60, 119 };
-    static const uint16_t select[PADS] = { PAD_SELECT, 0 };
+    static const uint16_t select[MAX_PLAYERS] = { PAD_SELECT, 0 };
     struct board_start start = { .difficulty = -1 };
     struct demo_writer w = { .recording = false };
     struct demo d;
@@ -1434,7 +1435,7 @@ static void test_dump_of_a_fault(void **state)
         assert_true(demo_record_frame(&w, b, select));
         dump(&w, (struct demo_dump){ .frames = at[i] + 1, .fault = FAULT_SCRIPT }, &d);
         assert_true(demo_end(&w, b));
-        w.demo.n_markers -= PADS;
+        w.demo.n_markers -= MAX_PLAYERS;
         same(&d, &w.demo);
         assert_true(d.complete && d.fault == FAULT_SCRIPT);
         demo_free(&d);
@@ -1477,7 +1478,7 @@ static void test_text(void **state)
         to_text(text, "more\n", 5);
         text[text_size] = 0;
         for (const char *s = text; *s; s += strcspn(s, "\n") + 1)
-            assert_true(strcspn(s, "\n") <= DEMO_TEXT_LINE);
+            assert_true(strcspn(s, "\n") <= DEMO_TEXT_LINE_LENGTH);
         size_t size = text_size;
         assert_true(demo_text_decode((uint8_t *)text, &size));
         assert_int_equal(size, n);

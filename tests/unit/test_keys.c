@@ -30,7 +30,7 @@ static void read_keys(struct keys *k, const struct plat_input *in, struct keys_r
 
     seats_open(&seats);
     memcpy(seats.switches, in->controllers, sizeof seats.switches);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         seats.seat[p] = p;
     seats.is[0].kind = PLAT_PS4;
     seats.is[1].kind = PLAT_NINTENDO;

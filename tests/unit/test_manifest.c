@@ -631,7 +631,7 @@ static void test_unpack_old(void **state)
     char err[256] = "";
 
     (void)state;
-    assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.around && r->m.frozen);
+    assert_true(r->m.bullet_values == 2 && r->m.hp && !r->m.has_orbit && r->m.has_freeze);
     const uint32_t size = manifest_pack(&r->m, bytes);
     assert_int_equal(size, 5252);
     assert_true(manifest_unpack(bytes, size, &m, err, sizeof err));
@@ -649,14 +649,14 @@ static void test_unpack_old(void **state)
     assert_false(manifest_unpack(bytes, sizeof bytes, &m, err, sizeof err));
     assert_true(manifest_unpack(bytes, 5204, &m, err, sizeof err));
     assert_int_equal(r->m.items, 9);
-    assert_int_equal(r->m.meet, 1);
+    assert_int_equal(r->m.bullets_can_meet, 1);
     assert_int_equal(r->m.bg, 1);
     assert_true(r->m.lasers == 64 && r->m.curve_points == 4096);
-    r->m.items = r->m.meet = r->m.bg = r->m.lasers = r->m.curve_points = 0;
+    r->m.items = r->m.bullets_can_meet = r->m.bg = r->m.lasers = r->m.curve_points = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 1;
     assert_true(manifest_unpack(bytes, 5176, &m, err, sizeof err));
-    r->m.bullet_values = r->m.hp = r->m.frozen = 0;
+    r->m.bullet_values = r->m.hp = r->m.has_freeze = 0;
     assert_memory_equal(&m, &r->m, sizeof m);
     bytes[0] = 2;
     assert_false(manifest_unpack(bytes, 5176, &m, err, sizeof err));

@@ -134,9 +134,9 @@ static void test_header(void **state)
     assert_string_equal(tune_title(&t), "The  tide");
     assert_int_equal(t.beats_per_bar, 3);
     assert_int_equal(t.tempo, 9950);
-    assert_int_equal(t.tracks, 3);
-    assert_int_equal(t.marks, 2);
-    assert_string_equal(tune_mark_name(&t, 1), "down");
+    assert_int_equal(t.n_tracks, 3);
+    assert_int_equal(t.n_marks, 2);
+    assert_string_equal(tune_marker_name(&t, 1), "down");
     assert_true(t.volume == 200 && t.priority == 3 && t.limit == 5);
     const struct inst i = inst_read(tune_inst(&t, 0));
     const struct op o = inst_read_op(tune_inst(&t, 0), 0);
@@ -313,7 +313,7 @@ static void test_damage(void **state)
             if (i % 8 == 0)
                 voiced(&t, &tables);
             struct list l = { .at = 0 };
-            for (int k = -1; k < t.tracks; k++) {
+            for (int k = -1; k < t.n_tracks; k++) {
                 struct track_cursor c = tune_track_start(&t, k);
                 l.text[0] = '\0';
                 write_run(&l, (struct tune_run){ &t, k, c, t.tempo, 0, 800, 0 }, &c);

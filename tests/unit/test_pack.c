@@ -409,7 +409,7 @@ static void test_library(void **state)
 
     (void)state;
     for (int k = 0; k < std_script_count; k++)
-        pieces += std_module_of_piece(std_scripts[k].name) >= 0;
+        pieces += std_module_of_file(std_scripts[k].name) >= 0;
     assert_int_equal(std_script_count, STD_MODULES + pieces);
     assert_true(pieces > 0);
     for (int i = 0; i < STD_MODULES; i++) {

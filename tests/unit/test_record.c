@@ -606,7 +606,7 @@ static void test_sound(void **state)
     (void)state;
     assert_true(recording_sound(&p, &about, &b, err, sizeof err) && tune_validate(b.data, b.n, err, sizeof err));
     struct tune t = tune_of(b.data);
-    assert_true(t.tracks == 1 && t.channels == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
+    assert_true(t.n_tracks == 1 && t.channels == 1 && t.volume == 200 && t.priority == 3 && t.limit == 5);
     assert_true(tune_is_recording(&t) && !tune_is_stream(&t) && !tune_is_endless(&t));
     assert_string_equal(tune_title(&t), "Drum");
     assert_string_equal(events(b.data, 0, 48000), "0i0 0p64 0v127 0n15360 4800.0 ");
@@ -618,7 +618,7 @@ static void test_sound(void **state)
         assert_true(recording_sound(&stereo, &about, &b, err, sizeof err) &&
                     tune_validate(b.data, b.n, err, sizeof err));
         t = tune_of(b.data);
-        assert_true(t.tracks == sides && t.channels == sides && tune_is_endless(&t));
+        assert_true(t.n_tracks == sides && t.channels == sides && tune_is_endless(&t));
         free(b.data);
     }
     pcm_free(&stereo);
@@ -647,7 +647,7 @@ static void test_music(void **state)
     assert_true(recording_music(&p, &about, markers, &tune, &wave, err, sizeof err));
     assert_true(tune_validate(tune.data, tune.n, err, sizeof err) && samples_are_valid(wave.data, wave.n, 2));
     const struct tune t = tune_of(tune.data);
-    assert_true(t.tracks == 2 && t.channels == 2 && tune_is_stream(&t) && t.tempo == 12000 && t.lead == 4800 &&
+    assert_true(t.n_tracks == 2 && t.channels == 2 && tune_is_stream(&t) && t.tempo == 12000 && t.lead == 4800 &&
                 t.loop_units == 0);
     assert_string_equal(events(tune.data, 1, 48000 * 9), "0i1 0p128 0v127 0n15360 100800v127 100800v127 388800v127 ");
     assert_string_equal(events(tune.data, -1, 48000 * 15),

@@ -499,13 +499,13 @@ static void test_cart_shades(void **state)
 }
 
 /* Opens a cart with the hit shape for the sprite of that name, in `size` bytes. */
-static bool open_hit(const struct cart_hit *hit, const char *name, uint32_t size, char *err, size_t err_size)
+static bool open_hit(const struct cart_hitbox *hit, const char *name, uint32_t size, char *err, size_t err_size)
 {
     uint8_t lump[CART_HIT_SIZE + 1] = { 0 };
     struct lump lumps[FULL + 1];
     struct full f;
     struct cart cart;
-    struct cart_hit found = { 0 };
+    struct cart_hitbox found = { 0 };
     struct rom rom;
 
     full_init(&f);
@@ -527,7 +527,7 @@ static bool open_hit(const struct cart_hit *hit, const char *name, uint32_t size
     return good;
 }
 
-static void hit_refused(struct cart_hit hit, const char *name, uint32_t size, const char *sentence)
+static void hit_refused(struct cart_hitbox hit, const char *name, uint32_t size, const char *sentence)
 {
     char err[256] = "";
 
@@ -540,28 +540,30 @@ static void test_cart_hits(void **state)
 {
     enum { PX = 65536, FAR = 8191 * PX };
     static const char bad[] = "lump \"hit/orb\": not a hitbox";
-    const struct cart_hit good[] = { { 1, 1, { { 3 * PX, 0, 0, 0 } } },
-                                     { 1, 1, { { FAR, 0, 0, 0 } } },
-                                     { 2, 1, { { 3 * PX, FAR, 0, 0 } } },
-                                     { 4, 1, { { 3 * PX, 0, 7 * PX, 0 } } },
-                                     { 8, 2, { { PX, 0, -5 * PX, 2 }, { 2 * PX, 0, FAR - 4 * PX, -2 * PX } } },
-                                     { 8, 4, { { PX, 0, 0, 0 }, { PX, 0, 0, 1 }, { PX, 0, 1, 0 }, { 0, 0, 0, 0 } } } };
-    const struct cart_hit wrong[] = { { 0, 1, { { PX, 0, 0, 0 } } },
-                                      { 3, 1, { { PX, 0, 0, 0 } } },
-                                      { 1, 0, { { 0, 0, 0, 0 } } },
-                                      { 1, 2, { { PX, 0, 0, 0 }, { PX, 0, 0, 0 } } },
-                                      { 8, 5, { { PX, 0, 0, 0 } } },
-                                      { 1, 1, { { -1, 0, 0, 0 } } },
-                                      { 1, 1, { { FAR + 1, 0, 0, 0 } } },
-                                      { 1, 1, { { PX, 1, 0, 0 } } },
-                                      { 1, 1, { { PX, 0, 1, 0 } } },
-                                      { 2, 1, { { PX, -1, 0, 0 } } },
-                                      { 2, 1, { { PX, FAR + 1, 0, 0 } } },
-                                      { 2, 1, { { PX, PX, 0, 1 } } },
-                                      { 4, 1, { { PX, PX, 0, 0 } } },
-                                      { 4, 1, { { PX, 0, FAR, 0 } } },
-                                      { 8, 1, { { PX, 0, 0, 0 }, { 0, 0, 1, 0 } } },
-                                      { 8, 2, { { PX, 0, 0, 0 }, { PX, 0, INT32_MIN, 0 } } } };
+    const struct cart_hitbox good[] = {
+        { 1, 1, { { 3 * PX, 0, 0, 0 } } },
+        { 1, 1, { { FAR, 0, 0, 0 } } },
+        { 2, 1, { { 3 * PX, FAR, 0, 0 } } },
+        { 4, 1, { { 3 * PX, 0, 7 * PX, 0 } } },
+        { 8, 2, { { PX, 0, -5 * PX, 2 }, { 2 * PX, 0, FAR - 4 * PX, -2 * PX } } },
+        { 8, 4, { { PX, 0, 0, 0 }, { PX, 0, 0, 1 }, { PX, 0, 1, 0 }, { 0, 0, 0, 0 } } }
+    };
+    const struct cart_hitbox wrong[] = { { 0, 1, { { PX, 0, 0, 0 } } },
+                                         { 3, 1, { { PX, 0, 0, 0 } } },
+                                         { 1, 0, { { 0, 0, 0, 0 } } },
+                                         { 1, 2, { { PX, 0, 0, 0 }, { PX, 0, 0, 0 } } },
+                                         { 8, 5, { { PX, 0, 0, 0 } } },
+                                         { 1, 1, { { -1, 0, 0, 0 } } },
+                                         { 1, 1, { { FAR + 1, 0, 0, 0 } } },
+                                         { 1, 1, { { PX, 1, 0, 0 } } },
+                                         { 1, 1, { { PX, 0, 1, 0 } } },
+                                         { 2, 1, { { PX, -1, 0, 0 } } },
+                                         { 2, 1, { { PX, FAR + 1, 0, 0 } } },
+                                         { 2, 1, { { PX, PX, 0, 1 } } },
+                                         { 4, 1, { { PX, PX, 0, 0 } } },
+                                         { 4, 1, { { PX, 0, FAR, 0 } } },
+                                         { 8, 1, { { PX, 0, 0, 0 }, { 0, 0, 1, 0 } } },
+                                         { 8, 2, { { PX, 0, 0, 0 }, { PX, 0, INT32_MIN, 0 } } } };
     char err[256] = "";
 
     (void)state;

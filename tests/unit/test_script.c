@@ -316,12 +316,12 @@ static void test_modules(void **state)
                      std_module_name(i), std_module_name(i));
         assert_true(std_modules_used(text, (size_t)n) == 0);
     }
-    assert_int_equal(std_module_of_piece("boss"), -1);
-    assert_int_equal(std_module_of_piece("bosses/cast"), -1);
-    assert_int_equal(std_module_of_piece("bos/cast"), -1);
-    assert_int_equal(std_module_of_piece("/cast"), -1);
-    assert_int_equal(std_module_of_piece("boss/cast"), std_module_of_global("boss"));
-    assert_int_equal(std_module_of_piece("screens/title"), std_module_of_global("boot"));
+    assert_int_equal(std_module_of_file("boss"), -1);
+    assert_int_equal(std_module_of_file("bosses/cast"), -1);
+    assert_int_equal(std_module_of_file("bos/cast"), -1);
+    assert_int_equal(std_module_of_file("/cast"), -1);
+    assert_int_equal(std_module_of_file("boss/cast"), std_module_of_global("boss"));
+    assert_int_equal(std_module_of_file("screens/title"), std_module_of_global("boot"));
     assert_string_equal(std_module_name(0), "prelude");
     assert_int_equal(std_module_of_global("prelude"), -1);
     assert_int_equal(std_module_of_global("wait_for"), 0);

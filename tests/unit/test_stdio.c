@@ -229,11 +229,11 @@ static void real_paths(void **state)
 static void another_name(void **state)
 {
     (void)state;
-    plat_name("lanterns");
+    plat_set_name("lanterns");
     is_below("/curtain-lanterns/a.nv", "user:a.nv");
     setenv("XDG_PICTURES_DIR", home, 1);
     is_below("/lanterns/a.png", "pictures:a.png");
-    plat_name("");
+    plat_set_name("");
     is_below("/curtain/a.nv", "user:a.nv");
     is_below("/Curtain/a.png", "pictures:a.png");
     unsetenv("XDG_PICTURES_DIR");
@@ -332,9 +332,9 @@ static void about(void **state)
 {
     char text[128] = "";
     (void)state;
-    plat_about(text, sizeof text);
+    plat_describe_build(text, sizeof text);
     assert_string_equal(text, "no window");
-    plat_system(text, sizeof text);
+    plat_describe_system(text, sizeof text);
     assert_true(strlen(text) > 5);
 }
 
@@ -370,7 +370,7 @@ static void dies(int sig, void (*fn)(void *, const char *, void (*)(const void *
     if (child == 0) {
         on_its_own();
         char context[] = "died of ";
-        if (!plat_crash("user:reports/game", fn, context))
+        if (!plat_set_crash_handler("user:reports/game", fn, context))
             _exit(9);
         raise(sig);
         _exit(7);
@@ -408,13 +408,13 @@ static void a_crash_is_told(void **state)
     if (child == 0) {
         on_its_own();
         char context[] = "full: ";
-        plat_crash("user:full", tell, context);
+        plat_set_crash_handler("user:full", tell, context);
         _exit(deep(0) & 1);
     }
     waitpid(child, &status, 0);
     assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV);
     assert_true(plat_size("user:full-1.txt") == (long)strlen("full: SIGSEGV"));
-    assert_true(plat_crash("user:none", tell, NULL) && plat_crash("user:none", NULL, NULL));
+    assert_true(plat_set_crash_handler("user:none", tell, NULL) && plat_set_crash_handler("user:none", NULL, NULL));
 }
 
 /* From the program's own folder, upwards too; further than the root there is nothing. */
@@ -426,16 +426,16 @@ static void what_is_beside(void **state)
     assert_true(n > 0);
     program[n] = 0;
     char *const file = strrchr(program, '/') + 1;
-    assert_true(plat_beside(file, path, sizeof path));
+    assert_true(plat_installed_file(file, path, sizeof path));
     assert_string_equal(path, program);
     file[-1] = 0;
     *strrchr(program, '/') = 0;
     snprintf(up, sizeof up, "%s/share/curtain/a.html", program);
-    assert_true(plat_beside("../share/curtain/a.html", path, sizeof path));
+    assert_true(plat_installed_file("../share/curtain/a.html", path, sizeof path));
     assert_string_equal(path, up);
-    assert_false(plat_beside("a file", tight, sizeof tight));
-    assert_false(
-        plat_beside("../../../../../../../../../../../../../../../../../../../../../../../a", path, sizeof path));
+    assert_false(plat_installed_file("a file", tight, sizeof tight));
+    assert_false(plat_installed_file("../../../../../../../../../../../../../../../../../../../../../../../a", path,
+                                     sizeof path));
 }
 
 static void count(void *user, const struct plat_file *file)

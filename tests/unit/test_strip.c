@@ -162,7 +162,7 @@ static void test_along(void **state)
 {
     uint8_t wide[8 * 4];
     const struct image img = { wide, 5, 4, 8 };
-    const struct strip s = { .image = &img, .width = 4 << 16, .along = 3 };
+    const struct strip s = { .image = &img, .width = 4 << 16, .offset_along = 3 };
     const struct strip_corner right[] = { { 10 << 16, 50 << 16 }, { 60 << 16, 50 << 16 } },
                               up[] = { { 80 << 16, 100 << 16 }, { 80 << 16, 20 << 16 } };
 

@@ -52,7 +52,7 @@ static void lights(uint32_t rgb, double out[3])
         out[c] = light_of((int)(rgb >> (16 - 8 * c) & 255));
 }
 
-static void see(enum view_colours kind, const double light[3], double out[3])
+static void see(enum colour_blind_mode kind, const double light[3], double out[3])
 {
     for (int c = 0; c < 3; c++) {
         out[c] = seen[kind][c][0] * light[0] + seen[kind][c][1] * light[1] + seen[kind][c][2] * light[2];
@@ -60,7 +60,7 @@ static void see(enum view_colours kind, const double light[3], double out[3])
     }
 }
 
-static void as_published(enum view_colours kind, uint32_t rgb)
+static void as_published(enum colour_blind_mode kind, uint32_t rgb)
 {
     const uint32_t got = view_colour(kind, rgb);
     double light[3], lost[3];
@@ -86,9 +86,9 @@ static void test_published(void **state)
     rng_seed(&r, 3);
     for (int kind = VIEW_PROTAN; kind < VIEW_COLOURS; kind++) {
         for (uint32_t i = 0; i < 4096; i++) /* each of the cube's 16 x 16 x 16 corners */
-            as_published((enum view_colours)kind, (i >> 8) * 0x110000 | (i >> 4 & 15) * 0x1100 | (i & 15) * 0x11);
+            as_published((enum colour_blind_mode)kind, (i >> 8) * 0x110000 | (i >> 4 & 15) * 0x1100 | (i & 15) * 0x11);
         for (int i = 0; i < 20000; i++)
-            as_published((enum view_colours)kind, (uint32_t)rng_next(&r) & 0xffffff);
+            as_published((enum colour_blind_mode)kind, (uint32_t)rng_next(&r) & 0xffffff);
     }
 }
 
@@ -99,7 +99,7 @@ static void test_stays(void **state)
     (void)state;
     for (int kind = 0; kind < VIEW_COLOURS; kind++)
         for (uint32_t grey = 0; grey < 256; grey++)
-            assert_int_equal(view_colour((enum view_colours)kind, grey * 0x10101), grey * 0x10101);
+            assert_int_equal(view_colour((enum colour_blind_mode)kind, grey * 0x10101), grey * 0x10101);
     rng_seed(&r, 5);
     for (int i = 0; i < 1000; i++) {
         const uint32_t rgb = (uint32_t)rng_next(&r) & 0xffffff;
@@ -121,7 +121,7 @@ static double apart(const double a[3], const double b[3])
 }
 
 /* How far apart two colours look to such eyes. */
-static double apart_seen(enum view_colours kind, uint32_t a, uint32_t b)
+static double apart_seen(enum colour_blind_mode kind, uint32_t a, uint32_t b)
 {
     double light[3], sa[3], sb[3];
 
@@ -143,7 +143,7 @@ static void test_parts(void **state)
     for (int i = 0; i < 256; i++)
         colour[i] = (uint32_t)(rgb[3 * i] << 16 | rgb[3 * i + 1] << 8 | rgb[3 * i + 2]);
     for (int k = VIEW_PROTAN; k < VIEW_COLOURS; k++) {
-        const enum view_colours kind = (enum view_colours)k;
+        const enum colour_blind_mode kind = (enum colour_blind_mode)k;
         double was = 0, is = 0;
         int n = 0;
         for (int i = 0; i < 256; i++)
@@ -175,7 +175,7 @@ static void test_light(void **state)
             const uint32_t rgb = (uint32_t)rng_next(&r) & 0xffffff;
             double a[3], b[3];
             lights(rgb, a);
-            lights(view_colour((enum view_colours)kind, rgb), b);
+            lights(view_colour((enum colour_blind_mode)kind, rgb), b);
             off += fabs(0.2126 * (b[0] - a[0]) + 0.7152 * (b[1] - a[1]) + 0.0722 * (b[2] - a[2]));
         }
         assert_true(off / 10000 < 0.05);

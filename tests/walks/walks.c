@@ -94,7 +94,7 @@ QUIET static void play(bool with, struct rig_game *g, uint16_t held, int frames)
     rig_run(&r, 1);
     recording = with ? WITH : WITHOUT;
     for (int f = 0; f < frames; f++) {
-        rig_tick(&r, (uint16_t[PADS]){ f % 60 < 30 ? held : 0 });
+        rig_tick(&r, (uint16_t[MAX_PLAYERS]){ f % 60 < 30 ? held : 0 });
         rig_picture_by(&r, NULL);
         board_mix_sound(r.b, tables, samples);
     }

@@ -32,7 +32,7 @@ static void wide_pools(struct manifest *m)
 
 static void meets(struct manifest *m)
 {
-    m->meet = 1;
+    m->bullets_can_meet = 1;
 }
 
 static void documents(struct manifest *m)

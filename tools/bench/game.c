@@ -49,7 +49,7 @@ static void piano_close(struct player_piano *p)
 /* The next frame; its nanoseconds. */
 static double piano_frame(struct player_piano *p, bool draw)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     double from = bench_now();
 
     demo_pads(p->demo, board_frame(p->b), pads);
@@ -65,10 +65,10 @@ static void piano_check(const struct player_piano *p)
 {
     const struct demo *d = p->demo;
     uint64_t hashes[MAX_PARTS];
-    const uint64_t *row = d->rows + (size_t)(d->n_rows - 1) * (size_t)d->parts;
+    const uint64_t *row = d->rows + (size_t)(d->n_rows - 1) * (size_t)d->n_parts;
 
     board_hashes(p->b, hashes);
-    bench_claim(d->parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->parts * sizeof *row)
+    bench_claim(d->n_parts == board_parts(p->b) && !memcmp(hashes, row, (size_t)d->n_parts * sizeof *row)
                     ? NULL
                     : "the demo did not hold",
                 BENCH_DEMO);

@@ -61,7 +61,7 @@ static double reload(const struct cart *cart, const struct board_start *start, c
     if (!session_open(&s, cart, start, NULL, NULL))
         report_fail(s.err);
     while (board_frame(session_board(&s)) < frames) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         demo_pads(d, board_frame(session_board(&s)), pads);
         session_tick(&s, pads);
     }

@@ -43,7 +43,7 @@ static void power(struct past_run *r, const struct rom *rom)
         report_fail(err);
 }
 
-static void tick(struct board *b, const uint16_t pads[PADS])
+static void tick(struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     if (board_tick(b, pads)->fault)
         report_fail(board_last_output(b)->fault->message);
@@ -59,7 +59,7 @@ static void find_densest(struct past_run *r, const struct rom *rom)
         report_fail("out of memory");
     power(r, rom);
     for (uint32_t f = 0; f < r->demo->frames; f++) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         demo_pads(r->demo, f, pads);
         tick(r->guard.board, pads);
         sum += live[f] = (uint32_t)board_live_count(r->guard.board, "bullets");
@@ -96,7 +96,7 @@ static void save_again(struct past_run *r)
 }
 
 /* What a cabinet does before a tick; a key frame's time is kept. */
-static void remember(struct past_run *r, const uint16_t pads[PADS])
+static void remember(struct past_run *r, const uint16_t pads[MAX_PLAYERS])
 {
     struct rewind *past = &r->guard.past;
     uint32_t now = board_frame(r->guard.board);
@@ -126,7 +126,7 @@ static void play(struct past_run *r, const struct rom *rom)
     if (!r->hash)
         report_fail("out of memory");
     for (uint32_t f = 0; f < r->end; f++) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         if (f + MINUTE >= r->end)
             r->hash[f] = board_hash(r->guard.board);
         demo_pads(r->demo, f, pads);
@@ -185,7 +185,7 @@ static void from_late(struct past_run *r)
 
     guard_back(&r->guard, rewind_end(&r->guard.past));
     while (board_frame(b) < LATE) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         if (board_frame(b) >= LATE - LATE_STEPS)
             hash[board_frame(b) - (LATE - LATE_STEPS)] = board_hash(b);
         demo_pads(r->demo, board_frame(b), pads);

@@ -96,7 +96,8 @@ static bool remake(struct rom_image *image, const struct rom *rom, const struct 
             cart.manifest.bullets = want->bullets ? want->bullets : cart.manifest.bullets;
             cart.manifest.sparks = want->sparks;
             cart.manifest.bg = want->scenery;
-            cart.manifest.hp = cart.manifest.around = cart.manifest.frozen = cart.manifest.bullet_values = want->groups;
+            cart.manifest.hp = cart.manifest.has_orbit = cart.manifest.has_freeze = cart.manifest.bullet_values =
+                want->groups;
             if (want->manifest)
                 want->manifest(&cart.manifest);
             l->size = manifest_pack(&cart.manifest, manifest);
@@ -228,7 +229,7 @@ bool scene_tick(struct scene *s)
 {
     static const uint16_t way[] = { PAD_LEFT, PAD_UP, PAD_RIGHT, PAD_RIGHT | PAD_DOWN, PAD_UP | PAD_LEFT, PAD_DOWN };
     uint32_t f = board_frame(s->b);
-    const uint16_t pads[PADS] = { (uint16_t)(way[f / 37 % 6] | (f / 500 & 1 ? PAD_FOCUS : 0)), 0 };
+    const uint16_t pads[MAX_PLAYERS] = { (uint16_t)(way[f / 37 % 6] | (f / 500 & 1 ? PAD_FOCUS : 0)), 0 };
 
     return !board_tick(s->b, pads)->fault;
 }

@@ -104,7 +104,7 @@ void inputs_recorded(const char *rom, const char *file, struct args all[OPS])
         fail(err);
     struct board *b = power(&image.rom, &demo.start);
     for (uint32_t f = 0; f < demo.frames && n < INPUTS; f++) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
 
         demo_pads(&demo, f, pads);
         const struct board_out *out = board_tick(b, pads);

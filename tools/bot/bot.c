@@ -39,7 +39,7 @@ struct wanted {
     uint64_t seed;
     int prints, ships;
     bool quiet;
-    char ship[PADS][64];
+    char ship[MAX_PLAYERS][64];
 };
 
 void bot_fail(const char *what)
@@ -48,7 +48,7 @@ void bot_fail(const char *what)
     exit(2);
 }
 
-enum trial_end run_tick(struct run *r, const uint16_t pads[PADS])
+enum trial_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t frame = board_frame(r->t.b);
 
@@ -100,7 +100,7 @@ static int take(struct wanted *w, char **argv, const char *more)
         w->wish.players = atoi(more);
     else if (!strcmp(word, "--prints"))
         w->prints = index_of(more, demo_checksum_rate_names);
-    else if (!strcmp(word, "--ship") && w->ships < PADS)
+    else if (!strcmp(word, "--ship") && w->ships < MAX_PLAYERS)
         snprintf(w->ship[w->ships++], sizeof w->ship[0], "%s", more);
     else
         bot_fail(word);
@@ -182,7 +182,7 @@ static void play(struct run *r, struct wanted *w)
     w->pilot.r = r;
     if (wished && !w->stage) {
         for (uint32_t f = 0; f < w->wait; f++)
-            run_tick(r, (const uint16_t[PADS]){ 0 });
+            run_tick(r, (const uint16_t[MAX_PLAYERS]){ 0 });
         if (!menus_enter(r, &w->wish))
             bot_fail("no way through the menus was found to such a game");
     }

@@ -11,13 +11,13 @@ struct run {
     struct trial t;
     const struct cart *cart;
     struct board_start start;
-    uint32_t limit;         /* frames, at most */
-    uint16_t (*pads)[PADS]; /* so many */
+    uint32_t limit;                /* frames, at most */
+    uint16_t (*pads)[MAX_PLAYERS]; /* so many */
     bool quiet;
 };
 
 /* Ticks, and writes the pads down. */
-enum trial_end run_tick(struct run *r, const uint16_t pads[PADS]);
+enum trial_end run_tick(struct run *r, const uint16_t pads[MAX_PLAYERS]);
 
 /* Says why and ends the program. */
 void bot_fail(const char *what) __attribute__((noreturn));
@@ -25,8 +25,8 @@ void bot_fail(const char *what) __attribute__((noreturn));
 /* ---- menus.c ---- */
 
 struct menus_wish {
-    const char *ship[PADS]; /* kinds of players; NULL: any */
-    int difficulty;         /* an index; -1: any */
+    const char *ship[MAX_PLAYERS]; /* kinds of players; NULL: any */
+    int difficulty;                /* an index; -1: any */
     int players;
     const char *first; /* stage; NULL: any */
 };

@@ -40,7 +40,7 @@ struct page {
 struct place {
     struct trial_mark mark;
     uint64_t chosen; /* what was, on the way there */
-    struct move way[DEPTH][PADS];
+    struct move way[DEPTH][MAX_PLAYERS];
     uint32_t page[DEPTH + 1]; /* of the way's screens: numbers */
 };
 
@@ -174,7 +174,7 @@ static void hear(struct menus *m)
 {
     const struct board_out *out = board_last_output(m->r->t.b);
 
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         const struct board_marker *marker = &out->marker[i];
         if (marker->kind == MARKER_GAME || marker->kind == MARKER_START) {
             m->began = true;
@@ -187,14 +187,14 @@ static void hear(struct menus *m)
 }
 
 /* Presses a move; true: a game began in it. Then its stage is waited for. */
-static bool make(struct menus *m, const struct move way[PADS], bool noted)
+static bool make(struct menus *m, const struct move way[MAX_PLAYERS], bool noted)
 {
     struct run *r = m->r;
 
     m->began = false;
     m->asked = 0;
     for (int f = 0; f < MOVE || (m->began && !m->stage[0] && f < 3 * MOVE); f++) {
-        const uint16_t pads[PADS] = { pressed(&way[0], f), pressed(&way[1], f) };
+        const uint16_t pads[MAX_PLAYERS] = { pressed(&way[0], f), pressed(&way[1], f) };
         if (f == STEPS * STEP && !noted)
             m->asked = shown(r->t.b);
         const enum trial_end end = noted ? run_tick(r, pads) : trial_tick(&r->t, pads);
@@ -209,7 +209,7 @@ static bool make(struct menus *m, const struct move way[PADS], bool noted)
 enum led { NOWHERE, ELSEWHERE, THERE };
 
 /* Tries a move from a place: to another one, to a game that was not wished (which is ELSEWHERE, too), or to that. */
-static enum led try_move(struct menus *m, const struct place *at, const struct move way[PADS], bool waits)
+static enum led try_move(struct menus *m, const struct place *at, const struct move way[MAX_PLAYERS], bool waits)
 {
     trial_restore(&m->r->t, &at->mark);
     const bool began = make(m, way, false), found = began && is_wished(m);
@@ -241,7 +241,7 @@ static bool try_moves(struct menus *m, const struct place *at)
 
     for (int i = 0; i < RIGHT * DOWN; i++)
         for (int k = 0; k < others; k++) {
-            struct move way[PADS] = { { (uint8_t)(i / DOWN), (uint8_t)(i % DOWN), 1 }, { 0 } };
+            struct move way[MAX_PLAYERS] = { { (uint8_t)(i / DOWN), (uint8_t)(i % DOWN), 1 }, { 0 } };
             if (k)
                 way[1] = (struct move){ (uint8_t)(k - 1), 0, 1 };
             const enum led led = try_move(m, at, way, false);
@@ -250,7 +250,7 @@ static bool try_moves(struct menus *m, const struct place *at)
             on = on || led == ELSEWHERE;
         }
     if (!on)
-        try_move(m, at, (const struct move[PADS]){ { 0 } }, true);
+        try_move(m, at, (const struct move[MAX_PLAYERS]){ { 0 } }, true);
     return false;
 }
 

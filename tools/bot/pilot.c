@@ -33,7 +33,7 @@ struct mark {
 
 /* A way of both ships through a piece. */
 struct way {
-    uint16_t pads[AHEAD][PADS];
+    uint16_t pads[AHEAD][MAX_PLAYERS];
     uint32_t n;
     int64_t score;
 };
@@ -44,7 +44,7 @@ struct work {
     struct mark place[PLACES];
     int places;
     struct forecast forecast;
-    uint16_t guess[AHEAD][PADS];
+    uint16_t guess[AHEAD][MAX_PLAYERS];
     bool eager; /* to be under what can be shot */
     uint32_t taste, back, tried, furthest, special;
 };
@@ -67,7 +67,7 @@ static bool was_hit(const struct board *b)
 {
     const struct board_out *out = board_last_output(b);
 
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         if (out->marker[i].kind == MARKER_DEATH)
             return true;
     return b->player.deathbomb_left[0] || b->player.deathbomb_left[1];
@@ -87,11 +87,11 @@ static uint16_t press(const struct work *w, int p)
 }
 
 /* What both press in a frame of a piece: `steer`, with fire; extra buttons in its first two frames. */
-static void held(const struct work *w, const uint16_t steer[PADS], uint16_t extra, uint16_t pads[PADS])
+static void held(const struct work *w, const uint16_t steer[MAX_PLAYERS], uint16_t extra, uint16_t pads[MAX_PLAYERS])
 {
     const struct board *b = w->t->b;
 
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         pads[p] = steers(b, p) ? (uint16_t)(steer[p] | PAD_FIRE | extra) : press(w, p);
         if (p && !b->player.in_game[1] && !b->core.frozen)
             pads[p] = 0;
@@ -105,9 +105,9 @@ static uint16_t extra_at(uint16_t extra, uint32_t f)
 
 static void foresee(struct work *w, uint32_t frames, uint16_t extra)
 {
-    static const uint16_t none[PADS];
+    static const uint16_t none[MAX_PLAYERS];
     enum trial_end end = TRIAL_ON;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     forecast_clear(&w->forecast, board_frame(w->t->b));
     w->t->into = &w->forecast;
@@ -169,8 +169,8 @@ static void look(struct work *w, const struct trial_mark *at, uint32_t frames, u
     for (int k = 0; k < TURNS && best->n < frames; k++) {
         w->eager = k + 1 < TURNS && !w->tried;
         trial_restore(w->t, at);
-        const bool both[PADS] = { steers(w->t->b, 0), steers(w->t->b, 1) };
-        for (int p = 0; p < PADS; p++)
+        const bool both[MAX_PLAYERS] = { steers(w->t->b, 0), steers(w->t->b, 1) };
+        for (int p = 0; p < MAX_PLAYERS; p++)
             if (both[p])
                 plan_for(w, p, at, frames, extra);
         fly(w, at, frames, extra, &now);
@@ -185,13 +185,13 @@ static bool entered(const struct board *b)
 {
     const struct board_out *out = board_last_output(b);
 
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         if (out->marker[i].kind == MARKER_ROW)
             return true;
     return false;
 }
 
-static void go(struct work *w, const uint16_t pads[PADS])
+static void go(struct work *w, const uint16_t pads[MAX_PLAYERS])
 {
     struct run *r = w->p->r;
 
@@ -240,7 +240,7 @@ static void be_hit(struct work *w, const struct way *best)
     for (uint32_t f = 0; f < best->n; f++)
         go(w, best->pads[f]);
     for (int f = 0; f < 60 && !was_hit(w->t->b); f++)
-        go(w, best->n ? best->pads[best->n - 1] : (const uint16_t[PADS]){ 0 });
+        go(w, best->n ? best->pads[best->n - 1] : (const uint16_t[MAX_PLAYERS]){ 0 });
     w->p->hits++;
     w->places = 0;
     w->tried = w->back = 0;
@@ -301,9 +301,9 @@ static void one_piece(struct work *w)
 static void go_to_be_hit(struct work *w)
 {
     const struct board *b = w->t->b;
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         const uint16_t up =
             board_frame(b) % 8 < 4 && b->player.y[p] > b->cart.manifest.field_h * (FX_ONE / 4) ? PAD_UP : 0;
         const uint16_t side = board_frame(b) / 90 % 2 ? PAD_LEFT : PAD_RIGHT;
@@ -311,7 +311,7 @@ static void go_to_be_hit(struct work *w)
     }
     const uint32_t hits = (uint32_t)w->p->deaths;
     go(w, pads);
-    for (int i = 0; i < board_last_output(w->t->b)->markers; i++)
+    for (int i = 0; i < board_last_output(w->t->b)->marker_count; i++)
         if (board_last_output(w->t->b)->marker[i].kind == MARKER_DEATH)
             w->p->hits++;
     w->p->deaths = hits > w->p->hits ? (int)hits : 0;
@@ -327,8 +327,8 @@ static bool is_busy(const struct board *b)
 /* A frame without a plan: nobody is there, or there is nothing to plan for. */
 static void go_on(struct work *w)
 {
-    static const uint16_t none[PADS];
-    uint16_t pads[PADS];
+    static const uint16_t none[MAX_PLAYERS];
+    uint16_t pads[MAX_PLAYERS];
 
     held(w, none, 0, pads);
     go(w, pads);

@@ -174,7 +174,7 @@ void board_game_close(struct board_game *g)
 
 bool board_game_tick(struct board_game *g, int32_t player_x, int32_t player_y, char *err, size_t err_size)
 {
-    const uint16_t pads[PADS] = { 0 };
+    const uint16_t pads[MAX_PLAYERS] = { 0 };
 
     player_set_position(&g->b->player, 0, fx_int(player_x + MIDDLE_X), fx_int(player_y + MIDDLE_Y));
     const struct board_out *after = board_tick(g->b, pads);

@@ -129,7 +129,7 @@ static bool put_cell(struct fb *sheet, int cell, const char *path, int frame, ui
         fb_init(&fb, pix, 2 * CELL_W, 2 * CELL_H);
         board_draw(g.b, NULL, &fb, rgb, scratch);
         put_half(sheet, x, y, &fb, rgb);
-        fb_frame(sheet, x, y, CELL_W, CELL_H, 1);
+        fb_outline(sheet, x, y, CELL_W, CELL_H, 1);
         put_label(sheet, x, y + CELL_H + 3, g.b, list_name(path));
     }
     free(pix);

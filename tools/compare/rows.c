@@ -216,9 +216,9 @@ static void check_fault(void)
 static void tick(void)
 {
     const uint32_t f = now.row->of == GAME ? board_frame(now.scene.b) : 0;
-    const uint16_t pads[PADS] = { (uint16_t)((f % 64 < 40 ? PAD_FIRE : 0) | (f / 40 % 4 == 1 ? PAD_LEFT : 0) |
-                                             (f / 40 % 4 == 3 ? PAD_RIGHT : 0)),
-                                  0 };
+    const uint16_t pads[MAX_PLAYERS] = { (uint16_t)((f % 64 < 40 ? PAD_FIRE : 0) | (f / 40 % 4 == 1 ? PAD_LEFT : 0) |
+                                                    (f / 40 % 4 == 3 ? PAD_RIGHT : 0)),
+                                         0 };
 
     if (now.row->of == GAME)
         board_tick(now.scene.b, pads);

@@ -116,7 +116,7 @@ static void play(struct board *b, int frames)
     void *scratch = room_for(board_scratch_size(b));
     double from = now();
     for (int i = 0; i < frames; i++) {
-        const uint16_t pads[PADS] = { pads_at(i), 0 };
+        const uint16_t pads[MAX_PLAYERS] = { pads_at(i), 0 };
         board_tick(b, pads);
         board_draw(b, NULL, &fb, rgb, scratch);
         check_fault(b);

@@ -194,7 +194,7 @@ static bool run(const struct cookbook *c, const char *page, long frame, long ste
     if (c->dir)
         strip_open(&strip, c, b);
     for (long f = 1; f <= c->frames && fine; f++) {
-        const uint16_t pads[PADS] = { hands(b, f) };
+        const uint16_t pads[MAX_PLAYERS] = { hands(b, f) };
         board_tick(b, pads);
         fine = sound(page, b);
         count(&t, b);

@@ -714,7 +714,7 @@ void section_broad(void)
         "one player, the scan is fastest at every size. Depending on the number of bullets, a grid breaks even at %s\n"
         "players, but the engine supports at most %d.",
         report_count(SIZE[2]), lab_about(scans(GRID, GRID_QUERY)), lab_about(scans(TREE, TREE_QUERY)), grid_pays(),
-        PADS);
+        MAX_PLAYERS);
     print_shots();
     lab_conclude(
         "bullets against players", "a scan of all bullets",

@@ -36,11 +36,11 @@ struct board *engine_power(uint32_t bullets, uint32_t shots, uint32_t enemies)
         { &shot_kinds_chip, &b->shot_kinds, MAX_KINDS },
         { &enemies_chip, &b->enemies, enemies },
         { &enemy_kinds_chip, &b->enemy_kinds, MAX_KINDS },
-        { &input_chip, &b->input, PADS },
-        { &player_chip, &b->player, PADS },
+        { &input_chip, &b->input, MAX_PLAYERS },
+        { &player_chip, &b->player, MAX_PLAYERS },
         { &player_kinds_chip, &b->player_kinds, 64 },
         { &motions_chip, &b->motions, 64 },
-        { &steps_chip, &b->steps, 64 * MOTION_STEPS },
+        { &steps_chip, &b->steps, 64 * MOTION_STEPS_PER_PROGRAM },
     };
     enum { COUNT = sizeof places / sizeof *places };
     uint64_t size = 0;
@@ -157,12 +157,12 @@ uint32_t engine_board_frame(struct board *b, const struct box *keep)
 
 uint32_t engine_hits(struct board *b)
 {
-    struct bullets_query query[PADS];
+    struct bullets_query query[MAX_PLAYERS];
 
     begin_frame(b);
     hit_get_queries(b, query);
-    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * PADS; k++) /* all are asked */
-        b->bullets.near[k] = query[k % PADS].reach < 0 ? 0 : b->bullets.s.used[k / PADS];
+    for (uint32_t k = 0; k < b->bullets.s.top / SLOTS_BLOCK * MAX_PLAYERS; k++) /* all are asked */
+        b->bullets.near[k] = query[k % MAX_PLAYERS].reach < 0 ? 0 : b->bullets.s.used[k / MAX_PLAYERS];
     b->bullets.holds_all = true;
     hit_run(b);
     return b->events.n;

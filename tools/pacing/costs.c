@@ -113,7 +113,7 @@ static void looking(const char *folder, const char *recording)
     if (!guard_power(&g, &image.rom, &demo.start, err, sizeof err))
         report_fail(err);
     for (uint32_t f = 0; f < FRAMES && f < demo.frames; f++) {
-        uint16_t pads[PADS];
+        uint16_t pads[MAX_PLAYERS];
         demo_pads(&demo, f, pads);
         double from = now_us();
         guard_tick(&g, pads);

@@ -63,7 +63,7 @@ static void *power(void *of)
 static void *tick(void *of)
 {
     struct need *n = of;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     demo_pads(&n->demo, n->frame, pads);
     board_tick(n->board, pads);

@@ -108,7 +108,7 @@ static void open_own(struct own *o, const void *rom, size_t size, const char *se
 
 static double own_frames(struct own *o)
 {
-    const uint16_t pads[PADS] = { PAD_FIRE };
+    const uint16_t pads[MAX_PLAYERS] = { PAD_FIRE };
     const double from = now();
 
     for (int i = 0; i < FRAMES; i++) {

@@ -35,7 +35,7 @@ static bool in_use(const struct atlas_shapes *shapes, const char *sprite)
 }
 
 /* A shape that was drawn with a sprite and belongs to no kind yet. */
-static struct inspect_kind_shape drawn_shape(const struct cart_hit *h, const char *sprite)
+static struct inspect_kind_shape drawn_shape(const struct cart_hitbox *h, const char *sprite)
 {
     struct inspect_kind_shape s = { .entity = "drawn", .name = "hit", .sprite = sprite, .r = h->row[0].a };
 
@@ -60,7 +60,7 @@ static void add_drawn(struct art_game *g)
 {
     for (int i = 0; i < g->cart.count[CART_SPRITES]; i++) {
         const char *name = cart_name(&g->cart, CART_SPRITES, i);
-        struct cart_hit hit;
+        struct cart_hitbox hit;
         if (!cart_find_hit(&g->cart, name, &hit) || in_use(&g->shapes, name))
             continue;
         const struct inspect_kind_shape shape = drawn_shape(&hit, name);
@@ -126,7 +126,7 @@ static enum result write_atlas(const struct art_game *g, const char *file)
 {
     uint8_t *rgb, *png = NULL;
     size_t size = 0;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     int w, h;
 
     if (g->cart.count[CART_SPRITES] == 0)

@@ -41,7 +41,7 @@ static enum result save_palette(const char *path, const uint8_t rgb[CART_PALETTE
 {
     uint8_t pix[256], *png;
     uint32_t colours[256];
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     size_t size;
 
     for (int i = 0; i < 256; i++) {
@@ -60,7 +60,7 @@ static enum result import(const char *from, int bank, const char *out)
 {
     uint8_t rgb[CART_PALETTE_SIZE], *text;
     struct swatch s;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     size_t n;
 
     if (!files_read_text(from, from, SWATCH_FILE, &text, &n, err, sizeof err))
@@ -88,7 +88,7 @@ static enum result import(const char *from, int bank, const char *out)
 
 /* A bank of a palette into a list. */
 static enum result export(const char *from, int bank, const char *out) {
-    uint8_t rgb[CART_PALETTE_SIZE]; char text[SWATCH_TEXT], err[FILES_ERR];
+    uint8_t rgb[CART_PALETTE_SIZE]; char text[SWATCH_TEXT], err[FILES_ERR_SIZE];
 
     if (!load_palette(from, rgb, err, sizeof err)) return report_error(err);
     const size_t n = swatch_write(rgb, bank, files_has_suffix(out, ".gpl"), text);

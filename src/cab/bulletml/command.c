@@ -119,7 +119,7 @@ static void say_labels(const struct document *d, enum document_element element, 
 
 static void describe(const struct document *d, const char *file)
 {
-    char text[FILES_PATH];
+    char text[FILES_PATH_SIZE];
     int tops = 0;
 
     for (int32_t i = 0; i < d->n; i++)

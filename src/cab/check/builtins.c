@@ -137,7 +137,7 @@ static bool adds_only(const char *script)
     for (int i = 0; i < STD_MODULES; i++)
         if (strcmp(script, std_module_name(i)) == 0)
             return std_extended_table(i) != NULL;
-    return std_module_of_piece(script) >= 0;
+    return std_module_of_file(script) >= 0;
 }
 
 bool builtins_add_library(struct name_set *s, const char *script, const struct symbols *f)

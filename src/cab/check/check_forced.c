@@ -101,7 +101,7 @@ static void force_loss(struct run *r, uint32_t frame, int players)
 
 /* The buttons of a ship in that frame of a game: it flies and fires, now and then focused; it pauses once. Fire is let
  * go now and then, for a talk. */
-static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[PADS])
+static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t paused = frame - PAUSES_AT;
 
@@ -125,7 +125,7 @@ static void ship_pads(struct run *r, uint32_t frame, uint16_t pads[PADS])
 static void practise(struct run *r, const char *what, const char *section, int difficulty, uint32_t frames, bool loses)
 {
     struct board_start start = check_start(r);
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     start.difficulty = difficulty;
     start.practice.invincible = !loses;
@@ -251,11 +251,11 @@ static uint16_t out_pads(const struct tour *t)
     return t->went_on == 0 ? tap(t->out, EVERY, PAD_START) : tap(t->out, EVERY, PAD_BOMB);
 }
 
-static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint16_t pads[PADS])
+static void tour_pads(struct run *r, const struct tour *t, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     const uint32_t age = frame - t->since;
 
-    memset(pads, 0, PADS * sizeof *pads);
+    memset(pads, 0, MAX_PLAYERS * sizeof *pads);
     if (t->kind == TOUR_MENUS)
         pads[0] = any_pads(frame);
     else if (t->kind == TOUR_ENTRY)
@@ -306,7 +306,7 @@ static void hear(struct run *r, struct tour *t, const struct board_out *out, uin
 {
     const bool in = anyone_in(r);
 
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         const enum board_marker_kind kind = out->marker[i].kind;
         if (t->over || (kind != MARKER_GAME && kind != MARKER_OVER))
             continue;
@@ -344,7 +344,7 @@ static bool is_over(const struct tour *t, uint32_t frame)
 /* nvram: gets what the game has saved at the end, malloc; NULL: not wanted. */
 static void go_round(struct run *r, const char *what, struct tour *t, uint8_t **nvram, size_t *size)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     if (!check_power(r, what, &t->start))
         return;

@@ -91,7 +91,7 @@ struct sections;
 /* Powers the board; false: it cannot, which is a finding. A tick. What force_run does; from then on a full pool is no
  * finding. Frame f of at most n, for the progress line. The end of the run. */
 bool check_power(struct run *r, const char *what, const struct board_start *start);
-const struct board_out *check_tick(struct run *r, const uint16_t pads[PADS]);
+const struct board_out *check_tick(struct run *r, const uint16_t pads[MAX_PLAYERS]);
 void check_force(struct run *r, const struct force *force);
 void check_tell(const struct run *r, uint32_t f, uint32_t n);
 void check_finish(struct run *r);

@@ -197,7 +197,7 @@ static void judge_boot(struct run *r)
     bool stages = false, ships = false;
     char entry[TREE_PATH];
 
-    if (board_has_boot_run(b) || board_last_output(b)->fault)
+    if (board_called_boot_run(b) || board_last_output(b)->fault)
         return;
     snprintf(entry, sizeof entry, "%s.lua", r->c->m.entry);
     const char *ship = first_declared(r->c, "player", &ships), *stage = first_declared(r->c, "stage", &stages);
@@ -261,7 +261,7 @@ static bool is_watched(const struct check *c, const char *part)
 /* Pools that are full for the first time. Sparks do not count: no script depends on one. */
 static void note_full(struct run *r, const struct board_out *out)
 {
-    for (int i = 0; i < out->full_pools && !r->forced; i++)
+    for (int i = 0; i < out->full_pool_count && !r->forced; i++)
         if (strcmp(out->full_pool[i].part, "sparks") != 0 && !is_watched(r->c, out->full_pool[i].part))
             diagnostics_add_sentence(&r->c->found, r->what, out->full_pool[i].line);
 }
@@ -271,7 +271,7 @@ static void note_shown(void *context, uint32_t code)
     check_shown(context, code);
 }
 
-const struct board_out *check_tick(struct run *r, const uint16_t pads[PADS])
+const struct board_out *check_tick(struct run *r, const uint16_t pads[MAX_PLAYERS])
 {
     const struct board_out *out = guard_tick(&r->guard, pads);
 
@@ -312,7 +312,7 @@ bool check_power(struct run *r, const char *what, const struct board_start *star
             inspect_kinds(r->guard.board, note_large, r);
             inspect_kinds(r->guard.board, note_ramp, r);
         }
-        r->boots = board_has_boot_run(r->guard.board);
+        r->boots = board_called_boot_run(r->guard.board);
         if (!r->measured)
             judge_boot(r);
         r->measured = true;
@@ -365,7 +365,7 @@ struct board_start check_start(const struct run *r)
 
 static void run_idle(struct run *r)
 {
-    const uint16_t nothing[PADS] = { 0 };
+    const uint16_t nothing[MAX_PLAYERS] = { 0 };
     struct board_start start = check_start(r);
 
     if (!check_power(r, "600 frames without input", &start))
@@ -474,7 +474,7 @@ static void judge_contrast(struct run *r)
 
 static void play_section(struct run *r, const struct section *section)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     bool over = false;
 
     for (uint32_t f = 0; f < SWEEP_FRAMES && !over && !board_last_output(r->guard.board)->fault; f++) {
@@ -544,7 +544,7 @@ static bool is_as_recorded(struct run *r, uint32_t frame)
 static uint32_t play(struct run *r)
 {
     uint32_t last = r->demo.frames < MOST_FRAMES ? r->demo.frames : MOST_FRAMES, wrong = ALL;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = 0;; f++) {
         if (wrong == ALL && !is_as_recorded(r, f))

@@ -35,7 +35,7 @@ static void note_difficulty(struct replay *r)
 {
     const struct board_out *out = board_last_output(r->guard.board);
 
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         if (out->marker[i].kind == MARKER_GAME)
             r->difficulty = board_difficulty_now(r->guard.board);
 }
@@ -78,7 +78,7 @@ static bool ends(const struct replay *r, const struct demo *d, uint32_t frame, s
     return fault || last;
 }
 
-static void tick(struct replay *r, const uint16_t pads[PADS])
+static void tick(struct replay *r, const uint16_t pads[MAX_PLAYERS])
 {
     guard_tick(&r->guard, pads);
     if (r->ticked)
@@ -88,7 +88,7 @@ static void tick(struct replay *r, const uint16_t pads[PADS])
 /* Replays, keeping up the recording; false: it has no memory. */
 static bool play(struct replay *r, const struct demo *d, struct demo_writer *again, struct verdict *v)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = 0;; f++) {
         if (!replay_fault(r) && !compare(r, d, f, v))
@@ -108,9 +108,9 @@ static int part_of_points(const struct demo *d)
 {
     int i = 0;
 
-    while (i < d->parts && strcmp(d->part[i], "player") != 0)
+    while (i < d->n_parts && strcmp(d->part[i], "player") != 0)
         i++;
-    return i < d->parts ? i : MAX_PARTS;
+    return i < d->n_parts ? i : MAX_PARTS;
 }
 
 /* Compares frame f, as long as something is to be found: the first difference, the end of what is known of the points.
@@ -131,7 +131,7 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
     } else if (demo_checksum(d, f, *points, &print)) {
         o->held = true;
         o->alike = f;
-        for (int p = 0; p < PADS; p++)
+        for (int p = 0; p < MAX_PLAYERS; p++)
             o->points[p] = board_points(r->guard.board, p);
     }
 }
@@ -139,7 +139,7 @@ static void look(struct replay *r, const struct demo *d, uint32_t f, int *points
 static bool play_whole(struct replay *r, const struct demo *d, struct demo_writer *again, struct rerun *o)
 {
     int points = part_of_points(d);
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     *o = (struct rerun){ .first.kind = VERDICT_HOLDS };
     for (uint32_t f = 0;; f++) {
@@ -211,7 +211,7 @@ static void list_parts(const struct demo *d, uint64_t parts, char *out, size_t s
     size_t n = 0;
 
     out[0] = 0;
-    for (int i = 0; i < d->parts; i++) {
+    for (int i = 0; i < d->n_parts; i++) {
         if (parts >> i & 1 && n < size)
             n += (size_t)snprintf(out + n, size - n, "%s%s", n ? ", " : "", d->part[i]);
     }

@@ -47,7 +47,7 @@ struct rerun {
     struct verdict end;   /* VERDICT_HOLDS: it has all its frames, and the fault if it ends in one; else how it ended */
     bool held; /* the part with the points was as recorded in frame .alike, and in none after it is that known */
     uint32_t alike;
-    int64_t points[PADS]; /* in that frame */
+    int64_t points[MAX_PLAYERS]; /* in that frame */
 };
 
 /* The same, of a replay that goes on to the demo's end or a fault. */

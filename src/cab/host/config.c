@@ -249,7 +249,7 @@ bool config_read(struct config *c, const char *file, const char *text, size_t si
 bool config_load(struct config *c, char *err, size_t err_size)
 {
     config_defaults(c);
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
     long size = plat_size(CONFIG_FILE);
     if (size < 0)
         return true;

@@ -28,29 +28,30 @@ enum { CONFIG_BYTES = 65536, CONFIG_LINE = 512 };
 
 struct config {
     struct keys keys;
-    int scale;                                       /* 0 to 16 */
-    int volume;                                      /* percent */
-    int mute;                                        /* 0 or 1 */
-    int music;                                       /* percent, of volume */
-    int sounds;                                      /* percent, of volume */
-    int resample;                                    /* 0 or 1 */
-    int fullscreen;                                  /* 0 or 1 */
-    int turn;                                        /* enum quarter */
-    int scaling;                                     /* enum scaling */
-    int crt;                                         /* 0 or 1 */
-    int border;                                      /* 0 or 1 */
-    int vsync;                                       /* 0 or 1 */
-    int run_ahead;                                   /* frames: 0 or 1 */
-    int panels;                                      /* enum panels */
-    int speed;                                       /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
-    int away;                                        /* 0 or 1: stop when the window loses the keys */
-    int replays;                                     /* 0 to 1000: runs of a game that are kept without a name */
-    int resume;                                      /* 0 or 1: a run that is left is kept to go on with */
-    int capture_seconds;                             /* 5 to 60: of the film that a key makes */
-    int dim, flashes, colours;                       /* as in views.h */
-    int hitbox;                                      /* 0 or 1 */
-    int autofire[PADS], focus[PADS], one_hand[PADS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
-    char lang[16];                                   /* of games that have it; "": none */
+    int scale;                 /* 0 to 16 */
+    int volume;                /* percent */
+    int mute;                  /* 0 or 1 */
+    int music;                 /* percent, of volume */
+    int sounds;                /* percent, of volume */
+    int resample;              /* 0 or 1 */
+    int fullscreen;            /* 0 or 1 */
+    int turn;                  /* enum quarter */
+    int scaling;               /* enum scaling */
+    int crt;                   /* 0 or 1 */
+    int border;                /* 0 or 1 */
+    int vsync;                 /* 0 or 1 */
+    int run_ahead;             /* frames: 0 or 1 */
+    int panels;                /* enum panels */
+    int speed;                 /* 0, 1, 2: a frame lasts 1, 2, 4 sixtieths */
+    int away;                  /* 0 or 1: stop when the window loses the keys */
+    int replays;               /* 0 to 1000: runs of a game that are kept without a name */
+    int resume;                /* 0 or 1: a run that is left is kept to go on with */
+    int capture_seconds;       /* 5 to 60: of the film that a key makes */
+    int dim, flashes, colours; /* as in views.h */
+    int hitbox;                /* 0 or 1 */
+    int autofire[MAX_PLAYERS], focus[MAX_PLAYERS],
+        one_hand[MAX_PLAYERS]; /* 0 or 1: toggle; enum keys_hand. How each player presses */
+    char lang[16];             /* of games that have it; "": none */
 };
 
 /* A setting that has a number or a word: all but lang and the keys. */

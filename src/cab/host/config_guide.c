@@ -20,7 +20,7 @@ static const char *const example[] = {
 
 void config_guide(void (*line)(const char *))
 {
-    char text[FILES_PATH + 64], path[FILES_PATH];
+    char text[FILES_PATH_SIZE + 64], path[FILES_PATH_SIZE];
 
     line("Settings are stored in a text file:");
     line("");

@@ -87,7 +87,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 {
     struct text t = { malloc(size + 1), size };
     struct config was;
-    char value[CONFIG_LINE], shown[FILES_PATH];
+    char value[CONFIG_LINE], shown[FILES_PATH_SIZE];
     const struct config_setting *s;
 
     config_defaults(&was);
@@ -124,7 +124,7 @@ char *config_edit(const struct config *c, const char *text, size_t size, char *e
 
 bool config_save(const struct config *c, char *err, size_t err_size)
 {
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
     uint8_t *text = NULL;
     size_t size = 0;
 

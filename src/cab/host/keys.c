@@ -159,7 +159,7 @@ void keys_defaults(struct keys *k)
 /* The player of an action, from 0; -1: it is the cabinet's. */
 static int player_of(int action)
 {
-    return action < PADS * PAD_BUTTONS ? action / PAD_BUTTONS : -1;
+    return action < MAX_PLAYERS * PAD_BUTTONS ? action / PAD_BUTTONS : -1;
 }
 
 /* Switch i of an action, those that a hand has first; 0: none. */
@@ -393,7 +393,7 @@ static bool hand_has(const struct keys *k, unsigned code, int player)
     const uint16_t *list = &k->hand[0][0][0];
     enum { EACH = PAD_BUTTONS * KEYS_HAND };
 
-    for (int i = 0; i < PADS * EACH; i++)
+    for (int i = 0; i < MAX_PLAYERS * EACH; i++)
         if (list[i] == code && (i / EACH == player || !(code & SWITCH_CONTROLLER)))
             return true;
     return false;
@@ -453,14 +453,14 @@ void keys_read(struct keys *k, const struct plat_input *in, const struct seats *
     memset(out, 0, sizeof *out);
     note_modifiers(k, in);
     eat(k, in);
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         unsigned was = k->by_key[p] | k->by_switch[p];
         out->pads[p] = read_pad(k, in, seats, p);
         out->pads_fresh[p] = (uint16_t)(out->pads[p] & ~was);
         out->fresh = out->fresh || out->pads_fresh[p];
     }
     for (int i = 0; i < CAB_KEYS; i++) {
-        struct by by = action_held(k, in, seats, PADS * PAD_BUTTONS + i);
+        struct by by = action_held(k, in, seats, MAX_PLAYERS * PAD_BUTTONS + i);
         out->held |= (uint32_t)(by.key || by.controller) << i;
     }
     out->pressed = out->held & ~k->held;
@@ -471,7 +471,7 @@ void keys_help(uint32_t without, void (*line)(const char *))
 {
     char text[128];
     for (int i = 0; i < KEYS_ACTIONS; i++) {
-        if (player_of(i) < 0 && without >> (i - PADS * PAD_BUTTONS) & 1)
+        if (player_of(i) < 0 && without >> (i - MAX_PLAYERS * PAD_BUTTONS) & 1)
             continue;
         int n = snprintf(text, sizeof text, "  %-11s %-30s %s", actions[i].name, actions[i].switches, actions[i].help);
         while (n > 0 && text[n - 1] == ' ')

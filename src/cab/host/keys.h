@@ -25,7 +25,7 @@
 #include "../pads/seats.h"
 #include "../pads/switch.h"
 
-/* The cabinet's actions, after the players' PADS * PAD_BUTTONS. */
+/* The cabinet's actions, after the players' MAX_PLAYERS * PAD_BUTTONS. */
 enum cab_key {
     CAB_PAUSE,
     CAB_STEP,
@@ -68,7 +68,7 @@ enum cab_key {
     (1u << CAB_RELOAD | 1u << CAB_SHAPES | 1u << CAB_GAUGES | 1u << CAB_SPLIT | 1u << CAB_TASKS | 1u << CAB_MIXER |    \
      1u << CAB_CONSOLE)
 
-enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = PADS * PAD_BUTTONS + CAB_KEYS };
+enum { KEYS_EACH = 6, KEYS_HAND = 3, KEYS_ACTIONS = MAX_PLAYERS * PAD_BUTTONS + CAB_KEYS };
 
 enum keys_hand { HAND_BOTH, HAND_LEFT, HAND_RIGHT };
 
@@ -79,21 +79,21 @@ struct keys_device {
 };
 
 struct keys {
-    uint16_t code[KEYS_ACTIONS][KEYS_EACH];      /* as in switch.h; 0: none */
-    uint16_t hand[PADS][PAD_BUTTONS][KEYS_HAND]; /* the layout of a player with one hand; 0: none */
-    uint8_t eaten[PLAT_KEYS / 8];                /* keys a chord has used, until they are released */
-    bool alt, ctrl, had_alt, had_ctrl;           /* held at this poll or the last one; at the last one */
-    uint16_t by_key[PADS], by_switch[PADS];      /* of the last read: held by keys, by a controller */
-    struct keys_device player[PADS], cabinet;    /* cabinet: whichever player pressed last */
+    uint16_t code[KEYS_ACTIONS][KEYS_EACH];               /* as in switch.h; 0: none */
+    uint16_t hand[MAX_PLAYERS][PAD_BUTTONS][KEYS_HAND];   /* the layout of a player with one hand; 0: none */
+    uint8_t eaten[PLAT_KEYS / 8];                         /* keys a chord has used, until they are released */
+    bool alt, ctrl, had_alt, had_ctrl;                    /* held at this poll or the last one; at the last one */
+    uint16_t by_key[MAX_PLAYERS], by_switch[MAX_PLAYERS]; /* of the last read: held by keys, by a controller */
+    struct keys_device player[MAX_PLAYERS], cabinet;      /* cabinet: whichever player pressed last */
     uint32_t held;
 };
 
 /* What one poll means. */
 struct keys_read {
-    uint16_t pads[PADS];
-    uint16_t pads_fresh[PADS]; /* those that were not held at the last read */
-    bool fresh;                /* there is one of those */
-    uint32_t held, pressed;    /* cabinet keys, 1 << CAB_PAUSE ...; pressed: held now, not at the last read */
+    uint16_t pads[MAX_PLAYERS];
+    uint16_t pads_fresh[MAX_PLAYERS]; /* those that were not held at the last read */
+    bool fresh;                       /* there is one of those */
+    uint32_t held, pressed;           /* cabinet keys, 1 << CAB_PAUSE ...; pressed: held now, not at the last read */
 };
 
 /* The map of the table in keys.c; nothing held. */

@@ -101,7 +101,7 @@ bool args_parse(struct args *a, int argc, char **argv, char *err, size_t err_siz
     if (!short_enough(argc, argv, err, err_size))
         return false;
     for (int i = 1; i < argc; i++) /* what is no path has no use for \ */
-        plat_slashes(argv[i]);
+        plat_normalize_slashes(argv[i]);
     for (int i = 1; i < argc; i++) {
         if (!only_words && strcmp(argv[i], "--") == 0)
             only_words = true;

@@ -114,7 +114,7 @@ bool args_frames(struct args *a, const char *text, char *err, size_t err_size);
 bool args_presses(struct args *a, const char *text, char *err, size_t err_size);
 
 /* The buttons (PAD_) that --press holds in the tick after that frame. */
-void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS]);
+void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 
 /* Is the frame one of those of --frames? The last one that is. */
 bool args_wants(const struct args *a, uint32_t frame);

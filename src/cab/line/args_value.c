@@ -127,9 +127,9 @@ bool args_speed(struct args *a, const char *text, char *err, size_t err_size)
     return true;
 }
 
-void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[PADS])
+void args_pressed(const struct args *a, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
-    memset(pads, 0, PADS * sizeof *pads);
+    memset(pads, 0, MAX_PLAYERS * sizeof *pads);
     for (int i = 0; i < a->n_presses; i++)
         if (in_span(&a->presses[i].when, frame))
             pads[a->presses[i].player] |= a->presses[i].pad;

@@ -23,10 +23,10 @@ enum match { NO_GAME, OTHER_VERSION, SAME_GAME };
 struct search {
     const struct demo *demo;
     enum match match;
-    char path[FILES_PATH]; /* of the match; "": the built-in game */
+    char path[FILES_PATH_SIZE]; /* of the match; "": the built-in game */
     char title[64];
     uint64_t hash;
-    char folder[FILES_PATH]; /* searched now */
+    char folder[FILES_PATH_SIZE]; /* searched now */
     struct args plain;
     struct game game;
 };
@@ -53,7 +53,7 @@ static void try_game(struct search *s, const char *path)
 static bool may_be_game(const struct search *s, const char *path)
 {
     static const char magic[] = { 'C', 'U', 'R', 'T', 'A', 'I', 'N' }; /* plain and compressed ROMs */
-    char head[sizeof magic], file[FILES_PATH + 16], err[FILES_ERR];
+    char head[sizeof magic], file[FILES_PATH_SIZE + 16], err[FILES_ERR_SIZE];
     uint8_t *text;
     size_t size;
 
@@ -76,7 +76,7 @@ static void try_path(struct search *s, const char *path)
 static void try_entry(void *of, const struct plat_file *file)
 {
     struct search *s = of;
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
 
     if (snprintf(path, sizeof path, "%s/%s", s->folder, file->name) < (int)sizeof path)
         try_path(s, path);
@@ -93,7 +93,7 @@ static void to_parent(char *path)
 
 static void search(struct search *s, const char *file)
 {
-    char rom[ROMS_PATH], path[FILES_PATH];
+    char rom[ROMS_PATH], path[FILES_PATH_SIZE];
 
     try_game(s, NULL);
     if (own_sealed() || !plat_path(file, s->folder, sizeof s->folder))

@@ -8,8 +8,8 @@
 #include "args.h"
 
 struct demo_game {
-    char path[FILES_PATH]; /* "": the built-in game */
-    char *word;            /* path, as a list of words */
+    char path[FILES_PATH_SIZE]; /* "": the built-in game */
+    char *word;                 /* path, as a list of words */
 };
 
 /* If a plays a file that is a demo, turns the file into --demo and the game into the ROM to play; *found must last as

@@ -183,16 +183,16 @@ static bool set_register(struct practice *p, const char *setting, char *err, siz
 
     if (n >= sizeof p->reg[0].name)
         return err_set(err, err_size, "--register: name longer than %zu characters", sizeof p->reg[0].name - 1);
-    char *name = p->reg[p->registers].name;
+    char *name = p->reg[p->register_count].name;
     snprintf(name, sizeof p->reg[0].name, "%.*s", (int)n, setting);
-    for (int i = 0; i < p->registers; i++) {
+    for (int i = 0; i < p->register_count; i++) {
         if (strcmp(p->reg[i].name, name) == 0)
             return err_set(err, err_size, "--register: %s is given twice", name);
     }
-    if (!whole_number(equals + 1, -INT32_MAX, INT32_MAX, &p->reg[p->registers].value))
+    if (!whole_number(equals + 1, -INT32_MAX, INT32_MAX, &p->reg[p->register_count].value))
         return err_set(err, err_size, "--register: %s: expected a whole number from %d to %d, got \"%s\"", name,
                        -INT32_MAX, INT32_MAX, equals + 1);
-    p->registers++;
+    p->register_count++;
     return true;
 }
 

@@ -48,7 +48,7 @@ enum result unseen_again(struct unseen *r, const struct args *a)
 
 enum result unseen_tick(struct unseen *r)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     args_pressed(r->a, board_frame(r->guard.board), pads);
     if (r->game.has_demo)

@@ -73,8 +73,9 @@ static enum result list(void *block, const struct rom *rom)
         report_print("%s %s: ", t.is_music ? "music" : "sound", t.name);
         if (!print_measured(b, &t))
             return report_line(RESULT_HOST_FAILED, "out of memory");
-        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML", t.tracks,
-                     t.is_music ? "markers" : "limit", t.is_music ? t.marks : t.limit, t.title[0] ? ", " : "", t.title);
+        report_print(", %zu bytes, %s, tracks %d, %s %d%s%s\n", t.bytes, t.is_recording ? "recording" : "MML",
+                     t.track_count, t.is_music ? "markers" : "limit", t.is_music ? t.mark_count : t.limit,
+                     t.title[0] ? ", " : "", t.title);
         b = board_jukebox_open(block, rom, err, sizeof err);
     }
     return RESULT_DONE;

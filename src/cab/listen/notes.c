@@ -56,7 +56,7 @@ static void print_event(const struct walk *w, const struct tune_played *e)
         report_print("tempo %.2f\n", e->value / 100.0);
         break;
     case TUNE_MARK:
-        report_print("mark %s\n", tune_mark_name(w->t, e->value));
+        report_print("mark %s\n", tune_marker_name(w->t, e->value));
         break;
     default: /* what shapes a note and is none */
         report_print("event %d %d %d\n", (int)e->event, (int)e->value, (int)e->value2);
@@ -86,7 +86,7 @@ static uint32_t walk(struct walk *w, int track, uint32_t until)
 void notes_print(const char *name, const struct tune *t)
 {
     report_print("tune %s %d %d\n", name, (int)TUNE_QUARTER, t->beats_per_bar);
-    for (int i = -1; i < t->tracks; i++) {
+    for (int i = -1; i < t->n_tracks; i++) {
         struct walk w = { t, i < 0 ? '-' : (char)('A' + i), 0, false };
         const uint32_t at = walk(&w, i, 0);
         if (at == 0)

@@ -99,7 +99,7 @@ static void hear(struct place *p, const struct board_marker *k)
 
 static int where(struct measure *m, struct place *p, const struct board_out *out)
 {
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         hear(p, &out->marker[i]);
     return find_or_add(m, p->phase[0] ? p->phase : p->stage);
 }
@@ -120,7 +120,7 @@ static void phase_ends(void *context, enum board_phase phase)
     p->phase[phase] += clock_lap(&p->last);
 }
 
-static const struct board_out *timed_tick(struct player *p, const uint16_t pads[PADS], struct times *t)
+static const struct board_out *timed_tick(struct player *p, const uint16_t pads[MAX_PLAYERS], struct times *t)
 {
     board_on_phase(p->guard.board, phase_ends, p);
     const struct board_out *out = guard_tick(&p->guard, pads);
@@ -138,7 +138,7 @@ static const struct board_out *timed_tick(struct player *p, const uint16_t pads[
 
 /* ---- a round ---- */
 
-static void press(const struct player *p, uint32_t frame, uint16_t pads[PADS])
+static void press(const struct player *p, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     if (p->run->demo)
         demo_pads(p->run->demo, frame, pads);
@@ -198,7 +198,7 @@ static enum result first_round(struct player *p)
     const uint32_t most = most_of(p->run);
     const struct board_out *out = board_last_output(p->guard.board);
     struct place place = { 0 };
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     bool over = out->fault != NULL;
 
     for (uint32_t f = 0; f < most && !over; f++) {
@@ -219,7 +219,7 @@ static enum result first_round(struct player *p)
 
 static enum result next_round(struct player *p, int round)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     for (uint32_t f = 0; f < p->frames; f++) {
         press(p, f, pads);
@@ -251,7 +251,7 @@ static enum result count_round(struct player *p)
 {
     struct profile *profile = &p->m->profile;
     const struct board_out *out = board_last_output(p->guard.board);
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     board_set_profile(p->guard.board, profile);
     for (uint32_t f = 0; f < p->frames && !out->fault; f++) {

@@ -21,7 +21,7 @@ static const struct {
     { "board.shots", "shots", 1, POOL },
     { "board.enemies", "enemies", 1, POOL },
     { "board.lasers", "lasers", 1, POOL },
-    { "board.curve_points", "laser_points", LASER_PIECE_POINTS, POOL },
+    { "board.curve_points", "laser_points", LASER_CHUNK_POINTS, POOL },
     { "board.items", "items", 1, POOL },
     { "board.options", "options", 1, POOL },
     { "board.sprites", "sprites", 1, POOL },
@@ -76,7 +76,7 @@ static void measure_motions(const struct measure *m, struct room *r, int64_t *en
 {
     const struct inspect_gauge steps = gauge(m, "steps");
 
-    r->most = larger(r->most, rounded_up(steps.live, MOTION_STEPS) / MOTION_STEPS);
+    r->most = larger(r->most, rounded_up(steps.live, MOTION_STEPS_PER_PROGRAM) / MOTION_STEPS_PER_PROGRAM);
     r->refused += steps.refused;
     *enough = r->most;
 }

@@ -99,7 +99,7 @@ void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256])
 
 /* ---- text ---- */
 
-void canvas_view(const struct canvas *canvas, enum view_colours view)
+void canvas_view(const struct canvas *canvas, enum colour_blind_mode view)
 {
     for (int i = 0; i < CANVAS_COLOURS; i++)
         canvas->rgb[canvas->colour[i]] = view_colour(view, colours[i]);
@@ -169,7 +169,7 @@ void canvas_rect(const struct canvas *canvas, int x, int y, int w, int h, enum c
 
 void canvas_frame(const struct canvas *canvas, int x, int y, int w, int h, enum canvas_colour c)
 {
-    fb_frame(canvas->fb, x, y, w, h, canvas->colour[c]);
+    fb_outline(canvas->fb, x, y, w, h, canvas->colour[c]);
 }
 
 void canvas_line(const struct canvas *canvas, int x0, int y0, int x1, int y1, enum canvas_colour c)

@@ -49,7 +49,7 @@ struct canvas {
 void canvas_open(struct canvas *canvas, struct fb *fb, uint32_t rgb[256]);
 
 /* The canvas's own colours as such a view shows them; the picture's are so already. */
-void canvas_view(const struct canvas *canvas, enum view_colours colours);
+void canvas_view(const struct canvas *canvas, enum colour_blind_mode colours);
 
 /* Draws one line, its top left corner at (x, y). A tab is two blanks; a byte or UTF-8 character that is not printable
  * ASCII is one question mark. Returns the x after it. */

@@ -268,13 +268,13 @@ static enum canvas_colour colour_of(const struct inspect_body *s)
     switch (s->kind) {
     case INSPECT_BULLET:
     case INSPECT_LASER:
-        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->inactive ? CANVAS_MAGENTA : CANVAS_RED;
+        return s->shape == INSPECT_NONE ? CANVAS_GREY : s->is_dimmed ? CANVAS_MAGENTA : CANVAS_RED;
     case INSPECT_SHOT:
         return CANVAS_CYAN;
     case INSPECT_ENEMY:
-        return s->inactive ? CANVAS_GREY : CANVAS_YELLOW;
+        return s->is_dimmed ? CANVAS_GREY : CANVAS_YELLOW;
     default:
-        return s->inactive ? CANVAS_GREY : CANVAS_GREEN;
+        return s->is_dimmed ? CANVAS_GREY : CANVAS_GREEN;
     }
 }
 
@@ -325,12 +325,12 @@ static void draw_ship(const struct canvas *canvas, const struct inspect_body *s,
 
 void overlay_ships(const struct canvas *canvas, const struct board *b)
 {
-    static const enum canvas_colour rings[PADS] = { CANVAS_RED, CANVAS_CYAN };
+    static const enum canvas_colour rings[MAX_PLAYERS] = { CANVAS_RED, CANVAS_CYAN };
     const struct inspect_area f = inspect_field(b);
     struct inspect_body body;
 
     fb_set_clip(canvas->fb, f.x, f.y, f.w, f.h);
-    for (int i = 0; i < PADS; i++)
+    for (int i = 0; i < MAX_PLAYERS; i++)
         if (inspect_ship(b, i, &body))
             draw_ship(canvas, &body, rings[i]);
     fb_reset_clip(canvas->fb);
@@ -461,7 +461,7 @@ static void add_place_of_music(struct panel *s, const struct board *b)
         return;
     }
     add(s, CANVAS_WHITE, "%.20s%s%.14s", m.name, m.next[0] ? ", then " : "", m.next);
-    add(s, CANVAS_WHITE, "bar %u  beat %d of %d  tempo %u.%02u  gain %d%%%s", (unsigned)m.bar, m.beat, m.beats,
+    add(s, CANVAS_WHITE, "bar %u  beat %d of %d  tempo %u.%02u  gain %d%%%s", (unsigned)m.bar, m.beat, m.beats_per_bar,
         (unsigned)m.tempo / 100, (unsigned)m.tempo % 100, m.gain, m.is_paused ? "  held" : "");
     if (m.mark[0])
         add(s, CANVAS_WHITE, "marker \"%.31s\"", m.mark);
@@ -541,13 +541,13 @@ static void add_motion(struct panel *s, const struct inspect_entity *t)
     if (!t->has_motion)
         return;
     snprintf(name, sizeof name, t->motion ? "%s" : "number %s%u", t->motion ? t->motion : "", (unsigned)t->program);
-    if (t->step > t->steps)
+    if (t->step > t->step_count)
         add(s, CANVAS_WHITE, "motion %s, ended", name);
     else if (t->frames_left)
-        add(s, CANVAS_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->steps,
+        add(s, CANVAS_WHITE, "motion %s step %u/%u, %u left", name, (unsigned)t->step, (unsigned)t->step_count,
             (unsigned)t->frames_left);
     else
-        add(s, CANVAS_WHITE, "motion %s step %u/%u", name, (unsigned)t->step, (unsigned)t->steps);
+        add(s, CANVAS_WHITE, "motion %s step %u/%u", name, (unsigned)t->step, (unsigned)t->step_count);
 }
 
 static void add_flight(struct panel *s, const struct inspect_entity *t)

@@ -249,7 +249,7 @@ static bool add_shape(struct ase_sprite *s, const struct ase_key *k, uint32_t sh
     const int64_t dx = 2 * ((int64_t)k->x - at->x) + k->w - place_of(s->sprite.ox, at->w);
     const int64_t dy = 2 * ((int64_t)k->y - at->y) + k->h - place_of(s->sprite.oy, at->h);
     const int32_t small = k->w < k->h ? k->w : k->h;
-    struct cart_hit *h = &s->hit;
+    struct cart_hitbox *h = &s->hit;
     const uint32_t i = h->rows;
 
     if (i > 0 && (shape != SHAPE_CIRCLES || h->shape != SHAPE_CIRCLES))

@@ -21,7 +21,7 @@
 struct ase_sprite {
     struct art_picture picture;
     struct art_sprite sprite;
-    struct cart_hit hit; /* rows 0: none was drawn */
+    struct cart_hitbox hit; /* rows 0: none was drawn */
     uint16_t frames[CART_MAX_FRAMES];
 };
 

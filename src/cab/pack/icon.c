@@ -167,6 +167,6 @@ void icon_show(const struct cart *cart)
     uint8_t *rgba = icon_make(cart, ICON_SHOWN, &side);
 
     if (rgba)
-        plat_icon(rgba, side, side);
+        plat_set_icon(rgba, side, side);
     free(rgba);
 }

@@ -404,7 +404,7 @@ static bool add_module(struct packer *p, const struct embedded *s)
 static bool add_pieces(struct packer *p)
 {
     for (int i = 0; i < std_script_count; i++) {
-        int of = std_module_of_piece(std_scripts[i].name);
+        int of = std_module_of_file(std_scripts[i].name);
         if (of >= 0 && p->std >> of & 1 && !replaced(p, std_scripts[i].name) && !add_module(p, &std_scripts[i]))
             return false;
     }

@@ -472,7 +472,7 @@ static bool check_recordings(struct packer *p, const struct art_sound *s, const 
     const struct tune t = tune_of(tune);
     const char *where = s->file[0] ? s->file : s->name;
 
-    for (int i = 0; i < t.insts; i++) {
+    for (int i = 0; i < t.n_insts; i++) {
         const char *sample = inst_sample_name(tune_inst(&t, i));
         const struct art_sound *found = sample[0] ? find_recording(p, sample) : NULL;
         if (sample[0] && !found)

@@ -8,13 +8,13 @@
 void seats_open(struct seats *s)
 {
     memset(s, 0, sizeof *s);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         s->seat[p] = SEAT_EMPTY;
 }
 
 int seats_player(const struct seats *s, int controller)
 {
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         if (s->seat[p] == controller)
             return p;
     return -1;
@@ -68,7 +68,7 @@ static void comes(struct seats *s, int i, const struct plat_controller *c, uint3
     s->there[i] = true;
     s->is[i] = *c;
     s->held[i] = s->ignored[i] = held;
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         if (s->waits[p] && same_model(&s->was[p], c)) {
             s->seat[p] = i;
             s->waits[p] = false;
@@ -107,7 +107,7 @@ void seats_poll(struct seats *s, int players, const uint32_t held[PLAT_CONTROLLE
                 const struct plat_controller *const plugged[PLAT_CONTROLLERS])
 {
     s->events = 0;
-    players = players < 1 ? 1 : players > PADS ? PADS : players;
+    players = players < 1 ? 1 : players > MAX_PLAYERS ? MAX_PLAYERS : players;
     for (int i = 0; i < PLAT_CONTROLLERS; i++)
         if (s->there[i] && (!plugged[i] || plugged[i]->id != s->is[i].id))
             goes(s, i);

@@ -39,9 +39,9 @@ struct seats {
     uint32_t held[PLAT_CONTROLLERS];     /* at the last poll */
     uint32_t ignored[PLAT_CONTROLLERS];  /* until they are let go */
     uint32_t switches[PLAT_CONTROLLERS]; /* what this poll hands on: held and not ignored */
-    int seat[PADS];                      /* controller of each player, or SEAT_EMPTY */
-    bool waits[PADS];                    /* an empty one: for the return of was */
-    struct plat_controller was[PADS];
+    int seat[MAX_PLAYERS];               /* controller of each player, or SEAT_EMPTY */
+    bool waits[MAX_PLAYERS];             /* an empty one: for the return of was */
+    struct plat_controller was[MAX_PLAYERS];
     struct seats_event event[SEATS_EVENTS]; /* of the last poll */
     int events;
 };

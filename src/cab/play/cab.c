@@ -127,7 +127,7 @@ static void run(struct cab *cab, int frames, const struct keys_read *k, uint64_t
 
 static void save_records(struct cab *cab)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!records_save(&cab->practice.records, &cab->unsaved.files, err, sizeof err))
         cab_save_failed(cab, err);
@@ -228,7 +228,7 @@ static void close_run(struct cab *cab)
 /* The run cannot be: a folder's is waited for, if its own files are why. */
 static bool refuse(struct cab *cab, enum result result, const char *what)
 {
-    char why[FILES_ERR + sizeof cab->session.err];
+    char why[FILES_ERR_SIZE + sizeof cab->session.err];
 
     snprintf(why, sizeof why, "%s: %s", cab_game(cab), what);
     close_run(cab);
@@ -245,7 +245,7 @@ static bool refuse(struct cab *cab, enum result result, const char *what)
 static bool wait_for_fault(struct cab *cab)
 {
     struct board_fault fault = *cab_fault(cab);
-    char why[FILES_PATH + sizeof fault.message + 4];
+    char why[FILES_PATH_SIZE + sizeof fault.message + 4];
 
     cab_log_lines(cab, board_last_output(cab_live(cab)));
     snprintf(why, sizeof why, "%s: %s", cab_game(cab), fault.message);
@@ -269,7 +269,7 @@ static const char *no_window(void)
 {
     char about[128];
 
-    plat_about(about, sizeof about);
+    plat_describe_build(about, sizeof about);
     if (strcmp(about, "no window") == 0)
         return "cannot open a window: this build has no window support. Play with curtain, or write pictures with "
                "curtain-null "
@@ -334,7 +334,7 @@ void cab_begin(struct cab *cab)
 
 struct cab *cab_open(const struct cab_options *options)
 {
-    char err[FILES_ERR + CONFIG_LINE];
+    char err[FILES_ERR_SIZE + CONFIG_LINE];
     struct cab *cab = calloc(1, sizeof *cab);
 
     if (!cab)

@@ -63,7 +63,7 @@ bool cab_save(struct cab *cab, const char *path, const void *bytes, size_t size)
 {
     size_t waits;
     const bool known = unsaved_bytes(cab->unsaved.files, path, &waits) != NULL;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (unsaved_save(&cab->unsaved.files, path, bytes, size, err, sizeof err))
         return true;
@@ -76,7 +76,7 @@ bool cab_save(struct cab *cab, const char *path, const void *bytes, size_t size)
 static bool keep_rom(struct cab *cab)
 {
     const struct cart *cart = cab_cart(cab);
-    char path[ROMS_PATH], err[FILES_ERR];
+    char path[ROMS_PATH], err[FILES_ERR_SIZE];
     size_t waits;
 
     roms_path(path, cart->manifest.id, rom_hash(cart->rom));
@@ -196,7 +196,7 @@ static void describe(struct cab *cab, struct card *c, enum card_end end)
     c->date = (int64_t)time(NULL);
     snprintf(c->difficulty, sizeof c->difficulty, "%s",
              difficulty < m->n_difficulties ? m->difficulties[difficulty] : "");
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         c->points[p] = board_points(cab_live(cab), p);
     c->rows = cab->keep.rows;
     memcpy(c->row, cab->keep.row, sizeof c->row);
@@ -221,7 +221,7 @@ static bool keep_run(struct cab *cab, enum card_end end)
 {
     struct card card;
     struct thumb thumb;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     size_t size;
     const uint32_t frames = writer(cab)->demo.frames - cab->keep.first;
 
@@ -283,7 +283,7 @@ void cab_keep_left(struct cab *cab)
     struct replays list;
     struct demo d;
     struct card card;
-    char path[CAB_NAME], err[FILES_ERR] = "out of memory";
+    char path[CAB_NAME], err[FILES_ERR_SIZE] = "out of memory";
     uint8_t *bytes;
     size_t size;
     bool there = false;
@@ -423,7 +423,7 @@ void cab_keep_tick(struct cab *cab)
     if (frames != cab->keep.frames + 1)
         follow(cab, frames);
     cab->keep.frames = frames;
-    for (int i = 0; i < out->markers; i++)
+    for (int i = 0; i < out->marker_count; i++)
         take_marker(cab, &out->marker[i]);
     if (out->fault && cab->keep.on)
         end_run(cab, CARD_FAULT);
@@ -464,7 +464,7 @@ static void say_nothing(void *of, const char *err)
 static bool retry_runs(struct cab *cab, struct cab_run **at, void (*failed)(void *of, const char *err))
 {
     struct cab_run *run = *at;
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!run)
         return true;
@@ -488,7 +488,7 @@ static bool retry_runs(struct cab *cab, struct cab_run **at, void (*failed)(void
 
 static bool retry_settings(struct cab *cab, void (*failed)(void *of, const char *err))
 {
-    char err[FILES_ERR + CONFIG_LINE];
+    char err[FILES_ERR_SIZE + CONFIG_LINE];
 
     if (!cab->unsaved.settings || config_save(&cab->kept, err, sizeof err)) {
         cab->unsaved.settings = false;
@@ -527,7 +527,7 @@ void cab_retry(struct cab *cab)
     if (!u->shown || --u->wait > 0)
         return;
     u->wait = RETRY_EVERY;
-    const bool all = retry(cab, say_nothing), spare = retry_spare(cab), recorded = demo_retry(writer(cab));
+    const bool all = retry(cab, say_nothing), spare = retry_spare(cab), recorded = demo_retry_write(writer(cab));
     if (!all || !spare || !recorded)
         return;
     u->shown = false;

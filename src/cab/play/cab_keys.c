@@ -121,7 +121,7 @@ static bool prompt_keys(struct cab *cab, const struct plat_input *in)
 /* Collects buttons until a tick has seen them. */
 static void take_pads(struct cab *cab, const struct keys_read *k)
 {
-    for (int i = 0; i < PADS; i++) {
+    for (int i = 0; i < MAX_PLAYERS; i++) {
         cab->stale[i] &= k->pads[i];
         cab->pads[i] |= (uint16_t)(k->pads[i] & ~cab->stale[i]);
     }

@@ -29,7 +29,7 @@ static bool keeps_nvram(struct cab *cab)
 /* Keeps scores that cannot be read beside the new ones, as NAME.damaged, or NAME.damaged-2 and so on. */
 static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image, size_t size)
 {
-    char beside[CAB_NAME + 32], shown[FILES_PATH], shown_beside[FILES_PATH];
+    char beside[CAB_NAME + 32], shown[FILES_PATH_SIZE], shown_beside[FILES_PATH_SIZE];
 
     snprintf(beside, sizeof beside, "%s.damaged", name);
     for (int i = 2; plat_size(beside) >= 0; i++)
@@ -44,7 +44,7 @@ static void keep_damaged(struct cab *cab, const char *name, const uint8_t *image
 
 uint8_t *cab_load_nvram(struct cab *cab, struct board_start *start)
 {
-    char name[CAB_NAME], shown[FILES_PATH];
+    char name[CAB_NAME], shown[FILES_PATH_SIZE];
     size_t waits;
     nvram_name(cab, name);
     const uint8_t *newer = unsaved_bytes(cab->unsaved.files, name, &waits);

@@ -18,7 +18,7 @@ void cab_pads_apply(struct cab *cab)
 {
     const struct config *c = &cab->config;
 
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         keys_hand(&cab->config.keys, p, (enum keys_hand)c->one_hand[p]);
         cab->modes[p] = (struct press_modes){ .autofire = c->autofire[p],
                                               .toggle_focus = c->focus[p],
@@ -31,22 +31,22 @@ void cab_pads_apply(struct cab *cab)
 void cab_pads_power(struct cab *cab)
 {
     cab->pressed_to = 0;
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         press_resume(&cab->press[p], 0);
 }
 
 /* Time was turned: what the players had switched is what they had then. */
 static void resume(struct cab *cab, uint32_t frame)
 {
-    uint16_t were[PADS] = { 0 };
+    uint16_t were[MAX_PLAYERS] = { 0 };
 
     if (frame)
         demo_pads(&cab->session.now->writer.demo, frame - 1, were);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         press_resume(&cab->press[p], were[p]);
 }
 
-void cab_pads_tick(struct cab *cab, uint16_t pads[PADS])
+void cab_pads_tick(struct cab *cab, uint16_t pads[MAX_PLAYERS])
 {
     const struct board *b = cab_live(cab);
     const uint32_t frame = board_frame(b);
@@ -54,7 +54,7 @@ void cab_pads_tick(struct cab *cab, uint16_t pads[PADS])
     if (frame != cab->pressed_to)
         resume(cab, frame);
     cab->pressed_to = frame + 1;
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         const struct inspect_controls ship = inspect_player_controls(b, p);
         pads[p] =
             press_tick(&cab->press[p], &cab->modes[p], (struct press_ship){ ship.steers, ship.fires }, cab->pads[p]);
@@ -130,7 +130,7 @@ static void go_on(struct cab *cab, const struct keys_read *k)
         return;
     for (int i = 0; i < cab->seats.events; i++)
         cab->paused = cab->paused && !cab->seats.event[i].start;
-    for (int p = 0; p < PADS; p++) {
+    for (int p = 0; p < MAX_PLAYERS; p++) {
         cab->paused = cab->paused && !(k->pads_fresh[p] & PAD_START);
         cab->stale[p] |= k->pads_fresh[p] & PAD_START;
     }

@@ -81,7 +81,7 @@ struct waiting {
     bool on;
     bool settings; /* it is their file */
     bool looks;    /* it has changed: it is read in the next frame, once the picture says so */
-    char why[FILES_ERR + CONFIG_LINE], more[sizeof((struct board_fault *)0)->trace];
+    char why[FILES_ERR_SIZE + CONFIG_LINE], more[sizeof((struct board_fault *)0)->trace];
     int top, most; /* lines scrolled, and the most */
 };
 
@@ -94,9 +94,9 @@ struct report {
     size_t size;
     char *text; /* of a fault's; malloc */
     size_t used, room;
-    bool failed;            /* there was not enough memory */
-    char where[FILES_PATH]; /* the path of the last one; "": none */
-    uint32_t frame;         /* and what it was of */
+    bool failed;                 /* there was not enough memory */
+    char where[FILES_PATH_SIZE]; /* the path of the last one; "": none */
+    uint32_t frame;              /* and what it was of */
     char message[sizeof((struct board_fault *)0)->message];
 };
 
@@ -163,10 +163,10 @@ struct cab {
     struct pace pace;
     uint64_t frames; /* of the cabinet, since the beginning */
     struct ahead ahead;
-    uint16_t last_pads[PADS]; /* of the last tick */
-    bool ticked;              /* the live board did, in this frame */
-    int since_save;           /* frames since nvram was last looked at */
-    uint32_t nvram_saved;     /* board_nvram's count when it was last saved */
+    uint16_t last_pads[MAX_PLAYERS]; /* of the last tick */
+    bool ticked;                     /* the live board did, in this frame */
+    int since_save;                  /* frames since nvram was last looked at */
+    uint32_t nvram_saved;            /* board_nvram's count when it was last saved */
     struct waiting waiting;
     struct report report;
     int fault_top, fault_most; /* lines of a fault's page that are scrolled, and the most */
@@ -186,11 +186,11 @@ struct cab {
     uint32_t pressed[PLAT_CONTROLLERS]; /* at the last poll of the screen of controllers, also what no player gets */
     bool stands;                        /* the board does in this frame, for a screen is open or was */
     bool here;                          /* at the last poll the window had the keys, and was seen */
-    uint16_t pads[PADS];                /* buttons held since the last tick, before press */
-    uint16_t stale[PADS];               /* held since the menu was open: the game does not get them */
+    uint16_t pads[MAX_PLAYERS];         /* buttons held since the last tick, before press */
+    uint16_t stale[MAX_PLAYERS];        /* held since the menu was open: the game does not get them */
     struct seats seats;
-    struct press_modes modes[PADS];
-    struct press press[PADS];
+    struct press_modes modes[MAX_PLAYERS];
+    struct press press[MAX_PLAYERS];
     uint32_t pressed_to; /* the frame after the last tick that got pads of press */
     bool unplugged;      /* a player's controller is gone, and the game pauses for it */
     bool paused, step;
@@ -210,14 +210,14 @@ struct cab {
     int since_check;  /* frames since the folder was last looked at */
     bool film_due;    /* the last seconds are filmed in the next frame, once the picture says so */
     bool reload_due;  /* the folder changed: reload in the next frame, once the picture says so */
-    char notice[FILES_PATH + 256];
+    char notice[FILES_PATH_SIZE + 256];
     int notice_left;     /* frames; -1: until a reload works */
     bool fault_reported; /* of the fault that the board has now */
     bool quit;
-    char asked[FILES_PATH];   /* the game that was dropped, while it is asked whether it is to be played */
-    char took[CAB_NAME];      /* the recording of a playback that was taken over, if it was given no name */
-    char dropped[FILES_PATH]; /* what is played next, once this has ended; "": nothing */
-    enum result result;       /* of cab_close */
+    char asked[FILES_PATH_SIZE];   /* the game that was dropped, while it is asked whether it is to be played */
+    char took[CAB_NAME];           /* the recording of a playback that was taken over, if it was given no name */
+    char dropped[FILES_PATH_SIZE]; /* what is played next, once this has ended; "": nothing */
+    enum result result;            /* of cab_close */
 };
 
 /* ---- cab.c ---- */
@@ -498,7 +498,7 @@ void cab_pads_apply(struct cab *cab);
 void cab_pads_power(struct cab *cab);
 
 /* The pads of the live board's next tick, from cab->pads. */
-void cab_pads_tick(struct cab *cab, uint16_t pads[PADS]);
+void cab_pads_tick(struct cab *cab, uint16_t pads[MAX_PLAYERS]);
 
 /* Before keys_read: what is plugged in, and who plays with it. After it: tells of what changed, pauses for a player
  * whose controller is gone, and goes on at START. */

@@ -112,9 +112,9 @@ static void add_versions(struct cab *cab, struct report *r, const char *when)
     char text[256];
 
     add(r, "curtain   %s, core version %d, Lua %s\n", cab->options.version, CORE_VERSION, board_lua_release());
-    plat_about(text, sizeof text);
+    plat_describe_build(text, sizeof text);
     add(r, "port      %s\n", text);
-    plat_system(text, sizeof text);
+    plat_describe_system(text, sizeof text);
     add(r, "system    %s\n", text);
     date(text, sizeof text, "%Y-%m-%d %H:%M:%S %z");
     add(r, "%-9s %s\n", when, text);
@@ -235,7 +235,7 @@ static void make_ready(struct cab *cab, const char *when)
     size_t size = demo_dump_size(&cab->session.now->writer);
     uint8_t *memory = size > r->size ? realloc(r->memory, size) : r->memory;
 
-    plat_crash("", NULL, NULL); /* while this changes */
+    plat_set_crash_handler("", NULL, NULL); /* while this changes */
     r->memory = memory;
     r->size = memory ? (size > r->size ? size : r->size) : 0;
     r->n = 0;
@@ -252,7 +252,7 @@ static void make_ready(struct cab *cab, const char *when)
 void cab_report_arm(struct cab *cab)
 {
     if (cab->report.stem[0])
-        plat_crash(cab->report.stem, crashed, cab);
+        plat_set_crash_handler(cab->report.stem, crashed, cab);
 }
 
 void cab_report_ready(struct cab *cab)
@@ -274,7 +274,7 @@ static bool is_of_crash(const char *name)
 void cab_report_last_crash(struct cab *cab)
 {
     struct found f = { .newest = true };
-    char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH];
+    char told[sizeof f.name] = "", path[sizeof REPORTS + sizeof f.name], shown[FILES_PATH_SIZE];
 
     plat_list(REPORTS, look_at, &f);
     plat_load(TOLD, told, sizeof told - 1);
@@ -288,7 +288,7 @@ void cab_report_last_crash(struct cab *cab)
 
 void cab_report_close(struct cab *cab)
 {
-    plat_crash("", NULL, NULL);
+    plat_set_crash_handler("", NULL, NULL);
     free(cab->report.memory);
     free(cab->report.text);
     cab->report.memory = NULL;
@@ -356,7 +356,7 @@ static void write_fault_report(struct cab *cab, const struct board_fault *fault)
 
 void cab_report_fault(struct cab *cab)
 {
-    char line[FILES_PATH + sizeof((struct board_fault *)0)->message];
+    char line[FILES_PATH_SIZE + sizeof((struct board_fault *)0)->message];
 
     if (!cab->fault_reported) {
         struct board_fault fault = *cab_fault(cab);

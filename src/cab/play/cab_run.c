@@ -48,7 +48,7 @@ static void attract_begin(struct cab *cab, const char *name)
 
 static void attract_tick(struct cab *cab)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
     const struct board *b = cab->attract_guard.board;
     if (board_last_output(b)->fault || board_last_output(b)->request == REQUEST_QUIT ||
         board_frame(b) >= cab->attract.frames) {
@@ -105,7 +105,7 @@ static bool at_end(struct cab *cab)
 
 void cab_tick(struct cab *cab)
 {
-    uint16_t pads[PADS] = { 0 };
+    uint16_t pads[MAX_PLAYERS] = { 0 };
 
     if (cab->quit || screens_are_open(&cab->screens))
         return;

@@ -114,7 +114,7 @@ static void play_dropped(void *of)
 
 static bool can_be_played(struct cab *cab, const char *path)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     struct session_rom *rom = session_rom_load(path, cab->options.nearest, err, sizeof err);
 
     if (!rom) {
@@ -127,9 +127,9 @@ static bool can_be_played(struct cab *cab, const char *path)
 
 void cab_drop(struct cab *cab)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
 
-    if (!plat_dropped(path, sizeof path) || cab->options.sealed || !can_be_played(cab, path))
+    if (!plat_take_dropped_file(path, sizeof path) || cab->options.sealed || !can_be_played(cab, path))
         return;
     snprintf(cab->asked, sizeof cab->asked, "%s", path);
     if (cab->waiting.on || !cab_run_is_on(cab))

@@ -42,7 +42,7 @@ void cab_rewind(struct cab *cab, uint32_t frames)
 
 void cab_take_over(struct cab *cab)
 {
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
 
     if (!cab->session.demo) {
         cab_notice(cab, CAB_NOTICE_FRAMES, "Nothing to take over: you are already playing");

@@ -56,7 +56,7 @@ static struct view view_now(struct cab *cab, struct picture *p)
 {
     return (struct view){ .dim = (enum view_dim)cab->config.dim,
                           .softens_flashes = cab->config.flashes,
-                          .colours = (enum view_colours)cab->config.colours,
+                          .colours = (enum colour_blind_mode)cab->config.colours,
                           .shades = cab->config.dim ? shade_for(&p->shades, cab_cart(cab)) : NULL };
 }
 
@@ -103,7 +103,7 @@ static struct canvas copy_picture(struct cab *cab, struct picture *p)
         memcpy(p->composed.pix + y * p->composed.pitch, p->fb.pix + y * p->fb.pitch, (size_t)p->fb.w);
     memcpy(p->composed_rgb, p->rgb, sizeof p->rgb);
     canvas_open(&canvas, &p->composed, p->composed_rgb);
-    canvas_view(&canvas, (enum view_colours)cab->config.colours);
+    canvas_view(&canvas, (enum colour_blind_mode)cab->config.colours);
     if (ships_shown(cab))
         overlay_ships(&canvas, cab_live(cab));
     return canvas;
@@ -143,7 +143,7 @@ static bool shows_page(struct cab *cab)
 static int draw_page(struct cab *cab, const struct canvas *canvas)
 {
     const struct board_fault *f = cab_fault(cab);
-    char foot[FILES_PATH + 64] = "The old version is still running.";
+    char foot[FILES_PATH_SIZE + 64] = "The old version is still running.";
     struct page page = { "Reload failed", cab->notice, "", foot, cab->fault_top, 0 };
 
     if (cab->notice_left >= 0) {
@@ -293,7 +293,7 @@ void cab_picture_show(struct cab *cab, struct picture *p)
 /* Writes a file of the user's pictures, and says where it is. */
 static void save_picture(struct cab *cab, const char *name, const uint8_t *bytes, size_t size)
 {
-    char shown[FILES_PATH];
+    char shown[FILES_PATH_SIZE];
 
     if (!cab_save(cab, name, bytes, size))
         return;

@@ -19,7 +19,7 @@ void cab_note(struct cab *cab, enum log_kind kind, const char *line)
 
 void cab_say(struct cab *cab, const char *format, ...)
 {
-    char line[2 * FILES_PATH + 256];
+    char line[2 * FILES_PATH_SIZE + 256];
     va_list args;
 
     va_start(args, format);

@@ -81,7 +81,7 @@ bool cab_wait(struct cab *cab, const char *why, const char *more)
 
 static void draw(struct cab *cab)
 {
-    char title[FILES_PATH + 64];
+    char title[FILES_PATH_SIZE + 64];
     struct picture *p = &cab->picture;
     struct waiting *w = &cab->waiting;
     struct canvas canvas;
@@ -115,7 +115,7 @@ static void end_settings(struct cab *cab)
 /* Looks at the settings' file again. */
 static void try_settings(struct cab *cab)
 {
-    char err[FILES_ERR + CONFIG_LINE];
+    char err[FILES_ERR_SIZE + CONFIG_LINE];
 
     if (config_load(&cab->config, err, sizeof err))
         end_settings(cab);
@@ -147,7 +147,7 @@ static void poll(struct cab *cab)
 /* The folder has changed: the game, or another sentence. */
 static void try_again(struct cab *cab)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     enum cab_opened opened = cab->options.open(cab->options.user, &cab->options, err, sizeof err);
 
     if (opened == CAB_OPENED) {

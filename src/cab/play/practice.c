@@ -132,7 +132,7 @@ static void count_marker(struct practice_menu *m, const struct board_marker *mar
 
 void practice_after_tick(struct practice_menu *m, const struct board_out *out)
 {
-    for (int i = 0; m->counts && i < out->markers; i++)
+    for (int i = 0; m->counts && i < out->marker_count; i++)
         count_marker(m, &out->marker[i]);
 }
 
@@ -163,7 +163,7 @@ static void take_settings(struct practice_menu *m)
     m->lives = p->lives;
     m->invincible = p->invincible;
     for (int i = 0; i < m->sections.registers; i++)
-        for (int k = 0; k < p->registers; k++)
+        for (int k = 0; k < p->register_count; k++)
             if (strcmp(m->sections.reg[i].name, p->reg[k].name) == 0)
                 m->value[i] = p->reg[k].value;
 }
@@ -183,8 +183,8 @@ void practice_chosen(const struct practice_menu *m, struct board_start *out)
     for (int i = 0; i < m->sections.registers; i++) {
         if (m->value[i] == m->sections.reg[i].value)
             continue;
-        memcpy(p->reg[p->registers].name, m->sections.reg[i].name, sizeof p->reg[0].name);
-        p->reg[p->registers++].value = m->value[i];
+        memcpy(p->reg[p->register_count].name, m->sections.reg[i].name, sizeof p->reg[0].name);
+        p->reg[p->register_count++].value = m->value[i];
     }
 }
 

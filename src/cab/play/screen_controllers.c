@@ -9,7 +9,7 @@
 
 static int players(struct cab *cab)
 {
-    return cab_cart(cab)->manifest.players > 1 ? PADS : 1;
+    return cab_cart(cab)->manifest.players > 1 ? MAX_PLAYERS : 1;
 }
 
 /* The controller of a row; -1: none is plugged in. */

@@ -157,7 +157,7 @@ void cab_open_settings(struct cab *cab)
 
 void cab_save_settings(struct cab *cab)
 {
-    char err[FILES_ERR + CONFIG_LINE], path[FILES_PATH];
+    char err[FILES_ERR_SIZE + CONFIG_LINE], path[FILES_PATH_SIZE];
     size_t folder = strlen(files_display_name(CONFIG_FILE, path));
 
     cab->unsaved.settings = !config_save(&cab->kept, err, sizeof err);

@@ -117,7 +117,7 @@ bool session_restart(struct session *s, const struct board_start *start)
 /* ---- forward ---- */
 
 /* The pads of the board's next tick, if they are known. */
-static bool known_pads(const struct session *s, uint16_t pads[PADS])
+static bool known_pads(const struct session *s, uint16_t pads[MAX_PLAYERS])
 {
     uint32_t frame = board_frame(session_board(s));
     const struct demo *d = frame < s->now->writer.demo.frames || !s->demo ? &s->now->writer.demo : s->demo;
@@ -138,7 +138,7 @@ static void compare(struct session *s)
         s->differs = r->writer.demo.frames;
 }
 
-static bool tick(struct session *s, const uint16_t pads[PADS])
+static bool tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
 {
     struct session_run *r = s->now;
     bool seen = board_frame(r->guard.board) < r->writer.demo.frames;
@@ -161,14 +161,14 @@ static bool tick(struct session *s, const uint16_t pads[PADS])
 
 bool session_replay_tick(struct session *s)
 {
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     if (board_last_output(session_board(s))->fault || !known_pads(s, pads))
         return true;
     return tick(s, pads);
 }
 
-bool session_tick(struct session *s, const uint16_t pads[PADS])
+bool session_tick(struct session *s, const uint16_t pads[MAX_PLAYERS])
 {
     const struct board *b = session_board(s);
     struct demo_writer *w = &s->now->writer;
@@ -366,7 +366,7 @@ static bool finish_reload(struct session *s)
 static bool reload_tick(struct session *s)
 {
     struct session_run *r = s->next;
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     demo_pads(&s->now->writer.demo, board_frame(r->guard.board), pads);
     guard_tick(&r->guard, pads);

@@ -76,7 +76,7 @@ static inline struct board *session_board(const struct session *s)
 /* Ticks one frame: of a playback with the demo's pads, of a live run with these, and then frames recorded after the
  * present are dropped. A fault is in board_last_output; after it only going back works. False and s->err, once: the
  * recording could not be written; the frame was played all the same. */
-bool session_tick(struct session *s, const uint16_t pads[PADS]);
+bool session_tick(struct session *s, const uint16_t pads[MAX_PLAYERS]);
 
 /* Ticks one recorded frame, if there is one after the present. */
 bool session_replay_tick(struct session *s);

@@ -27,7 +27,7 @@ static bool keep(struct ahead *a, const struct board *b)
     return true;
 }
 
-bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[PADS])
+bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
     if (!keep(a, g->board))
         return false;

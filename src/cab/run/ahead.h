@@ -19,7 +19,7 @@ struct ahead {
 
 /* Goes ahead. False: it cannot (no memory, or the next tick would fault or take too long), and the board is as it
  * was. Only between frames, of a board without a fault. */
-bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[PADS]);
+bool ahead_begin(struct ahead *a, struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
 /* Goes back, if it went ahead. To be called before anything else is done with the board but looking at it. */
 void ahead_end(struct ahead *a, struct guard *g);

@@ -59,7 +59,7 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
     return false;
 }
 
-const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS])
+const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
     if (g->remembers)
         rewind_push(&g->past, g->board, pads);
@@ -68,7 +68,7 @@ const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS])
     return board_tick(g->board, pads);
 }
 
-bool guard_ahead(struct guard *g, const uint16_t pads[PADS])
+bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS])
 {
     board_on_phase(g->board, NULL, NULL);
     return !board_tick(g->board, pads)->fault;

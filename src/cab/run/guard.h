@@ -28,11 +28,11 @@ bool guard_power(struct guard *g, const struct rom *rom, const struct board_star
 bool guard_again(struct guard *g, const struct board_start *start, char *err, size_t err_size);
 
 /* board_tick, which the past remembers. */
-const struct board_out *guard_tick(struct guard *g, const uint16_t pads[PADS]);
+const struct board_out *guard_tick(struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
 /* Ticks once for a caller that has a snapshot and restores it: the past does not remember this tick, and nobody
  * measures its phases. False: the tick ended in a fault. */
-bool guard_ahead(struct guard *g, const uint16_t pads[PADS]);
+bool guard_ahead(struct guard *g, const uint16_t pads[MAX_PLAYERS]);
 
 /* Forgets the past: call it after board_restore or anything else that changed the board between frames. */
 void guard_forget(struct guard *g);

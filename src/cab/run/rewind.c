@@ -180,7 +180,7 @@ static bool more_pads(struct rewind *r)
 
     if (old && (room == 0 || bytes > r->budget / 8))
         return false;
-    uint16_t(*pads)[PADS] = malloc(bytes);
+    uint16_t(*pads)[MAX_PLAYERS] = malloc(bytes);
     if (!pads)
         return false;
     for (uint32_t f = rewind_first(r); f != r->end; f++)
@@ -210,7 +210,7 @@ static bool room_for_pads(struct rewind *r)
 
 /* ---- the past ---- */
 
-bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[PADS])
+bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[MAX_PLAYERS])
 {
     uint32_t now = board_frame(b);
 

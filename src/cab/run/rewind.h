@@ -34,7 +34,7 @@ struct rewind {
     int n;
     struct rewind_key key[REWIND_KEYS]; /* ascending */
     uint32_t end;                       /* pads are there of frames from the first key frame's to before this */
-    uint16_t (*pads)[PADS];             /* of frame f: entry f modulo room, a power of two */
+    uint16_t (*pads)[MAX_PLAYERS];      /* of frame f: entry f modulo room, a power of two */
     uint32_t pads_room;
     uint32_t apart; /* frames between key frames, for the size of a snapshot */
     uint64_t again; /* ticks that rewind_to has run so far */
@@ -50,7 +50,7 @@ void rewind_close(struct rewind *r);
 /* Call it before each tick: `pads` are what the tick will get. Takes a key frame when one is due. What was after the
  * present is forgotten, unless it began with the same pads; so is everything when the board is at a frame that is not
  * of this past. False: there is no memory for one key frame, nothing is remembered. */
-bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[PADS]);
+bool rewind_push(struct rewind *r, const struct board *b, const uint16_t pads[MAX_PLAYERS]);
 
 /* The frames that can be brought back are first to end, both included, but for one whose tick ended in a fault. */
 uint32_t rewind_first(const struct rewind *r);

@@ -111,13 +111,13 @@ static bool hear(struct sections *p, const struct board_marker *m)
 /* Ticks until all is told. */
 static void listen(struct sections *p, struct guard *g, bool log)
 {
-    const uint16_t none[PADS] = { 0 };
+    const uint16_t none[MAX_PLAYERS] = { 0 };
     const struct board_out *out = board_last_output(g->board);
     bool done = false;
 
     for (int f = 0; !out->fault && !done && f < PATIENCE; f++) {
         out = guard_tick(g, none);
-        for (int i = 0; i < out->markers; i++)
+        for (int i = 0; i < out->marker_count; i++)
             done |= hear(p, &out->marker[i]);
         if (log)
             report_log(out, "curtain: ");

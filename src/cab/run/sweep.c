@@ -7,15 +7,15 @@
 
 enum { ONE_WAY = 40 /* frames a ship flies one way */ };
 
-void sweep_pads(uint32_t frame, uint16_t pads[PADS])
+void sweep_pads(uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
-    memset(pads, 0, PADS * sizeof *pads);
+    memset(pads, 0, MAX_PLAYERS * sizeof *pads);
     pads[0] = PAD_FIRE | (frame / ONE_WAY % 2 ? PAD_RIGHT : PAD_LEFT);
 }
 
 bool sweep_over(enum section_kind kind, const struct board_out *out)
 {
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         const enum board_marker_kind is = out->marker[i].kind;
         if (is == MARKER_CLEAR || (kind == SECTION_PHASE && (is == MARKER_WON || is == MARKER_LOST)))
             return true;

@@ -12,7 +12,7 @@
 enum { SWEEP_FRAMES = 18000 /* of a section at most: five minutes */ };
 
 /* What is pressed in the tick after that frame. */
-void sweep_pads(uint32_t frame, uint16_t pads[PADS]);
+void sweep_pads(uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 
 /* Is a section of that kind over with this tick: the stage cleared, the phase won or lost? A stage's bosses are
  * sections too: what ends a phase of theirs does not end the stage. */

@@ -245,7 +245,7 @@ static uint32_t of_pads(const struct keys_read *k)
     };
     uint32_t held = 0;
 
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         for (size_t i = 0; i < sizeof buttons / sizeof *buttons; i++)
             held |= k->pads[p] & buttons[i].button ? buttons[i].does : 0;
     return held;

@@ -32,9 +32,9 @@ bool desktop_may_name(const char *path)
 
 bool desktop_may_write(const char *rom, const char *program, char *err, size_t err_size)
 {
-    char path[FILES_PATH + 16];
+    char path[FILES_PATH_SIZE + 16];
 
-    if (plat_path(program, path, FILES_PATH) && !desktop_may_name(path))
+    if (plat_path(program, path, FILES_PATH_SIZE) && !desktop_may_name(path))
         return err_set(err, err_size,
                        "--desktop: %s: the program's path must not contain line breaks or control characters", program);
     snprintf(path, sizeof path, "%s.desktop", program);
@@ -78,8 +78,8 @@ static void escaped(const char *line, char *out)
 
 bool desktop_write(const char *program, const struct cart *cart, char *err, size_t err_size)
 {
-    char path[FILES_PATH], exec[2 * FILES_PATH], line[sizeof cart->manifest.title], title[2 * sizeof line];
-    char shown[2 * FILES_PATH], name[FILES_PATH + 16], text[8 * FILES_PATH];
+    char path[FILES_PATH_SIZE], exec[2 * FILES_PATH_SIZE], line[sizeof cart->manifest.title], title[2 * sizeof line];
+    char shown[2 * FILES_PATH_SIZE], name[FILES_PATH_SIZE + 16], text[8 * FILES_PATH_SIZE];
     uint8_t *rgba, *png = NULL;
     size_t size = 0;
     int side;

@@ -27,7 +27,7 @@
 #include "web.h"
 #include "zip.h"
 
-enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR + 256 };
+enum { PROGRAM = 1 << 30, EXPORT_ERR = FILES_ERR_SIZE + 256 };
 
 struct export
 {
@@ -40,9 +40,9 @@ struct export
     size_t game_size;
     char name[72]; /* of the file, where none was given */
     const char *out;
-    char info[FILES_PATH]; /* of a core's .info */
-    char from[FILES_PATH]; /* what the file is a copy of, as messages call it */
-    uint8_t *file;         /* what is written; malloc */
+    char info[FILES_PATH_SIZE]; /* of a core's .info */
+    char from[FILES_PATH_SIZE]; /* what the file is a copy of, as messages call it */
+    uint8_t *file;              /* what is written; malloc */
     size_t size;
     char *err;
     size_t err_size;
@@ -89,7 +89,7 @@ static void blank_builtin(const struct export_want *w, uint8_t *file, size_t siz
 
 static bool load_program(struct export *e)
 {
-    char name[FILES_PATH];
+    char name[FILES_PATH_SIZE];
 
     snprintf(e->from, sizeof e->from, "export: this program's own file");
     if (!plat_program(name, sizeof name))
@@ -106,7 +106,7 @@ static bool load_player(struct export *e)
 
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
         snprintf(name, sizeof name, "%s/%s", folders[i], player);
-        if (plat_beside(name, e->from, sizeof e->from) && plat_size(e->from) >= 0)
+        if (plat_installed_file(name, e->from, sizeof e->from) && plat_size(e->from) >= 0)
             return files_read(e->from, e->from, PROGRAM, &e->file, &e->size, e->err, e->err_size);
     }
     return err_set(e->err, e->err_size,
@@ -292,18 +292,18 @@ static bool make_zip(struct export *e, struct zip *z)
     return zip_finish(z) ? true : result_set_host_error(e->err, e->err_size, "out of memory");
 }
 
-static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PATH])
+static bool zip_path(struct export *e, enum export_kind kind, char path[FILES_PATH_SIZE])
 {
-    const int n = snprintf(path, FILES_PATH, "%s/%s-%s.zip", e->out, e->cart.manifest.id, kinds[kind].option);
+    const int n = snprintf(path, FILES_PATH_SIZE, "%s/%s-%s.zip", e->out, e->cart.manifest.id, kinds[kind].option);
 
-    return n < FILES_PATH ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
+    return n < FILES_PATH_SIZE ? true : err_set(e->err, e->err_size, "%s: path too long", e->out);
 }
 
 /* Writes nothing until all zips are made. */
 static bool export_all(struct export *e)
 {
     struct zip zips[EXPORT_ALL] = { 0 };
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
     bool good = true;
 
     for (e->kind = EXPORT_LINUX; good && e->kind < EXPORT_ALL; e->kind++)
@@ -321,7 +321,7 @@ static bool export_all(struct export *e)
 static const char *program_ending(void)
 {
     static const char exe[] = ".exe";
-    char name[FILES_PATH];
+    char name[FILES_PATH_SIZE];
 
     if (!plat_program(name, sizeof name))
         return "";

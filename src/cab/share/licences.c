@@ -1,6 +1,6 @@
 /*
- * licences.c - see licences.h. What a port is made with it says itself (plat_about); what is not known there is said to
- * be so. tests/cli/licences.sh compares the list with what the program is linked with.
+ * licences.c - see licences.h. What a port is made with it says itself (plat_describe_build); what is not known there
+ * is said to be so. tests/cli/licences.sh compares the list with what the program is linked with.
  */
 #include "licences.h"
 
@@ -134,7 +134,7 @@ static bool of_port(struct work *w)
 {
     char about[128];
 
-    plat_about(about, sizeof about);
+    plat_describe_build(about, sizeof about);
     about[strcspn(about, ",")] = '\0';
     if (strcmp(about, "no window") == 0)
         return false;

@@ -57,7 +57,7 @@ static enum result take(uint8_t **in, size_t size, const struct mark *m, char *e
 enum result own_open(char *err, size_t err_size)
 {
     const struct mark m = mark_own();
-    char name[FILES_PATH];
+    char name[FILES_PATH_SIZE];
     uint8_t *file;
     size_t size;
 
@@ -71,7 +71,7 @@ enum result own_open(char *err, size_t err_size)
         return RESULT_HOST_FAILED;
     enum result result = take(&file, size, &m, err, err_size);
     if (result == RESULT_DONE)
-        plat_name(own.m.id);
+        plat_set_name(own.m.id);
     else
         free(file);
     return result;
@@ -86,7 +86,7 @@ bool own_has_window(void)
 {
     char about[128];
 
-    plat_about(about, sizeof about);
+    plat_describe_build(about, sizeof about);
     return strcmp(about, "no window") != 0;
 }
 

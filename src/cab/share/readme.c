@@ -87,9 +87,9 @@ static void put_keys(struct reel *out, const struct keys *k, int first, int n)
 
     for (int i = 0, last; i < n; i = last) {
         char list[128] = "";
-        const char *meaning = keys_meaning(first < player * PADS ? i : first + i);
+        const char *meaning = keys_meaning(first < player * MAX_PLAYERS ? i : first + i);
         for (last = i; last < n; last++) {
-            if (strcmp(meaning, keys_meaning(first < player * PADS ? last : first + last)) != 0)
+            if (strcmp(meaning, keys_meaning(first < player * MAX_PLAYERS ? last : first + last)) != 0)
                 break;
             add_keys(list, sizeof list, k, first + last);
         }
@@ -104,14 +104,14 @@ static void put_all_keys(struct reel *out, const struct manifest *m, bool window
 
     keys_defaults(&k);
     reel_print(out, "KEYS\n\n");
-    for (int p = 0; p < m->players && p < PADS; p++) {
+    for (int p = 0; p < m->players && p < MAX_PLAYERS; p++) {
         if (p > 0)
             reel_print(out, "\nPlayer %d:\n\n", p + 1);
         put_keys(out, &k, p * PAD_BUTTONS, PAD_BUTTONS);
     }
     reel_print(out, "\n");
     for (size_t i = 0; window && i < sizeof shown / sizeof *shown; i++)
-        put_keys(out, &k, PADS * PAD_BUTTONS + (int)shown[i], 1);
+        put_keys(out, &k, MAX_PLAYERS * PAD_BUTTONS + (int)shown[i], 1);
     reel_print(out, "%sControllers work too.%s\n\n", window ? "\n" : "",
                window ? " You can change keys and buttons in the settings." : "");
 }

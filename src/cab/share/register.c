@@ -36,10 +36,10 @@ static const struct {
 };
 
 struct registration {
-    char data[FILES_PATH - 64]; /* folder */
-    char program[FILES_PATH];
+    char data[FILES_PATH_SIZE - 64]; /* folder */
+    char program[FILES_PATH_SIZE];
     bool remove;
-    char err[2 * FILES_ERR];
+    char err[2 * FILES_ERR_SIZE];
 };
 
 static void print_type(int i, bool remove, bool second)
@@ -56,15 +56,15 @@ static void print_type(int i, bool remove, bool second)
 
 /* ---- files of the desktop ---- */
 
-static void place(const struct registration *r, const char *name, char path[FILES_PATH])
+static void place(const struct registration *r, const char *name, char path[FILES_PATH_SIZE])
 {
-    snprintf(path, FILES_PATH, "%s/%s", r->data, name);
+    snprintf(path, FILES_PATH_SIZE, "%s/%s", r->data, name);
 }
 
 /* A text of the user's; "" if there is none. NULL: it cannot be read. */
 static char *read_text(struct registration *r, const char *name)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
     uint8_t *text;
     size_t size;
 
@@ -76,7 +76,7 @@ static char *read_text(struct registration *r, const char *name)
 
 static bool save(struct registration *r, const char *name, const void *bytes, size_t size)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
 
     place(r, name, path);
     return files_save(path, bytes, size, r->err, sizeof r->err);
@@ -84,7 +84,7 @@ static bool save(struct registration *r, const char *name, const void *bytes, si
 
 static bool save_entry(struct registration *r, const char *entry)
 {
-    char quoted[2 * FILES_PATH], text[3 * FILES_PATH];
+    char quoted[2 * FILES_PATH_SIZE], text[3 * FILES_PATH_SIZE];
     const char *exec = strstr(entry, EXEC);
 
     desktop_quote(r->program, quoted, sizeof quoted);
@@ -104,7 +104,7 @@ static bool write_files(struct registration *r)
 
 static bool remove_files(struct registration *r)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
 
     for (int i = desktop_file_count - 1; i >= 0; i--) {
         place(r, desktop_files[i].name, path);
@@ -176,8 +176,8 @@ static void add_defaults(char *text, bool second[TYPES])
 static bool set_defaults(struct registration *r, bool second[TYPES])
 {
     static const char list[] = "applications/mimeapps.list";
-    char path[FILES_PATH], *was = read_text(r, list),
-                           *text = was ? malloc(strlen(was) + sizeof DEFAULTS + 3 * LINE) : NULL;
+    char path[FILES_PATH_SIZE], *was = read_text(r, list),
+                                *text = was ? malloc(strlen(was) + sizeof DEFAULTS + 3 * LINE) : NULL;
     bool good = true;
 
     if (text) {
@@ -202,7 +202,7 @@ static bool set_defaults(struct registration *r, bool second[TYPES])
 /* Runs a tool that desktops have, which compiles a folder's files into the index that is read. */
 static bool run_tool(const struct registration *r, const char *tool, const char *folder)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
     const char *const words[] = { tool, path, NULL };
 
     place(r, folder, path);

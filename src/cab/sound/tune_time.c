@@ -87,7 +87,7 @@ struct tune_time tune_time(const struct tune *t)
 {
     int64_t end = 0, loop = 0;
 
-    for (int i = 0; i < t->tracks; i++) {
+    for (int i = 0; i < t->n_tracks; i++) {
         int64_t repeats;
         const int64_t u = units_of(t, i, &repeats);
         end = u > end ? u : end;

@@ -229,7 +229,7 @@ enum result start_new(const char *dir, const char *from)
 {
     struct start s = { .dir = dir, .from = from ? from : "shooter" };
     char games[256];
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!known(s.from)) {
         list_games(games, sizeof games);

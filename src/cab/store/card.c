@@ -118,7 +118,7 @@ static void walk(struct walk *w, struct card *c)
     text(w, c->id, sizeof c->id);
     text(w, c->ship, sizeof c->ship);
     text(w, c->difficulty, sizeof c->difficulty);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         walk_signed(w, &c->points[p]);
     text(w, c->name, sizeof c->name);
     walk8(w, &rows);
@@ -223,11 +223,11 @@ bool card_of_demo(struct card *c, const struct demo *d)
     c->first = game->frame;
     c->last = d->frames;
     c->end = end_of(d, over ? &over->marker : NULL);
-    c->players = (uint8_t)(game->marker.value < 0 || game->marker.value > PADS ? 0 : game->marker.value);
+    c->players = (uint8_t)(game->marker.value < 0 || game->marker.value > MAX_PLAYERS ? 0 : game->marker.value);
     c->stages = (uint8_t)(over && over->marker.value > 0 && over->marker.value < 256 ? over->marker.value : 0);
     snprintf(c->id, sizeof c->id, "%s", d->id);
     snprintf(c->ship, sizeof c->ship, "%s", game->marker.name);
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         demo_points(d, p, &c->points[p]);
     return true;
 }

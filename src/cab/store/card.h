@@ -38,7 +38,7 @@ struct card {
     enum card_end end;
     uint8_t players, stages; /* stages: cleared */
     char id[32], ship[32], difficulty[16];
-    int64_t points[PADS];
+    int64_t points[MAX_PLAYERS];
     char name[CARD_NAME]; /* UTF-8; "": not saved under one */
     int rows;
     struct card_row row[CARD_ROWS];

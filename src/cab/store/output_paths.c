@@ -44,7 +44,7 @@ static void add_named(struct game_files *g, const char *game, char *rom)
 static void add_sources(struct game_files *g, const char *folder)
 {
     struct tree all = { 0 };
-    char path[TREE_PATH], err[FILES_ERR];
+    char path[TREE_PATH], err[FILES_ERR_SIZE];
 
     if (tree_walk(folder, &all, err, sizeof err))
         for (int i = 0; i < all.n; i++)
@@ -55,7 +55,7 @@ static void add_sources(struct game_files *g, const char *folder)
 
 void game_files_open(struct game_files *g, const char *game)
 {
-    char rom[TREE_PATH], tests[TREE_PATH], err[FILES_ERR];
+    char rom[TREE_PATH], tests[TREE_PATH], err[FILES_ERR_SIZE];
     uint8_t *text;
     size_t size;
 

@@ -185,7 +185,7 @@ char *records_text(const struct records *r, size_t *size)
 
 static void report(const char *file, const char *what)
 {
-    char line[FILES_PATH + 512], shown[FILES_PATH];
+    char line[FILES_PATH_SIZE + 512], shown[FILES_PATH_SIZE];
 
     snprintf(line, sizeof line, "curtain: %s: %s", files_display_name(file, shown), what);
     plat_log(line);

@@ -84,7 +84,7 @@ static void print_json(const char *path, const struct card *c)
     json_text(&j, "ship", c->ship);
     json_text(&j, "difficulty", c->difficulty);
     json_open(&j, "score", '[');
-    for (int p = 0; p < PADS; p++)
+    for (int p = 0; p < MAX_PLAYERS; p++)
         json_number(&j, NULL, c->points[p]);
     json_close(&j, ']');
     json_text(&j, "end", end_key(c->end));

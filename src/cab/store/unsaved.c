@@ -63,7 +63,7 @@ const uint8_t *unsaved_bytes(const struct unsaved *list, const char *path, size_
 
 bool unsaved_retry(struct unsaved **list, void (*failed)(void *of, const char *err), void *of)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     for (struct unsaved **at = list; *at;) {
         if (files_save((*at)->path, (*at)->bytes, (*at)->size, err, sizeof err)) {

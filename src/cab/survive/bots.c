@@ -123,7 +123,7 @@ static uint16_t think(struct bot *b, const struct danger_ship *ship, uint32_t fr
 static enum trial_end tick(struct trial *t, struct bot *b)
 {
     const uint32_t frame = board_frame(t->b);
-    uint16_t pads[PADS] = { trial_press(t), 0 };
+    uint16_t pads[MAX_PLAYERS] = { trial_press(t), 0 };
 
     if (trial_steers(t))
         pads[0] = (uint16_t)(think(b, &t->ship, frame) | PAD_FIRE);

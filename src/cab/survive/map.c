@@ -219,7 +219,7 @@ static void map_run(struct atlas *m, const uint32_t *frame, int n)
             add_picture(m, f);
         if (next == n || board_last_output(t->b)->fault)
             return;
-        uint16_t pads[PADS] = { 0 };
+        uint16_t pads[MAX_PLAYERS] = { 0 };
         pads[0] = f < k->frames ? k->pads[f] : trial_steers(t) ? PAD_FIRE : trial_press(t);
         if (f >= k->frames)
             danger_set_invincible(t->b, true);

@@ -28,7 +28,7 @@ bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_pat
 {
     const struct forecast_frame *at = &f->frame[frame];
     struct danger_path wide = *way;
-    const fx far = fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
+    const fx far = fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->was_y));
 
     wide.radius += grown;
     if (at->safe)
@@ -36,9 +36,9 @@ bool plan_hits(const struct forecast *f, uint32_t frame, const struct danger_pat
     for (uint32_t i = 0; i < at->n; i++) {
         const struct danger *d = &f->list[at->first + i];
         const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + wide.radius + far;
-        if (d->shape != DANGER_BAR && (int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx))
+        if (d->shape != DANGER_LASER_SEGMENT && (int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx))
             continue;
-        if (d->shape != DANGER_BAR && (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my))
+        if (d->shape != DANGER_LASER_SEGMENT && (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my))
             continue;
         if (danger_would_hit(d, &wide))
             return true;
@@ -123,7 +123,7 @@ static bool go_on(struct search *s, uint32_t t)
     const struct forecast_frame *frame = &s->r->f->frame[t];
     struct step *at = &s->step[t];
     const int way = at->order[at->next++];
-    struct danger_path move = { .was_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
+    struct danger_path move = { .prev_x = at->x, .was_y = at->y, .x = at->x, .y = at->y };
 
     move.radius = frame->ship.path.radius;
     if (frame->moves)

@@ -218,7 +218,7 @@ static void mark(struct reach *r, const struct danger *d, fx radius, fx mx, fx m
             kill(r, &k, w);
         return;
     }
-    if (d->shape == DANGER_BAR) {
+    if (d->shape == DANGER_LASER_SEGMENT) {
         k.qx = px((int64_t)d->b - mx - r->area.x0);
         k.qy = px((int64_t)d->c - my - r->area.y0);
         kill(r, &k, w);

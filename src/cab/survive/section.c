@@ -26,7 +26,7 @@ static bool run_again(struct section_run *s, struct trial_mark *start)
     if (!trial_again(t, s->err, sizeof s->err))
         return false;
     for (uint32_t f = 0; f < want + more && end == TRIAL_ON; f++) {
-        const uint16_t pads[PADS] = { held(s, f), 0 };
+        const uint16_t pads[MAX_PLAYERS] = { held(s, f), 0 };
         if (f == s->seek.begin) {
             if (!trial_save(t, start))
                 return result_set_host_error(s->err, sizeof s->err, "out of memory");

@@ -67,7 +67,7 @@ static void tell(const struct seek *s, uint32_t done)
 
 static enum trial_end tick(struct trial *t, uint16_t pads)
 {
-    const uint16_t both[PADS] = { pads, 0 };
+    const uint16_t both[MAX_PLAYERS] = { pads, 0 };
 
     return trial_tick(t, both);
 }

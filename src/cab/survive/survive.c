@@ -77,7 +77,7 @@ static bool other_ending(const char *demo, char *out, size_t size)
 
 static enum result save_picture(const char *path, uint8_t *png, size_t size)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     const bool good = png && files_save(path, png, size, err, sizeof err);
 
     free(png);
@@ -94,7 +94,7 @@ static bool is_demo(const uint8_t *head, size_t n)
 /* Before the work: may what nobody named be written? */
 static bool may_write(const struct survive *s, char *err, size_t err_size)
 {
-    char picture[FILES_PATH];
+    char picture[FILES_PATH_SIZE];
     const char *demo = demo_path(s);
 
     if (!other_ending(demo, picture, sizeof picture))
@@ -117,7 +117,7 @@ static enum result write_files(struct survive *s, struct section_run *run, struc
                                size_t size)
 {
     const char *demo = demo_path(s);
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
     size_t bytes = 0;
     enum result result = RESULT_DONE;
 
@@ -148,7 +148,7 @@ static enum result good_of(const struct section_run *run)
 static enum result one_section(struct survive *s)
 {
     struct section_run *run = calloc(1, sizeof *run);
-    char picture[FILES_PATH], err[FILES_ERR];
+    char picture[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
 
     if (!run)
         return report_line(RESULT_HOST_FAILED, "out of memory");
@@ -198,7 +198,7 @@ static enum result worse(enum result a, enum result b)
 /* Into the folder that is asked for: SECTION-DIFFICULTY.demo, with - for what is no letter of a name. */
 static enum result keep_demo(struct survive *s, struct section_run *run, struct tell_of *of, char *path, size_t size)
 {
-    char err[FILES_ERR];
+    char err[FILES_ERR_SIZE];
 
     if (!s->a->out || !section_survived(run))
         return RESULT_DONE;
@@ -242,7 +242,7 @@ static enum result one_row(struct survive *s, const char *section, struct sectio
     const int first = s->a->difficulty ? s->a->start.difficulty : 0;
     const int last = s->a->difficulty || m->n_difficulties < 1 ? first : m->n_difficulties - 1;
     enum result result = RESULT_DONE;
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
 
     for (int d = first; d <= last && result < RESULT_REFUSED; d++) {
         struct board_start start = s->a->start;

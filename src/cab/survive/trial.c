@@ -163,7 +163,7 @@ static void steered(const struct danger_ship *s, uint16_t pads, fx *x, fx *y)
 
     if (dx && dy)
         speed = fx_mul(speed, PLAYER_DIAGONAL);
-    *x = fx_clamp(s->path.was_x + dx * speed, s->area.x0, s->area.x1);
+    *x = fx_clamp(s->path.prev_x + dx * speed, s->area.x0, s->area.x1);
     *y = fx_clamp(s->path.was_y + dy * speed, s->area.y0, s->area.y1);
 }
 
@@ -177,10 +177,10 @@ static void look_for_touch(void *context, const struct danger *d)
     struct tick *tick = context;
     const struct danger_path *way = &tick->t->ship.path;
     const int64_t reach = (int64_t)d->a + fx_max(fx_abs(d->b), fx_abs(d->c)) + way->radius +
-                          fx_max(fx_abs(way->x - way->was_x), fx_abs(way->y - way->was_y));
+                          fx_max(fx_abs(way->x - way->prev_x), fx_abs(way->y - way->was_y));
 
-    if (d->shape != DANGER_BAR && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
-                                   (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
+    if (d->shape != DANGER_LASER_SEGMENT && ((int64_t)fx_abs(d->x - way->x) > reach + fx_abs(d->mx) ||
+                                             (int64_t)fx_abs(d->y - way->y) > reach + fx_abs(d->my)))
         return;
     tick->t->touched |= danger_would_hit(d, way);
 }
@@ -205,7 +205,7 @@ static void motion_done(void *context, enum board_phase phase)
         return;
     steered(&t->ship, tick->pads, &x, &y);
     t->astray |=
-        t->ship.path.was_x != before.x || t->ship.path.was_y != before.y || x != t->ship.path.x || y != t->ship.path.y;
+        t->ship.path.prev_x != before.x || t->ship.path.was_y != before.y || x != t->ship.path.x || y != t->ship.path.y;
 }
 
 /* Does a part of a stage end there? Practice at a mark passes that mark first. */
@@ -245,7 +245,7 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
 
     if (out->fault)
         return TRIAL_FAULT;
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         over |= is_over(t, &out->marker[i]);
         hit |= out->marker[i].kind == MARKER_DEATH && out->marker[i].name[0] == '1' + t->who;
     }
@@ -255,7 +255,7 @@ static enum trial_end outcome(struct trial *t, const struct board_out *out, cons
     return hit ? TRIAL_HIT : over ? TRIAL_ENDED : TRIAL_ON;
 }
 
-enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS])
+enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS])
 {
     struct danger_ship before;
     struct tick tick = { t, pads[t->who] };
@@ -341,7 +341,7 @@ bool trial_record(struct trial *t, const struct cart *cart, const uint16_t *pads
                  !demo_set_checksum_rate(&w, (enum demo_checksum_rate)prints)))
         good = err_set(err, err_size, "%s", w.err);
     for (uint32_t f = 0; good && f < frames; f++) {
-        const uint16_t now[PADS] = { pads[f], 0 };
+        const uint16_t now[MAX_PLAYERS] = { pads[f], 0 };
         trial_tick(t, now);
         if (!demo_record_frame(&w, t->b, now))
             good = err_set(err, err_size, "%s", w.err);

@@ -65,7 +65,7 @@ bool trial_open(struct trial *t, const struct rom *rom, const struct board_start
 bool trial_again(struct trial *t, char *err, size_t err_size);
 void trial_close(struct trial *t);
 
-enum trial_end trial_tick(struct trial *t, const uint16_t pads[PADS]);
+enum trial_end trial_tick(struct trial *t, const uint16_t pads[MAX_PLAYERS]);
 
 /* A place to go back to. */
 struct trial_mark {

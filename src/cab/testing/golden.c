@@ -15,16 +15,16 @@
 
 /* ---- files ---- */
 
-static bool path_of(const struct golden *g, char path[FILES_PATH], const char *folder, const char *name,
+static bool path_of(const struct golden *g, char path[FILES_PATH_SIZE], const char *folder, const char *name,
                     const char *ending)
 {
-    return snprintf(path, FILES_PATH, "%s/%s/%s%s", g->dir, folder, name, ending) < FILES_PATH;
+    return snprintf(path, FILES_PATH_SIZE, "%s/%s/%s%s", g->dir, folder, name, ending) < FILES_PATH_SIZE;
 }
 
 static bool save(const struct golden *g, const char *folder, const char *name, const char *ending, const void *bytes,
                  size_t n)
 {
-    char path[FILES_PATH], err[FILES_ERR];
+    char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
 
     if (bytes && path_of(g, path, folder, name, ending) && files_save(path, bytes, n, err, sizeof err))
         return true;
@@ -98,7 +98,7 @@ static bool save_picture(const struct golden *g, const char *folder, const char 
 /* The kept picture. False and one sentence: it cannot be read. */
 static bool read_kept(const char *path, const char *shown, struct picture *p, char *err, size_t err_size)
 {
-    char why[FILES_ERR];
+    char why[FILES_ERR_SIZE];
     uint8_t *data, *rgba = NULL;
     size_t n;
 
@@ -194,7 +194,7 @@ static bool keep_picture(const struct golden *g, const char *name, const struct 
 static bool compare_picture(const struct golden *g, const char *name, const struct picture *got, char *err,
                             size_t err_size)
 {
-    char path[FILES_PATH], shown[128];
+    char path[FILES_PATH_SIZE], shown[128];
     struct picture want = { 0 };
 
     if (!path_of(g, path, GOLDEN, name, ".png"))
@@ -284,7 +284,7 @@ static bool compare_hashes(const struct board *b, const char *shown, const char 
 
 bool golden_hash(const struct golden *g, const struct board *b, const char *name, char *err, size_t err_size)
 {
-    char path[FILES_PATH], shown[128], now[MAX_PARTS * 40] = "";
+    char path[FILES_PATH_SIZE], shown[128], now[MAX_PARTS * 40] = "";
     uint8_t *kept;
     size_t size;
 

@@ -49,7 +49,7 @@ static void close_run(struct run *r)
 
 static uint8_t *read_script(const struct testing *t, const char *name, size_t *n, char *err, size_t err_size)
 {
-    char path[FILES_PATH];
+    char path[FILES_PATH_SIZE];
     uint8_t *data;
 
     if (snprintf(path, sizeof path, "%s/%s", t->dir, name) >= (int)sizeof path) {
@@ -62,7 +62,7 @@ static uint8_t *read_script(const struct testing *t, const char *name, size_t *n
 static const char *required(void *context, const char *name, size_t *n)
 {
     struct stage *s = context;
-    char path[FILES_PATH], err[FILES_ERR];
+    char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
 
     if (!manifest_path_ok(name) || s->n_scripts == SCRIPTS)
         return NULL;
@@ -126,7 +126,7 @@ static void tick(void *context, int run)
     struct stage *s = context;
     struct run *r = &s->run[run];
     const uint32_t frame = board_frame(r->guard.board);
-    uint16_t pads[PADS];
+    uint16_t pads[MAX_PLAYERS];
 
     if (r->plays)
         demo_pads(&r->demo, frame, pads);
@@ -234,7 +234,7 @@ static uint32_t run_script(struct stage *s, const char *name, const uint8_t *tex
                                      .print = printed };
     struct board_fault fault;
     void *block, *memory = tree_work(trial_size(), &block);
-    char chunk[FILES_PATH];
+    char chunk[FILES_PATH_SIZE];
     uint32_t frames = 0;
 
     snprintf(chunk, sizeof chunk, "%.*s", (int)(strlen(name) - strlen(".lua")), name);
@@ -250,7 +250,7 @@ void one_script(const struct testing *t, const char *name, FILE *out)
 {
     const uint64_t begun = plat_usec();
     struct stage *s = calloc(1, sizeof *s);
-    char err[FILES_ERR] = "out of memory";
+    char err[FILES_ERR_SIZE] = "out of memory";
     size_t n = 0;
     uint8_t *text = s ? read_script(t, name, &n, err, sizeof err) : NULL;
     uint32_t frames = 0;

@@ -57,7 +57,7 @@ struct page {
 static void figure(const struct page *p, const char *name, const char *which)
 {
     enum { SIZES = 24 }; /* a PNG's width and height stand before that */
-    char path[FILES_PATH], err[FILES_ERR];
+    char path[FILES_PATH_SIZE], err[FILES_ERR_SIZE];
     uint8_t *data;
     size_t n;
 

@@ -252,8 +252,8 @@ static void waits(void *context)
 /* A report's file. False: the host is why, and has been told of. */
 static bool report_file(const struct all *a, const char *path, void (*write)(FILE *out, const struct all *a))
 {
-    char err[FILES_ERR], *text = NULL;
-    FILE *out = plat_open_scratch();
+    char err[FILES_ERR_SIZE], *text = NULL;
+    FILE *out = plat_open_temp_file();
     bool good = out != NULL;
     long size = -1;
 

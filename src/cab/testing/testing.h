@@ -27,7 +27,7 @@ struct testing {
     void *user;
     bool (*start)(void *user, const struct trial_start *want, struct board_start *start, char *err, size_t err_size);
     bool (*press)(void *user, int run, const char *list, char *err, size_t err_size);
-    void (*pressed)(void *user, int run, uint32_t frame, uint16_t pads[PADS]);
+    void (*pressed)(void *user, int run, uint32_t frame, uint16_t pads[MAX_PLAYERS]);
 };
 
 enum result testing_run(const struct testing *t);

@@ -58,7 +58,7 @@ static bool test_press(void *user, int run, const char *list, char *err, size_t 
     return err_set(err, err_size, "pads%s", strchr(why, ':')); /* "--press: ..." */
 }
 
-static void test_pressed(void *user, int run, uint32_t frame, uint16_t pads[PADS])
+static void test_pressed(void *user, int run, uint32_t frame, uint16_t pads[MAX_PLAYERS])
 {
     args_pressed(&((struct tested *)user)->held[run], frame, pads);
 }

@@ -15,7 +15,7 @@ static void indented(void *context, const char *words)
 
 void told_line(const struct test *t, int width)
 {
-    char name[FILES_PATH];
+    char name[FILES_PATH_SIZE];
 
     snprintf(name, sizeof name, "%s", t->name);
     clean_line(name);
@@ -67,7 +67,7 @@ static void tap_name(const char *name, char *out, size_t size)
 
 void told_tap(const struct test *t, int number)
 {
-    char name[2 * FILES_PATH];
+    char name[2 * FILES_PATH_SIZE];
 
     tap_name(t->name, name, sizeof name);
     clean_line(name);

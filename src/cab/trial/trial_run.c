@@ -108,7 +108,7 @@ static void set_text(lua_State *L, const char *field, const char *text)
 
 static void gather_moments(lua_State *L, const struct trial_run *r, const struct board_out *out)
 {
-    for (int i = 0; i < out->markers; i++) {
+    for (int i = 0; i < out->marker_count; i++) {
         const struct board_marker *m = &out->marker[i];
         if (!kinds[m->kind])
             continue;

@@ -78,7 +78,9 @@ static void visit_laser(const struct board *b, const struct visitor *v, uint32_t
         return;
     for (uint32_t k = 0; k < segments; k++) {
         const uint32_t next = k + 1 < n ? k + 1 : k;
-        struct danger d = { .shape = DANGER_BAR, .source = DANGER_LASER, .swept = true, .slot = i, .a = reach };
+        struct danger d = {
+            .shape = DANGER_LASER_SEGMENT, .source = DANGER_LASER, .swept = true, .slot = i, .a = reach
+        };
         fx was_x, was_y, was_to_x, was_to_y;
         d.age = (uint16_t)(age < UINT16_MAX ? age : UINT16_MAX);
         lasers_get_corner(b, i, k, &d.x, &d.y);
@@ -105,10 +107,10 @@ void danger_each(const struct board *b, void (*each)(void *context, const struct
 
 static bool bar_would_hit(const struct danger *d, const struct danger_path *path)
 {
-    const int64_t mx = (int64_t)path->x - path->was_x, my = (int64_t)path->y - path->was_y;
+    const int64_t mx = (int64_t)path->x - path->prev_x, my = (int64_t)path->y - path->was_y;
     const struct geom_bar bar = {
-        (int64_t)d->x - d->mx - path->was_x, (int64_t)d->y - d->my - path->was_y, d->mx - mx, d->my - my,
-        (int64_t)d->b - d->d - path->was_x,  (int64_t)d->c - d->e - path->was_y,  d->d - mx,  d->e - my
+        (int64_t)d->x - d->mx - path->prev_x, (int64_t)d->y - d->my - path->was_y, d->mx - mx, d->my - my,
+        (int64_t)d->b - d->d - path->prev_x,  (int64_t)d->c - d->e - path->was_y,  d->d - mx,  d->e - my
     };
 
     return geom_swept_bar(&bar, (int64_t)d->a + path->radius);
@@ -118,14 +120,14 @@ bool danger_would_hit(const struct danger *d, const struct danger_path *path)
 {
     static const uint8_t shapes[] = { SHAPE_CIRCLE, SHAPE_BOX, SHAPE_CAPSULE };
 
-    if (d->shape == DANGER_BAR)
+    if (d->shape == DANGER_LASER_SEGMENT)
         return bar_would_hit(d, path);
     const struct body p = { shapes[d->shape], d->a, d->b, d->x, d->y, d->mx, d->my, d->c };
     const struct body q = { .shape = SHAPE_CIRCLE,
                             .a = path->radius,
                             .x = path->x,
                             .y = path->y,
-                            .mx = path->x - path->was_x,
+                            .mx = path->x - path->prev_x,
                             .my = path->y - path->was_y };
     return hit_pieces_touch(&p, 1, &q, 1, d->swept);
 }
@@ -139,7 +141,7 @@ void danger_get_ship(const struct board *b, int i, struct danger_ship *out)
     *out = (struct danger_ship){ .in_game = p->in_game[i], .area = b->area };
     if (!out->in_game)
         return;
-    out->can_steer = !b->core.frozen && !p->deathbomb_left[i] && !(board_withheld_buttons(b, (uint32_t)i) & PAD_UP);
+    out->can_steer = !b->core.frozen && !p->deathbomb_left[i] && !(board_ignored_buttons(b, (uint32_t)i) & PAD_UP);
     out->is_hit = p->deathbomb_left[i] > 0;
     out->is_safe = p->safe_left[i] > 0;
     out->lives = p->lives[i];

@@ -19,7 +19,7 @@ enum danger_shape {
     DANGER_BOX,     /* a, b: half extents */
     DANGER_CAPSULE, /* all points within a of the segment from (x - b, y - c) to (x + b, y + c) */
     /* a laser segment: all points within a of the line from (x, y) to (b, c). This frame's move of (b, c) is (d, e) */
-    DANGER_BAR
+    DANGER_LASER_SEGMENT
 };
 
 enum danger_source { DANGER_BULLET, DANGER_ENEMY, DANGER_LASER };
@@ -35,7 +35,7 @@ struct danger {
 
 /* The path of a ship in a frame. */
 struct danger_path {
-    fx was_x, was_y, x, y, radius;
+    fx prev_x, was_y, x, y, radius;
 };
 
 /* The state and abilities of a player's ship. */

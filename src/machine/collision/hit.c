@@ -95,7 +95,7 @@ static void raise_bullet_hits(struct board *b, uint32_t p, const struct body *c)
     int64_t reach = -1;
 
     for (uint32_t block = 0; block < s->s.top / SLOTS_BLOCK; block++) {
-        uint64_t *near = &s->near[block * PADS + p];
+        uint64_t *near = &s->near[block * MAX_PLAYERS + p];
         if (*near && reach < 0)
             reach = reach_of(b, c, b->player_kinds.graze_radius[b->player.kind[p]]);
         for (uint64_t m = *near; m; m &= m - 1) {
@@ -118,8 +118,8 @@ static void release_missed(struct bullets *s)
 {
     for (uint32_t block = 0; block < s->s.held_top / SLOTS_BLOCK; block++) {
         uint64_t missed = s->s.held[block];
-        for (uint32_t p = 0; p < PADS; p++)
-            missed &= ~s->near[block * PADS + p];
+        for (uint32_t p = 0; p < MAX_PLAYERS; p++)
+            missed &= ~s->near[block * MAX_PLAYERS + p];
         for (; missed; missed &= missed - 1)
             bullets_release(s, block * SLOTS_BLOCK + bits_lowest(missed));
     }
@@ -142,9 +142,9 @@ static void raise_enemy_hits(struct board *b, uint32_t p, const struct body *c)
         }
 }
 
-void hit_get_queries(struct board *b, struct bullets_query query[PADS])
+void hit_get_queries(struct board *b, struct bullets_query query[MAX_PLAYERS])
 {
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         struct body c = hit_player_body(b, p);
         fx graze = b->player_kinds.graze_radius[b->player.kind[p]];
         query[p] = (struct bullets_query){ c.x, c.y, b->player.in_game[p] ? reach_of(b, &c, graze) : -1 };
@@ -161,7 +161,7 @@ static void raise_enemy_leaves(struct board *b)
 
 void hit_run(struct board *b)
 {
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         struct body c = hit_player_body(b, p);
         if (!b->player.in_game[p])
             continue;

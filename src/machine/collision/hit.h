@@ -37,7 +37,7 @@ uint32_t hit_enemy_pieces(const struct board *b, uint32_t i, struct body piece[S
 
 /* Stores the queries by which bullets_move, the broad phase, finds the bullets near each player. Call when the players
  * have moved. */
-void hit_get_queries(struct board *b, struct bullets_query query[PADS]);
+void hit_get_queries(struct board *b, struct bullets_query query[MAX_PLAYERS]);
 
 /* Returns whether any shot of this frame can hit a bullet. If so, the moves must hold bullets that leave the field. */
 bool hit_solid_is_possible(const struct board *b);

@@ -24,14 +24,14 @@ static uint64_t start_distance_sq(const struct body *p, const struct body *q)
     return dx * dx + dy * dy;
 }
 
-/* Returns the player that takes item i, 0 or 1, or PADS if none does. */
-static uint32_t find_taker(const struct board *b, uint32_t i, const struct body body[PADS])
+/* Returns the player that takes item i, 0 or 1, or MAX_PLAYERS if none does. */
+static uint32_t find_taker(const struct board *b, uint32_t i, const struct body body[MAX_PLAYERS])
 {
     const struct body item = item_body(b, i);
     uint64_t nearest = UINT64_MAX;
-    uint32_t found = PADS;
+    uint32_t found = MAX_PLAYERS;
 
-    for (uint32_t p = 0; p < PADS; p++) {
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++) {
         if (!b->player.in_game[p] || !hit_touches(&item, &body[p], true))
             continue;
         uint64_t d = start_distance_sq(&item, &body[p]);
@@ -45,12 +45,12 @@ static uint32_t find_taker(const struct board *b, uint32_t i, const struct body 
 
 void hit_items(struct board *b)
 {
-    const struct body body[PADS] = { hit_player_body(b, 0), hit_player_body(b, 1) };
+    const struct body body[MAX_PLAYERS] = { hit_player_body(b, 0), hit_player_body(b, 1) };
     const struct items *s = &b->items;
 
     EACH_LIVE (i, &s->s) {
         uint32_t p = find_taker(b, i, body);
-        if (p < PADS)
+        if (p < MAX_PLAYERS)
             board_raise_event(b, EV_TAKE, board_handle(b, H_PLAYER, (int32_t)p), board_handle(b, H_ITEM, (int32_t)i));
         else if (s->x[i] < b->keep_box.x0 || s->x[i] > b->keep_box.x1 || s->y[i] < b->keep_box.y0 ||
                  s->y[i] > b->keep_box.y1)

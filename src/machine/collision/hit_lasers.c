@@ -185,7 +185,7 @@ static void raise_hit(struct board *b, uint32_t p, const struct body *c, uint32_
         return;
     }
     ring.a = b->player_kinds.graze_radius[b->player.kind[p]];
-    if (!k->graze_interval[kind] || b->core.clock < b->lasers.rehit_clock[i * PADS + p] ||
+    if (!k->graze_interval[kind] || b->core.clock < b->lasers.rehit_clock[i * MAX_PLAYERS + p] ||
         !hit_laser_touches_circle(b, i, &ring, reach))
         return;
     b->counts.grazed++;
@@ -214,6 +214,6 @@ void hit_player_lasers(struct board *b)
 {
     EACH_LIVE (i, &b->lasers.s)
         if (b->laser_kinds.flags[b->laser_heads.kind[i]] & LASER_SHOOTS &&
-            b->core.clock >= b->lasers.rehit_clock[i * PADS] && touches_any_enemy(b, i))
+            b->core.clock >= b->lasers.rehit_clock[i * MAX_PLAYERS] && touches_any_enemy(b, i))
             board_raise_event(b, EV_LASER, board_handle(b, H_LASER, (int32_t)i), 0);
 }

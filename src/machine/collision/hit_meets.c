@@ -54,7 +54,7 @@ struct search {
     uint32_t tested;        /* number of bullets tested */
 };
 
-static inline int64_t was_x(const struct bullets *s, uint32_t i)
+static inline int64_t old_x(const struct bullets *s, uint32_t i)
 {
     return (int64_t)s->x[i] - s->vx[i];
 }
@@ -104,7 +104,7 @@ static bool measure(struct grid *c)
     for (uint32_t block = 0; block < c->s->s.top / SLOTS_BLOCK; block++)
         for (uint64_t m = ready_mask(c->s, c->k, block, c->second_tag); m; m &= m - 1) {
             uint32_t i = block * SLOTS_BLOCK + bits_lowest(m);
-            int64_t x = was_x(c->s, i), y = was_y(c->s, i);
+            int64_t x = old_x(c->s, i), y = was_y(c->s, i);
             left = int64_min(left, x);
             right = int64_max(right, x);
             top = int64_min(top, y);
@@ -143,7 +143,7 @@ static void insert_bullet(struct grid *c, uint32_t i)
 {
     const struct extent e = extent(c->s, c->k, i);
     const int64_t x = e.x + int64_abs(c->s->vx[i]), y = e.y + int64_abs(c->s->vy[i]);
-    const int64_t col = (was_x(c->s, i) - c->left) >> c->shift, row = (was_y(c->s, i) - c->top) >> c->shift;
+    const int64_t col = (old_x(c->s, i) - c->left) >> c->shift, row = (was_y(c->s, i) - c->top) >> c->shift;
     uint32_t *list = &c->list[row * c->cols + col];
 
     if (int64_max(x, y) > (int64_t)MAX_SPAN << c->shift)
@@ -209,7 +209,7 @@ static void search_list(struct search *q, uint32_t i)
 
     for (; i != END_OF_LIST; i = c->s->next[i]) {
         visited++;
-        int64_t x = was_x(c->s, i), y = was_y(c->s, i), dx = x - q->x, dy = y - q->y;
+        int64_t x = old_x(c->s, i), y = was_y(c->s, i), dx = x - q->x, dy = y - q->y;
         if (x < q->x0 || x > q->x1 || y < q->y0 || y > q->y1)
             continue;
         uint64_t d = (uint64_t)(dx * dx) + (uint64_t)(dy * dy);
@@ -250,7 +250,7 @@ static uint32_t find_partner(struct board *b, const struct grid *c, uint32_t i)
     const struct extent e = extent(s, c->k, i);
     const int64_t unbounded = (int64_t)1 << 40; /* beyond any position */
     struct search q = {
-        .c = c, .slot = i, .x = was_x(s, i), .y = was_y(s, i), .best = UINT64_MAX, .found = END_OF_LIST
+        .c = c, .slot = i, .x = old_x(s, i), .y = was_y(s, i), .best = UINT64_MAX, .found = END_OF_LIST
     };
 
     q.n = pieces_of(c, i, q.piece);

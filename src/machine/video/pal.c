@@ -103,12 +103,12 @@ static void step_fade(struct pal *p, int i)
 
 enum { FADE_GROUP = 64 }; /* entries that are skipped together if none of them is fading, the usual case */
 
-static bool any_fading(const uint16_t *restrict over)
+static bool any_fading(const uint16_t *restrict fade_frames)
 {
     uint16_t any = 0;
 
     for (int k = 0; k < FADE_GROUP; k++)
-        any |= over[k];
+        any |= fade_frames[k];
     return any;
 }
 

@@ -222,7 +222,7 @@ static void draw_enemies(struct draw_target *c)
         if (e->flags[i] & ENEMY_HIDDEN)
             continue;
         const bool white = e->bank[i] >= ENEMY_BLINK_ONE && enemies_is_flashing(e, k, i);
-        const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_SOFT;
+        const bool soft = c->soft || k->flags[e->kind[i]] & ENEMY_RIM_BLINK;
         const unsigned blend = (k->flags[e->kind[i]] & ENEMY_BLEND) / ENEMY_BLEND_ONE;
         if (white && soft && !blend)
             paint_white_rim(c, i);
@@ -241,7 +241,7 @@ static void draw_players(struct draw_target *c)
 {
     const struct player *p = &c->b->player;
 
-    for (uint32_t i = 0; i < PADS; i++)
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++)
         if (p->in_game[i] && !(p->safe_left[i] >> 2 & 1) && !(p->flags[i] & PLAYER_HIDDEN))
             paint_sprite(c, player_sprite(p, &c->b->player_kinds, i), c->b->core.clock, p->x[i], p->y[i], 0,
                          p->flags[i] & PLAYER_FLIP ? BLIT_FLIP_X : 0, 0);

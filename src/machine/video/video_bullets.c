@@ -47,7 +47,7 @@ struct lists {
     bool any_by_slot,
         any_varied; /* whether any kind has `by_slot` set; whether any kind's style has `same_picture` unset */
     uint16_t order[MAX_KINDS]; /* kinds that have bullets, in draw order */
-    uint32_t kinds;
+    uint32_t kind_count;
     struct stamp stamp;
     uint32_t *list, *slots; /* slots: slot of each bullet in `list`; complete only if any_varied is set */
     uint8_t *layer, *cells;
@@ -126,7 +126,7 @@ static bool is_lower(const struct style *a, const struct style *b)
 
 static void insert_kind(struct lists *l, uint16_t kind)
 {
-    uint32_t at = l->kinds++;
+    uint32_t at = l->kind_count++;
 
     for (; at > 0; at--) {
         if (!is_lower(&l->style[kind], &l->style[l->order[at - 1]]))
@@ -140,7 +140,7 @@ static void find_kinds(const struct draw_target *c, const struct bullet_kinds *k
 {
     uint32_t list = 0;
 
-    l->kinds = 0;
+    l->kind_count = 0;
     for (uint32_t i = 0; i < k->s.live; i++) {
         struct style *style = &l->style[i];
         style->n = k->live_count[i];
@@ -611,10 +611,10 @@ static void draw_kind(struct draw_target *c, const struct bullets *s, const stru
 
 static void draw_back_to_front(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
-    struct window t = init_window(l, 0, l->kinds, c->fb, c->x, c->y, true);
+    struct window t = init_window(l, 0, l->kind_count, c->fb, c->x, c->y, true);
 
     list_all(l, s, &t);
-    for (uint32_t o = 0; o < l->kinds; o++)
+    for (uint32_t o = 0; o < l->kind_count; o++)
         draw_kind(c, s, l, &t, l->order[o]);
 }
 
@@ -711,7 +711,7 @@ static void list_visible(struct lists *l, const struct bullets *s, const struct 
 static void draw_layered(struct draw_target *c, const struct bullets *s, struct lists *l)
 {
     const struct manifest *m = &c->b->cart.manifest;
-    uint32_t top = l->kinds, drawn;
+    uint32_t top = l->kind_count, drawn;
     uint64_t pixels = 0;
     struct stamp_layer layer;
     struct window t;
@@ -721,9 +721,9 @@ static void draw_layered(struct draw_target *c, const struct bullets *s, struct 
         const struct style *style = &l->style[l->order[--top]];
         pixels += style->n * (uint64_t)style->pixels;
     }
-    t = init_window(l, top, l->kinds, &layer.fb, 0, 0, false);
+    t = init_window(l, top, l->kind_count, &layer.fb, 0, 0, false);
     list_kinds(l, s, &t);
-    drawn = draw_kinds_on_layer(c, &layer, s, l, &t, top, l->kinds);
+    drawn = draw_kinds_on_layer(c, &layer, s, l, &t, top, l->kind_count);
     stamp_layer_update_map(&layer);
     if (!layer.covered && top > 0) {
         struct stamp_cells cells;
@@ -753,7 +753,7 @@ static bool should_use_layer(struct lists *l, uint64_t min_pixels)
 {
     uint64_t max_pixels = 0, sum = 0;
 
-    for (uint32_t o = 0; o < l->kinds; o++) {
+    for (uint32_t o = 0; o < l->kind_count; o++) {
         const struct style *style = &l->style[l->order[o]];
         if (style->pic->w > FB_GUARD || style->pic->h > FB_GUARD || style->blend)
             return false;
@@ -761,7 +761,7 @@ static bool should_use_layer(struct lists *l, uint64_t min_pixels)
     }
     if (max_pixels < min_pixels)
         return false;
-    for (uint32_t o = 0; o < l->kinds; o++) {
+    for (uint32_t o = 0; o < l->kind_count; o++) {
         struct style *style = &l->style[l->order[o]];
         struct image image = video_image(style->pic, 0, false, 0);
         style->pixels = opaque_pixels(&image);

@@ -53,13 +53,13 @@ enum { MAX_RUN = 12, SLACK = 65536 / 4 };
 static bool is_straight(const struct strip_corner *c, int from, int to)
 {
     const int64_t dx = (int64_t)c[to].x - c[from].x, dy = (int64_t)c[to].y - c[from].y;
-    const int64_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy, most = (ax > ay ? ax : ay) * SLACK;
+    const int64_t ax = dx < 0 ? -dx : dx, ay = dy < 0 ? -dy : dy, max_cross = (ax > ay ? ax : ay) * SLACK;
 
     if (ax > 1 << 29 || ay > 1 << 29) /* so that the products stay below 2^62 */
         return false;
     for (int k = from + 1; k < to; k++) {
         const int64_t ex = (int64_t)c[k].x - c[from].x, ey = (int64_t)c[k].y - c[from].y, cross = dx * ey - dy * ex;
-        if (cross > most || cross < -most || ex * dx + ey * dy < 0)
+        if (cross > max_cross || cross < -max_cross || ex * dx + ey * dy < 0)
             return false;
     }
     return true;
@@ -69,16 +69,16 @@ static bool is_straight(const struct strip_corner *c, int from, int to)
  * more than are needed to draw it. Returns the number of corners left. */
 static uint32_t thin_out(struct strip_corner *c, uint32_t n)
 {
-    uint32_t kept = 0, from = 0;
+    uint32_t corner_count = 0, from = 0;
 
     while (from + 1 < n) {
         uint32_t to = from + 1;
         while (to + 1 < n && to - from < MAX_RUN && is_straight(c, (int)from, (int)to + 1))
             to++;
-        c[++kept] = c[to];
+        c[++corner_count] = c[to];
         from = to;
     }
-    return kept + 1;
+    return corner_count + 1;
 }
 
 /* Draws the line of laser i. The strip's picture is oriented along a beam's direction, or along the flight of any other
@@ -95,7 +95,7 @@ static void draw_line(struct draw_target *c, uint32_t i, int32_t width, bool das
                              .bank = c->b->laser_heads.bank[i],
                              .blend = blend ? c->look.blend[blend - 1] : NULL,
                              .width = width,
-                             .along = dashed ? 8 - age / 2 % 8 : 0,
+                             .offset_along = dashed ? 8 - age / 2 % 8 : 0,
                              .dashed = dashed };
 
     for (uint32_t p = 0; p < n; p++) {

@@ -70,7 +70,7 @@ static int64_t round_scaled(int64_t v)
     return (v < 0 ? v - ONE / 2 : v + ONE / 2) / ONE;
 }
 
-uint32_t view_colour(enum view_colours colours, uint32_t rgb)
+uint32_t view_colour(enum colour_blind_mode colours, uint32_t rgb)
 {
     const int64_t light[3] = { linear[rgb >> 16 & 255], linear[rgb >> 8 & 255], linear[rgb & 255] };
     uint32_t out = 0;

@@ -62,9 +62,6 @@ void api_names_declare(lua_State *L, enum name_kind kind, const char *entry, con
 int api_names_find(lua_State *L, enum name_kind kind, const char *name);
 void api_names_push(lua_State *L, enum name_kind kind, int index);
 
-/* Pushes the declared name nearest to a misspelt one, or nil. */
-void api_names_suggest(lua_State *L, enum name_kind kind, const char *name);
-
 /* Makes later reads of missing fields of library tables explain why the field is missing (api_fault_missing_field).
  * Call this after all tables have been created. */
 void api_reserved_install(lua_State *L);

@@ -177,7 +177,7 @@ static int player_bomb(lua_State *L, struct board *b, struct api_value *v)
 {
     const int64_t h = v[ARG_SELF].i;
 
-    lua_pushboolean(L, board_alive(b, h) && api_bomb_start(L, b, handle_slot(h)));
+    lua_pushboolean(L, board_is_alive(b, h) && api_bomb_start(L, b, handle_slot(h)));
     return 1;
 }
 

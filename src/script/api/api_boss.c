@@ -13,7 +13,7 @@
 /* State while reading a boss: stack indices, and whether a phase with `last = true` was found. */
 struct boss_reader {
     lua_State *L;
-    int boss, cast, ids, phases; /* cast: set of the members' names; 0: no cast */
+    int boss, cast, ids; /* cast: set of the members' names; 0: no cast */
     bool has_last;
 };
 
@@ -430,7 +430,7 @@ static const char *first_ship(const struct board *b)
 {
     uint16_t kind = 0;
 
-    for (int p = PADS; p-- > 0;)
+    for (int p = MAX_PLAYERS; p-- > 0;)
         kind = b->player.in_game[p] ? b->player.kind[p] : kind;
     const char *name = board_name(b, N_PLAYER, kind);
     return name ? name : "";

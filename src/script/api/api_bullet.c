@@ -197,9 +197,9 @@ static int shot_define(lua_State *L, struct board *b, struct api_value *v)
 
 /* ---- firing ---- */
 
-void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *v)
+void api_check_around(lua_State *L, const struct bullets *s, const char *entry, const struct api_value *around)
 {
-    if (v->given && !s->orbit_target)
+    if (around->given && !s->orbit_target)
         api_error(L, entry, "around: orbits around things are disabled; add `around = true` to `board` in rom.lua");
 }
 
@@ -357,7 +357,7 @@ int api_call_each(lua_State *L, struct board *b, enum handle_kind kind, const ch
 
     vm_charge(L, VISIT_WORK * (uint64_t)n);
     for (uint32_t k = 0; k < n; k++) {
-        if (!board_alive(b, list[k]))
+        if (!board_is_alive(b, list[k]))
             continue;
         lua_pushvalue(L, v[EACH_F].at);
         lua_pushinteger(L, list[k]);
@@ -682,20 +682,20 @@ static void act_on_one(struct board *b, bool is_shot, const struct targets *targ
     bullets_update_velocity(s, i);
 }
 
-static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb apply_verb)
+static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
 {
     int64_t h = v[ARG_SELF].i;
     bool is_shot = handle_kind(h) == H_SHOT || handle_kind(h) == H_SHOTS;
     struct bullets *s = is_shot ? &b->shots : &b->bullets;
     const struct targets targets = board_motion_world(b, is_shot).targets;
     const uint64_t work_each =
-        apply_verb != V_AIM ? ACT_WORK : AIM_WORK + (is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0);
+        verb != V_AIM ? ACT_WORK : AIM_WORK + (is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0);
 
     vm_charge(L, work_each);
     if (!handle_kind_is_group(handle_kind(h))) {
-        if (board_alive(b, h))
-            act_on_one(b, is_shot, &targets, handle_slot(h), apply_verb, v);
-        else if (apply_verb == V_REMOVE &&
+        if (board_is_alive(b, h))
+            act_on_one(b, is_shot, &targets, handle_slot(h), verb, v);
+        else if (verb == V_REMOVE &&
                  board_is_readable(b, h)) /* held: release it, so that its pending hits have no effect */
             bullets_release(s, handle_slot(h));
         return 0;
@@ -703,8 +703,8 @@ static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, 
     vm_charge(L, work_each * s->s.live);
     EACH_LIVE (i, &s->s)
         if (api_has_tag(s->tag, i, handle_slot(h)))
-            act_on_one(b, is_shot, &targets, i, apply_verb, v);
-    if (apply_verb == V_REMOVE)
+            act_on_one(b, is_shot, &targets, i, verb, v);
+    if (verb == V_REMOVE)
         EACH_HELD (i, &s->s)
             if (api_has_tag(s->tag, i, handle_slot(h)))
                 bullets_release(s, i);

@@ -78,7 +78,7 @@ static bool knows_label(lua_State *L, const char *key, const void *context)
     const struct ml *ml = context;
 
     vm_charge(L, 1);
-    for (uint32_t i = 0; key && i < ml->labels && i < ML_KINDS; i++)
+    for (uint32_t i = 0; key && i < ml->n_labels && i < ML_MAX_KINDS; i++)
         if (!strcmp(ml_label(ml, i), key))
             return true;
     return false;
@@ -93,24 +93,24 @@ static void raise_bad_label(lua_State *L, const struct ml *ml)
     if (!label)
         api_error(L, entry_name, "kinds: expected { label = kind }, got key %s", api_push_description(L, -1));
     api_hint_begin(&hint, label);
-    for (uint32_t i = 0; i < ml->labels; i++) {
+    for (uint32_t i = 0; i < ml->n_labels; i++) {
         api_hint_add(&hint, ml_label(ml, i));
         if (!strcmp(ml_label(ml, i), label))
             api_error(L, entry_name, "kinds: label \"%s\" is not one of the first %d labels of the document", label,
-                      ML_KINDS);
+                      ML_MAX_KINDS);
     }
     api_error(L, entry_name, "kinds: unknown label \"%s\"%s", label, api_hint_push(L, &hint, "labels"));
 }
 
 /* Reads kinds = { label = kind } into out, indexed by label. */
-static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_KINDS])
+static void read_kinds(lua_State *L, const struct ml *ml, int at, uint16_t out[ML_MAX_KINDS])
 {
     static const struct api_param kind = { "kinds", A_BULLET_KIND, REQ, 0, 0, NULL, NULL, NULL };
     struct api_value v = { 0 };
 
     if (luakeys_push_unknown(L, at, knows_label, ml))
         raise_bad_label(L, ml);
-    for (uint32_t i = 0; i < ml->labels && i < ML_KINDS; i++, lua_pop(L, 1)) {
+    for (uint32_t i = 0; i < ml->n_labels && i < ML_MAX_KINDS; i++, lua_pop(L, 1)) {
         if (lua_getfield(L, at, ml_label(ml, i)) == LUA_TNIL)
             continue;
         api_check(L, entry_name, &kind, lua_gettop(L), &v);
@@ -166,11 +166,11 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
                                 .rank = to_q32(v[P_RANK].n),
                                 .speed_scale = to_q32(v[P_SPEED].n),
                                 .angle = v[P_ANGLE].a };
-    uint16_t kinds[ML_KINDS];
+    uint16_t kinds[ML_MAX_KINDS];
     int64_t param[ML_PARAMS];
     struct ml ml;
 
-    for (int i = 0; i < ML_KINDS; i++)
+    for (int i = 0; i < ML_MAX_KINDS; i++)
         kinds[i] = s.kind;
     cart_bulletml(&b->cart, s.program, &ml);
     if (v[P_KINDS].given)
@@ -193,7 +193,7 @@ static int start_document(lua_State *L, struct board *b, struct api_value *v)
         bulletml_set_handler(L, (uint32_t)i);
     }
     if (i != NO_SLOT)
-        for (int k = 0; k < ML_KINDS; k++)
+        for (int k = 0; k < ML_MAX_KINDS; k++)
             script_fold(b, kinds[k]);
     lua_pushinteger(L, board_handle(b, H_BULLETML, i));
     return 1;
@@ -211,8 +211,8 @@ static int list_documents(lua_State *L, struct board *b, struct api_value *v)
         lua_createtable(L, 0, 2);
         lua_pushstring(L, cart_name(&b->cart, CART_BULLETML, i));
         lua_setfield(L, -2, "name");
-        lua_createtable(L, (int)ml.labels, 0);
-        for (uint32_t k = 0; k < ml.labels; k++) {
+        lua_createtable(L, (int)ml.n_labels, 0);
+        for (uint32_t k = 0; k < ml.n_labels; k++) {
             lua_pushstring(L, ml_label(&ml, k));
             lua_rawseti(L, -2, (lua_Integer)k + 1);
         }
@@ -261,7 +261,7 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int stop_document(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (board_alive(b, v[0].i))
+    if (board_is_alive(b, v[0].i))
         bulletml_stop(b, handle_slot(v[0].i));
     return 0;
 }

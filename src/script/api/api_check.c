@@ -286,7 +286,7 @@ static const char *const buttons[] = PAD_NAMES, *const eases[] = { "linear", "in
                          *const meet_words[] = { "none", "first", "second", "both" },
                          *const emit_words[] = { "one", "ring", "fan", "arc", "stack", "line" },
                          *const down_words[] = { "all", "any" },
-                         *const ask_words[] = { "settings", "replays", "practice", "keys" };
+                         *const host_screen_words[] = { "settings", "replays", "practice", "keys" };
 
 /* Word lists, indexed by enum api_type. fire_words is indexed by FIRES_. */
 
@@ -304,7 +304,7 @@ static const struct word_list {
                    [A_MEET] = { meet_words, 4 },
                    [A_EMIT_PATTERN] = { emit_words, EMIT_PATTERNS },
                    [A_DOWN] = { down_words, 2 },
-                   [A_HOST_SCREEN] = { ask_words, HOST_SCREENS } };
+                   [A_HOST_SCREEN] = { host_screen_words, HOST_SCREENS } };
 
 const char *const *api_type_list(enum api_type type, int *n)
 {
@@ -342,7 +342,7 @@ static void check_pad(lua_State *L, const char *entry, const struct api_param *p
         }
         v->i = handle_slot(v->i) + 1;
     }
-    if (v->i < 1 || v->i > PADS)
+    if (v->i < 1 || v->i > MAX_PLAYERS)
         raise_expected(L, entry, p, at, "1, 2 or a player");
 }
 
@@ -603,8 +603,8 @@ static bool knows_argument(lua_State *L, const char *key, const void *context)
 
 /* Spreads the table of named arguments at `at` over the stack above it, one slot per parameter, and reads the
  * parameters into v. */
-static void spread(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry, int at,
-                   struct api_value *v)
+static void spread_arguments(lua_State *L, const struct api_entry *e, const struct api_entry *fired_entry, int at,
+                             struct api_value *v)
 {
     const struct accepted_arguments accepted = { e, fired_entry, api_value_names(fired_entry ? fired_entry : e) };
     const int n = api_param_count(e, fired_entry), first = at + 1;
@@ -653,9 +653,10 @@ enum {
     MAX_UNCHECKED_ARGUMENTS = LUA_MINSTACK - 17
 }; /* arguments that leave enough free slots in a C function's guaranteed stack */
 
-int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v, const struct api_entry **fire_out)
+int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value *v,
+                       const struct api_entry **fired_entry_out)
 {
-    const struct api_entry *fired_entry = *fire_out = api_fired_entry(L, e, e->positional_count + 1);
+    const struct api_entry *fired_entry = *fired_entry_out = api_fired_entry(L, e, e->positional_count + 1);
     const enum name_kind names = api_value_names(fired_entry ? fired_entry : e);
     int n = api_param_count(e, fired_entry), top = lua_gettop(L), n_values = api_value_count(vm_board(L), names);
     int n_named = n - e->positional_count;
@@ -676,7 +677,7 @@ int api_read_arguments(lua_State *L, const struct api_entry *e, struct api_value
         int at = e->positional_count + 1;
         lua_settop(L, at + n_named + n_values);
         if (lua_type(L, at) == LUA_TTABLE)
-            spread(L, e, fired_entry, at, v);
+            spread_arguments(L, e, fired_entry, at, v);
         else if (!lua_isnil(L, at)) {
             const char *got = api_push_description(L, at);
             api_error(L, e->name, "expected a table of named arguments, got %s%s", got,

@@ -93,7 +93,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     const struct shape_columns columns = { k->shape, k->a, k->b, k->x, k->y };
     struct api_pictures pictures;
 
-    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_PICTURES,
+    api_pictures_read(L, "enemy.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, ENEMY_MAX_PICTURES,
                       &pictures);
     api_pictures_append_rows(L, "enemy.def", &k->s, k->sprite, &pictures);
     int32_t i = api_declare_kind(L, "enemy.def", &k->s, &columns, &shape);
@@ -104,7 +104,7 @@ static int enemy_def(lua_State *L, struct board *b, struct api_value *v)
     k->bank[i] = (uint8_t)(v[D_BANK].i | v[D_BLINK].i * ENEMY_BLINK_ONE);
     k->flags[i] = (uint8_t)((v[D_TOUCH].i ? ENEMY_TOUCH : 0) | (v[D_SWEPT].i ? ENEMY_SWEPT : 0) |
                             v[D_BLEND].i * ENEMY_BLEND_ONE | (v[D_BLOCKS].i ? ENEMY_BLOCKS : 0) |
-                            (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_SOFT : 0));
+                            (pictures.n ? ENEMY_HURT_PICTURE : 0) | (v[D_BLINK_SOFT].i ? ENEMY_RIM_BLINK : 0));
     api_pictures_store_names(L, N_ENEMY, i, &pictures);
     k->spark[i] = v[D_SPARK].given ? (uint16_t)(v[D_SPARK].i + 1) : 0;
     store_function(L, &v[D_RUN], i, "run");
@@ -266,7 +266,7 @@ static bool read_spawn_place(lua_State *L, struct board *b, const struct api_val
         if (has_place || v[S_PATH].given)
             api_error(L, "enemy.spawn", "`follow` cannot be combined with a position or a path");
         *x = *y = 0;
-        return board_alive(b, v[S_FOLLOW].i);
+        return board_is_alive(b, v[S_FOLLOW].i);
     }
     if (v[S_SHARE].given)
         api_error(L, "enemy.spawn", "share: requires `follow`");
@@ -353,7 +353,7 @@ static int enemy_group(lua_State *L, struct board *b, struct api_value *v)
 /* Returns whether enemy i is alive and has the tag (0: any). */
 static bool is_in_group(const struct board *b, uint32_t i, uint32_t tag)
 {
-    return !(b->enemies.flags[i] & ENEMY_GONE) && api_has_tag(b->enemies.tag, i, tag);
+    return !(b->enemies.flags[i] & ENEMY_NOT_ALIVE) && api_has_tag(b->enemies.tag, i, tag);
 }
 
 static void push_count(lua_State *L, struct board *b, uint32_t tag)
@@ -479,12 +479,13 @@ static void set_enemy(lua_State *L, struct board *b, uint32_t i, int p, const st
     }
 }
 
-/* A group's members are its live enemies; properties of parts are written to parts alone. */
+/* Returns whether a read or write of property p of a group includes enemy i: it must be alive, and a part if p is a
+ * property of parts. */
 static bool has_member(const struct board *b, uint32_t i, int p)
 {
     const bool parts_only = p > P_BODY + BODY_RATE && p < PROPS;
 
-    return !(b->enemies.flags[i] & ENEMY_GONE) && (!parts_only || b->enemies.body[i]);
+    return !(b->enemies.flags[i] & ENEMY_NOT_ALIVE) && (!parts_only || b->enemies.body[i]);
 }
 
 const struct api_thing api_enemy_thing = { "enemy", props, PROPS, .get = get_enemy, .set = set_enemy, POOL(enemies) };
@@ -591,7 +592,7 @@ static void apply_to_group(lua_State *L, struct board *b, uint32_t tag, api_enem
         lua_rawgeti(L, list, k);
         int64_t h = lua_tointeger(L, -1);
         lua_pop(L, 1);
-        if (board_alive(b, h))
+        if (board_is_alive(b, h))
             verb(L, b, handle_slot(h), v);
     }
     lua_settop(L, list - 1);
@@ -603,7 +604,7 @@ int api_enemy_apply_verb(lua_State *L, struct board *b, api_enemy_verb *verb, co
 
     if (handle_kind(h) == H_ENEMIES)
         apply_to_group(L, b, handle_slot(h), verb, v);
-    else if (board_alive(b, h))
+    else if (board_is_alive(b, h))
         verb(L, b, handle_slot(h), v);
     return 0;
 }

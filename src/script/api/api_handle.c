@@ -172,7 +172,7 @@ static int set_value(lua_State *L, struct board *b, const struct api_thing *t, i
 
     api_check(L, t->name, &p, 3, &v);
     if (!handle_kind_is_group(kind)) {
-        if (board_alive(b, h))
+        if (board_is_alive(b, h))
             column[handle_slot(h)] = v.f;
         return 0;
     }
@@ -351,7 +351,7 @@ static int push_property(lua_State *L, struct board *b, const struct api_thing *
     const struct api_prop *prop = &t->props[p];
 
     check_enabled(L, b, t, handle_kind(h), prop->param.name);
-    if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < PADS))
+    if (!board_is_readable(b, h) && !(prop->access == PROP_PERSISTENT && handle_gen(h) && handle_slot(h) < MAX_PLAYERS))
         return push_nil_for_dead(L, prop->param.name);
     if (t->member)
         push_count(L, b, t, handle_slot(h), p);
@@ -384,7 +384,7 @@ static int get_property(lua_State *L)
         return push_property(L, b, t, h, *guess);
     if (api_push_method(L, (int)handle_kind(h), name))
         return 1;
-    bool alive = board_alive(b, h);
+    bool alive = board_is_alive(b, h);
     if (!strcmp(name, "alive") && api_can_die(handle_kind(h)))
         return lua_pushboolean(L, alive), 1;
     const struct api_prop *prop = find_prop(t, guess, name, &p);
@@ -424,7 +424,7 @@ static int set_property(lua_State *L)
     const char *name = lua_tolstring(L, 2, &bytes);
     const struct api_thing *t = api_of(L)->things[handle_kind(h)];
     const struct api_prop *prop = find_prop(t, get_prop_guess(b, handle_kind(h), true, name, bytes), name, &p);
-    bool alive = board_alive(b, h);
+    bool alive = board_is_alive(b, h);
     script_fold(b, 0x2000);
     script_fold(b, (uint64_t)h);
     api_fold_text(L, b, name, bytes);

@@ -119,7 +119,7 @@ static void read_sprite_shape(lua_State *L, const char *entry, enum hit_owner ow
     const struct api_param sprite = { "hit.sprite", A_SPRITE, REQ, 0, 0, NULL, NULL, NULL };
     const int at = lua_gettop(L);
     struct api_value v = { 0 };
-    struct cart_hit hit;
+    struct cart_hitbox hit;
 
     api_check(L, entry, &sprite, at, &v);
     const char *name = lua_tostring(L, at);

@@ -42,8 +42,9 @@ static int intern_register(lua_State *L, const char *name)
     if (i != NO_SLOT)
         return i;
     i = (int)vm_board(L)->names[N_ITEM_REGISTER].n;
-    if (i == ITEM_REGISTERS)
-        api_error(L, def_entry, "gives: too many registers (items can give at most %d different ones)", ITEM_REGISTERS);
+    if (i == ITEM_MAX_REGISTERS)
+        api_error(L, def_entry, "gives: too many registers (items can give at most %d different ones)",
+                  ITEM_MAX_REGISTERS);
     api_names_declare(L, N_ITEM_REGISTER, def_entry, name, i);
     return i;
 }
@@ -80,7 +81,7 @@ static void read_gives(lua_State *L, struct item_kinds *k, int32_t i, int gives_
         else if (!strcmp(names[j], "lives"))
             k->lives[i] = (int32_t)api_read_named_number(L, def_entry, "gives", gives_at, names[j], 0, MAX_LIVES);
         else
-            k->register_amounts[i * ITEM_REGISTERS + intern_register(L, names[j])] =
+            k->register_amounts[i * ITEM_MAX_REGISTERS + intern_register(L, names[j])] =
                 (int32_t)api_read_named_number(L, def_entry, "gives", gives_at, names[j], -INT32_MAX, INT32_MAX);
 }
 
@@ -117,7 +118,7 @@ static bool has_max(const struct board *b, uint32_t row)
 }
 
 /* Returns whether any ship, or the run, has a register of that name with a max. */
-static bool can_fill(lua_State *L, const struct board *b, const char *name)
+static bool has_register_with_max(lua_State *L, const struct board *b, const char *name)
 {
     const int run_register = api_find_run_register(L, name);
 
@@ -136,7 +137,8 @@ static void raise_unknown_register(lua_State *L, const struct board *b, int r)
     const char *name = board_name(b, N_ITEM_REGISTER, r), *nearest = api_register_nearest(L, name);
     uint32_t i = 0;
 
-    while (i + 1 < k->s.live && !k->register_amounts[i * ITEM_REGISTERS + (uint32_t)r] && k->full_register[i] != r + 1)
+    while (i + 1 < k->s.live && !k->register_amounts[i * ITEM_MAX_REGISTERS + (uint32_t)r] &&
+           k->full_register[i] != r + 1)
         i++;
     const char *item = board_name(b, N_ITEM, (int)i);
     if (nearest)
@@ -154,7 +156,7 @@ void api_items_check(lua_State *L, struct board *b)
             raise_unknown_register(L, b, r);
     for (uint32_t i = 0; i < b->item_kinds.s.live; i++) {
         const char *name = board_name(b, N_ITEM_REGISTER, (int)b->item_kinds.full_register[i] - 1);
-        if (name && !can_fill(L, b, name))
+        if (name && !has_register_with_max(L, b, name))
             api_error_at(
                 L, def_entry, board_name(b, N_ITEM, (int)i),
                 "full: register \"%s\" has no max (write registers = { %s = { max = n } } in player.def or game.def)",
@@ -274,7 +276,7 @@ static void apply_verb(lua_State *L, struct board *b, item_verb *verb, const str
     int64_t h = v[ARG_SELF].i;
 
     if (handle_kind(h) == H_ITEM) {
-        if (board_alive(b, h))
+        if (board_is_alive(b, h))
             verb(b, handle_slot(h), v);
         return;
     }

@@ -279,7 +279,7 @@ static int fire_beam(lua_State *L, struct board *b, struct api_value *v)
 
     if (v[F_TURNS].i && !follows)
         api_error(L, "laser.beam", "turns: requires `follow`");
-    if (!read_beam_place(L, b, v, &x, &y) || (follows && !board_alive(b, v[F_FOLLOW].i)))
+    if (!read_beam_place(L, b, v, &x, &y) || (follows && !board_is_alive(b, v[F_FOLLOW].i)))
         return push_laser(L, b, NO_SLOT);
     struct bullet_spec s = make_head(L, b, "laser.beam", v, x, y);
     struct laser_spec shape = { .form = LASER_BEAM,
@@ -496,7 +496,7 @@ const struct api_thing api_lasers_thing = {
 /* ---- verbs ---- */
 
 enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
-enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY, ARG_F = ARG_BY };
+enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY };
 
 static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
 {
@@ -525,19 +525,19 @@ static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct
     lasers_update_tail(b, i);
 }
 
-static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb apply_verb)
+static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
 {
     int64_t h = v[ARG_SELF].i;
 
     if (!handle_kind_is_group(handle_kind(h))) {
-        if (board_alive(b, h))
-            act_on_one(b, handle_slot(h), apply_verb, v);
+        if (board_is_alive(b, h))
+            act_on_one(b, handle_slot(h), verb, v);
         return 0;
     }
     vm_charge(L, b->lasers.s.live);
     EACH_LIVE (i, &b->lasers.s)
         if (api_has_tag(b->laser_heads.tag, i, handle_slot(h)))
-            act_on_one(b, i, apply_verb, v);
+            act_on_one(b, i, verb, v);
     return 0;
 }
 

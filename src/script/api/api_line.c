@@ -88,7 +88,7 @@ static bool read_place(lua_State *L, struct board *b, struct api_value *v, fx *x
         api_error(L, "text.line", "`follow` cannot be combined with `x`, `y` or `from`");
     if (v[L_SCREEN].i)
         api_error(L, "text.line", "`screen` cannot be combined with `follow`");
-    return board_alive(b, v[L_FOLLOW].i);
+    return board_is_alive(b, v[L_FOLLOW].i);
 }
 
 static int text_line(lua_State *L, struct board *b, struct api_value *v)
@@ -183,7 +183,7 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int line_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!board_alive(b, v[ARG_SELF].i))
+    if (!board_is_alive(b, v[ARG_SELF].i))
         return 0;
     slots_drop(&b->lines.s, handle_slot(v[ARG_SELF].i));
     slots_trim(&b->lines.s);

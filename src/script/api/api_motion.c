@@ -130,7 +130,7 @@ static void raise_unknown_key(lua_State *L, int step, const char *entry)
 
 /* Returns which number of a step key k sets, if the name of a declared value may replace the number; otherwise
  * STEP_NUMBERS. */
-static enum step_number step_number(int k)
+static enum step_number find_step_number(int k)
 {
     switch (k) {
     case M_WAIT:
@@ -198,7 +198,7 @@ static uint64_t read_keys(lua_State *L, int at, int step, struct api_value v[M_K
     if (luakeys_push_unknown(L, at, knows_step_key, &step_fields))
         raise_unknown_key(L, step, entry);
     for (int k = 0; k < M_KEYS; k++) {
-        enum step_number number = step_number(k);
+        enum step_number number = find_step_number(k);
         v[k] = (struct api_value){ 0 };
         if (lua_getfield(L, at, step_keys[k].name) == LUA_TSTRING && number != STEP_NUMBERS) {
             named_bits |= api_find_step_value(L, step, step_keys[k].name, lua_gettop(L)) << number * NAMED_BITS;

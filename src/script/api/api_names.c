@@ -118,32 +118,14 @@ static int word_distance(const char *word, const char *candidate)
     return edit_distance(word, candidate);
 }
 
-void api_suggest_nearer(const char *word, const char *candidate, int *best, const char **found)
+void api_suggest_nearer(const char *word, const char *candidate, int *best_distance, const char **found)
 {
     int d = word_distance(word, candidate);
 
-    if (d < *best || (d == *best && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
-        *best = d;
+    if (d < *best_distance || (d == *best_distance && *found && d < EDIT_FAR && strcmp(candidate, *found) < 0)) {
+        *best_distance = d;
         *found = candidate;
     }
-}
-
-void api_names_suggest(lua_State *L, enum name_kind kind, const char *name)
-{
-    const char *found = NULL;
-    int best = EDIT_FAR;
-
-    lua_rawgetp(L, LUA_REGISTRYINDEX, &names_key[kind]);
-    lua_pushnil(L);
-    while (lua_next(L, -2)) {
-        lua_pop(L, 1);
-        api_suggest_nearer(name, lua_tostring(L, -1), &best, &found);
-    }
-    lua_pop(L, 1);
-    if (found)
-        lua_pushstring(L, found);
-    else
-        lua_pushnil(L);
 }
 
 uint16_t api_intern_tag(lua_State *L, const char *entry, int at)

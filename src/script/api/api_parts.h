@@ -228,8 +228,9 @@ int api_volley(lua_State *L, struct board *b, struct api_value *v);
  * ("bullet.fire"). Returns false and pushes nothing if there is none. */
 bool api_push_member(lua_State *L, const char *owner, char separator, const char *name);
 
-/* Creates the metatable that the API's tables share, with `missing` as __index. Call this before api_add_namespace. */
-void api_create_namespace_metatable(lua_State *L, lua_CFunction missing);
+/* Creates the metatable that the API's tables share, with `on_missing` as __index. Call this before api_add_namespace.
+ * */
+void api_create_namespace_metatable(lua_State *L, lua_CFunction on_missing);
 
 /* Registers the table on top of the stack as the API table of that name. */
 void api_add_namespace(lua_State *L, const char *name);
@@ -239,7 +240,7 @@ const char *api_push_namespace_name(lua_State *L, int at);
 
 /* Raises the fault for reading a missing field of an API table, if the field is reserved, disabled in rom.lua, or
  * belongs to a library module that is not loaded. */
-void api_fault_missing_field(lua_State *L, const char *table, const char *name);
+void api_fault_missing_field(lua_State *L, const char *owner, const char *name);
 
 /* Returns whether the name is a key of a motion step. */
 bool api_is_step_key(lua_State *L, const char *name);
@@ -468,7 +469,7 @@ struct api_pictures {
 /* Reads at most `max` pictures from the table `pictures`: first the names in `first_names`, which ends with NULL (an
  * omitted picture uses the kind's own sprite), then the other names in byte order. If the table is not given,
  * there are none. */
-void api_pictures_read(lua_State *L, const char *entry, const struct api_value *table, uint16_t default_sprite,
+void api_pictures_read(lua_State *L, const char *entry, const struct api_value *owner, uint16_t default_sprite,
                        const char *const *first_names, int max, struct api_pictures *p);
 
 /* api_pictures_append_rows appends the pictures' rows to the list of kinds; the kind itself must be appended next.
@@ -490,7 +491,7 @@ const char *api_names_off_text(lua_State *L, enum name_kind kind);
 bool api_has_property(const struct api_thing *t, const char *name);
 
 /* A table of items or registers: { NAME = n }. */
-enum { MAX_ITEM_NAMES = ITEM_REGISTERS + 2, DROP_WORK = 6 /* work per dropped item */ };
+enum { MAX_ITEM_NAMES = ITEM_MAX_REGISTERS + 2, DROP_WORK = 6 /* work per dropped item */ };
 #define ITEM_TABLE_FORM "{ NAME = n }"
 
 /* Returns the integer under `name` in the table at `at`; raises an error unless it is from lo to hi. */
@@ -523,12 +524,12 @@ int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at);
 enum { REGISTER_SETTINGS = 10 };
 extern const struct api_param api_register_settings[REGISTER_SETTINGS];
 
-/* Returns the number of the register `name`; if there is none, raises an error about the argument `what`. */
-int api_register_expect(lua_State *L, const char *entry, const char *what, int32_t kind, const char *name);
+/* Returns the number of the register `name`; if there is none, raises an error about the argument `param_name`. */
+int api_register_expect(lua_State *L, const char *entry, const char *param_name, int32_t kind, const char *name);
 
 /* Returns the integer at `at`, to be written to a register. Raises an error for anything but an integer up to
  * INT32_MAX; integers below the register's min are accepted, because writes clamp to min and max. */
-int64_t api_read_register_value(lua_State *L, const char *of, const char *name, uint32_t row, int at);
+int64_t api_read_register_value(lua_State *L, const char *entry, const char *name, uint32_t row, int at);
 
 /* Returns the number of a register of that kind of ship, or -1. */
 int api_find_ship_register(lua_State *L, int32_t kind, const char *name);

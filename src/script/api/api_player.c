@@ -139,7 +139,7 @@ static int player_def(lua_State *L, struct board *b, struct api_value *v)
     struct api_pictures pictures;
     uint32_t row = k->s.live;
 
-    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_PICTURES,
+    api_pictures_read(L, "player.def", &v[D_PICTURES], (uint16_t)v[D_SPRITE].i, first_pictures, PLAYER_MAX_PICTURES,
                       &pictures);
     api_pictures_append_rows(L, "player.def", &k->s, k->sprite, &pictures);
     for (; row < k->s.live; row++)
@@ -185,7 +185,7 @@ int api_player_enter(lua_State *L, struct board *b, uint32_t i, uint16_t kind)
                         RETIRED_GENERATION - 1);
     b->player.in_game[i] = PLAYER_IN_GAME;
     for (uint32_t p = 0; p <= i; p++) { /* when player 2 joins, player 1 moves off centre too */
-        events_player_start_position(b, p, &x, &y);
+        events_get_start_position(b, p, &x, &y);
         if (b->player.in_game[p] && p != i)
             player_set_position(&b->player, p, x, y);
     }
@@ -229,7 +229,7 @@ static int player_nearest(lua_State *L, struct board *b, struct api_value *v)
 
 static int player_each(lua_State *L, struct board *b, struct api_value *v)
 {
-    for (int32_t i = 0; i < PADS; i++) {
+    for (int32_t i = 0; i < MAX_PLAYERS; i++) {
         if (!b->player.in_game[i])
             continue;
         lua_pushvalue(L, v[ARG_F].at);
@@ -339,7 +339,7 @@ static int read_pad(lua_State *L, const struct board *b, const uint16_t *button_
 {
     uint32_t p = (uint32_t)v[BUTTON_PLAYER].i - 1;
 
-    lua_pushboolean(L, v[BUTTON_PLAYER].i && (button_masks[p] & ~board_withheld_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
+    lua_pushboolean(L, v[BUTTON_PLAYER].i && (button_masks[p] & ~board_ignored_buttons(b, p)) >> v[BUTTON_NAME].i & 1);
     return 1;
 }
 
@@ -357,7 +357,7 @@ static int pad_take(lua_State *L, struct board *b, struct api_value *v)
 {
     uint32_t p = (uint32_t)v[TAKE_PLAYER].i - 1, k = (uint32_t)v[TAKE_BUTTON].i;
 
-    lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_withheld_buttons(b, p) >> k & 1) &&
+    lua_pushboolean(L, v[TAKE_PLAYER].i && !(board_ignored_buttons(b, p) >> k & 1) &&
                            input_take(&b->input, p, k, (uint32_t)v[TAKE_AGE].i, board_press_side(b)));
     return 1;
 }

@@ -143,7 +143,7 @@ static int push_found(lua_State *L, struct board *b, struct search_pool *f, uint
     lua_newtable(L);
     int list = lua_gettop(L);
     for (uint32_t i = slots_next(f->s, 0); i < end; i = slots_next(f->s, i + 1)) {
-        if ((f->in_game && !f->in_game[i]) || !board_alive(b, board_handle(b, f->kind, (int32_t)i)) ||
+        if ((f->in_game && !f->in_game[i]) || !board_is_alive(b, board_handle(b, f->kind, (int32_t)i)) ||
             (tag && (!f->tag || f->tag[i] != tag)) || !in_region(b, f, r, i))
             continue;
         lua_pushinteger(L, i);

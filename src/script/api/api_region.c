@@ -289,7 +289,7 @@ int api_clear_self(lua_State *L, struct board *b, struct api_value *v)
     struct bullets *s = handle_kind(h) == H_SHOT ? &b->shots : &b->bullets;
 
     (void)L;
-    if (board_alive(b, h)) {
+    if (board_is_alive(b, h)) {
         leave_spark(b, s, &v[ARG_SPARK], i);
         leave_item(b, s, &v[SELF_ITEMS], i);
         bullets_drop(s, i);
@@ -354,7 +354,7 @@ const struct api_param api_laser_clear_self_params[LASER_CLEAR_SELF_PARAMS] = {
 
 int api_laser_clear_self(lua_State *L, struct board *b, struct api_value *v)
 {
-    if (board_alive(b, v[ARG_SELF].i))
+    if (board_is_alive(b, v[ARG_SELF].i))
         clear_laser(L, b, handle_slot(v[ARG_SELF].i), &v[ARG_SPARK], &v[SELF_ITEMS], v[SELF_ITEMS + 1].f);
     return 0;
 }

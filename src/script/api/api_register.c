@@ -37,7 +37,7 @@ const struct api_param api_register_settings[REGISTER_SETTINGS] = {
           "lowest value at which the HUD shows the register in the bright colour"),
 };
 
-struct reg {
+struct register_declaration {
     const char *name, *show, *place, *label; /* NULL: not given; the declared table keeps the strings alive */
     bool has_mark;
     int32_t mark;
@@ -77,7 +77,7 @@ static int32_t read_setting(const struct api_value *v, int32_t fallback)
     return v->i == LUA_MAXINTEGER ? DRAIN_FOREVER : (int32_t)v->i;
 }
 
-static void check_rule(lua_State *L, const char *entry, const char *name, const struct reg *r)
+static void check_rule(lua_State *L, const char *entry, const char *name, const struct register_declaration *r)
 {
     const struct register_rule *rule = &r->rule;
 
@@ -94,7 +94,7 @@ static void check_rule(lua_State *L, const char *entry, const char *name, const 
 }
 
 /* Reads the rule { start = 3, max = 6, show = "icons" } at `at`. */
-static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct reg *r)
+static void read_rule(lua_State *L, const char *entry, const char *name, int at, struct register_declaration *r)
 {
     static const struct api_fields fields = { api_register_settings, REGISTER_SETTINGS, NAME_LISTS };
     struct register_rule *rule = &r->rule;
@@ -134,9 +134,10 @@ static void check_name(lua_State *L, const char *entry, int32_t kind, const char
 }
 
 /* Reads the register named `register_name`, whose declared value is on top of the stack. */
-static struct reg read_register(lua_State *L, const char *entry, int32_t kind, const char *register_name)
+static struct register_declaration read_register(lua_State *L, const char *entry, int32_t kind,
+                                                 const char *register_name)
 {
-    struct reg r = { .name = register_name, .rule = { .max_value = REGISTER_NO_MAX, .interval = 1 } };
+    struct register_declaration r = { .name = register_name, .rule = { .max_value = REGISTER_NO_MAX, .interval = 1 } };
     struct api_value v = { 0 };
     char name[64];
 
@@ -161,7 +162,7 @@ static void set_string_field(lua_State *L, const char *field, const char *value)
 }
 
 /* Stores how register i is shown. Creates the table on first use. */
-static void store_display(lua_State *L, int32_t kind, int i, const struct reg *r)
+static void store_display(lua_State *L, int32_t kind, int i, const struct register_declaration *r)
 {
     int top = lua_gettop(L);
 
@@ -200,7 +201,7 @@ void api_register_add_display(lua_State *L, int32_t kind, int i)
     lua_settop(L, top);
 }
 
-static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct reg *regs, int n)
+static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct register_declaration *regs, int n)
 {
     struct registers *rows = &vm_board(L)->registers;
 
@@ -223,7 +224,7 @@ static void add_rows(lua_State *L, const char *entry, int32_t kind, const struct
 int api_registers_define(lua_State *L, const char *entry, int32_t kind, int at)
 {
     const char *names[PLAYER_MAX_REGISTERS];
-    struct reg regs[PLAYER_MAX_REGISTERS];
+    struct register_declaration regs[PLAYER_MAX_REGISTERS];
     const int top = lua_gettop(L),
               n = api_read_sorted_keys(L, entry, "registers", "{ NAME = n, .. }", at, names, PLAYER_MAX_REGISTERS);
 
@@ -249,7 +250,7 @@ int api_find_ship_register(lua_State *L, int32_t kind, const char *name)
 
 int api_find_player_register(lua_State *L, const struct board *b, uint32_t slot, const char *name)
 {
-    return slot < PADS ? api_find_ship_register(L, b->player.kind[slot], name) : -1;
+    return slot < MAX_PLAYERS ? api_find_ship_register(L, b->player.kind[slot], name) : -1;
 }
 
 int api_find_run_register(lua_State *L, const char *name)

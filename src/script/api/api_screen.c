@@ -94,8 +94,8 @@ static int sprite_put(lua_State *L, struct board *b, struct api_value *v)
     int64_t owner;
 
     check_put(L, v);
-    bool can_spawn =
-        tasks_get_owner_of_new(b, v[PUT_STAY].i, &owner) && (!v[PUT_FOLLOW].given || board_alive(b, v[PUT_FOLLOW].i));
+    bool can_spawn = tasks_get_owner_of_new(b, v[PUT_STAY].i, &owner) &&
+                     (!v[PUT_FOLLOW].given || board_is_alive(b, v[PUT_FOLLOW].i));
     int32_t i = can_spawn ? slots_take(&s->s) : NO_SLOT;
 
     if (i == NO_SLOT && can_spawn)
@@ -191,7 +191,7 @@ static const struct api_prop props[PROPS] = {
     { PARAM("layer", A_LAYER, REQ, 0, 0, NULL, NULL, "drawing order; nil for a plate"), PROP_WRITE, COMPUTED },
 };
 
-static void get(lua_State *L, struct board *b, uint32_t i, int p)
+static void get_sprite(lua_State *L, struct board *b, uint32_t i, int p)
 {
     const struct sprites *s = &b->sprites;
     fx x, y;
@@ -256,7 +256,7 @@ static void check_set(lua_State *L, const struct sprites *s, uint32_t i, int p, 
         api_error(L, "sprite", "%s: " OVER_BLEND_ERROR, props[p].param.name);
 }
 
-static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
+static void set_sprite(lua_State *L, struct board *b, uint32_t i, int p, const struct api_value *v)
 {
     struct sprites *s = &b->sprites;
 
@@ -292,7 +292,7 @@ static void set(lua_State *L, struct board *b, uint32_t i, int p, const struct a
     }
 }
 
-const struct api_thing api_sprite_thing = { "sprite", props, PROPS, .get = get, .set = set };
+const struct api_thing api_sprite_thing = { "sprite", props, PROPS, .get = get_sprite, .set = set_sprite };
 
 enum { ARG_SELF };
 
@@ -301,7 +301,7 @@ static const struct api_param self_params[] = { PARAM("self", A_THING, REQ, 1 <<
 static int sprite_remove(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    if (!board_alive(b, v[ARG_SELF].i))
+    if (!board_is_alive(b, v[ARG_SELF].i))
         return 0;
     slots_drop(&b->sprites.s, handle_slot(v[ARG_SELF].i));
     slots_trim(&b->sprites.s);
@@ -328,8 +328,9 @@ static const struct api_param spark_def_params[] = {
           "`middle` draws the sparks below players and bullets; `front` draws them above"),
 };
 
-static const char NO_KINDS[] = "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
-                               "after the first counts as one)";
+static const char no_free_kind[] =
+    "no free kind: `board.sparks` in rom.lua is 0, or all %d kinds are declared (each bank "
+    "after the first counts as one)";
 
 /* Reads the list `banks`: the first element is the kind's own bank, each further one adds a row. `look_bits`: the other
  * bits of the column `bank`. */
@@ -344,7 +345,7 @@ static void define_banks(lua_State *L, struct spark_kinds *k, int32_t i, int at,
         struct api_value v = { 0 };
         int32_t row = b ? slots_append(&k->s) : i;
         if (row == NO_SLOT)
-            api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+            api_error(L, "spark.def", no_free_kind, MAX_KINDS);
         lua_rawgeti(L, at, (lua_Integer)b + 1);
         api_check(L, "spark.def", &bank, lua_gettop(L), &v);
         lua_pop(L, 1);
@@ -359,7 +360,7 @@ static int spark_define(lua_State *L, struct board *b, struct api_value *v)
     int32_t i = slots_append(&k->s);
 
     if (i == NO_SLOT)
-        return api_error(L, "spark.def", NO_KINDS, MAX_KINDS);
+        return api_error(L, "spark.def", no_free_kind, MAX_KINDS);
     if (v[D_BANKS].given && v[D_BANK].given)
         return api_error(L, "spark.def", "expected either `bank` or `banks`, got both");
     const bool is_under = LAYER_MIDDLE + v[D_LAYER].i == LAYER_MIDDLE;
@@ -410,8 +411,8 @@ static int spark_burst(lua_State *L, struct board *b, struct api_value *v)
     if (!api_read_place(L, b, "spark.burst", v + B_PLACE, &s.x, &s.y))
         return 0;
     if (v[B_TO_X].given) {
-        s.along_x = v[B_TO_X].f - s.x;
-        s.along_y = v[B_TO_Y].f - s.y;
+        s.line_dx = v[B_TO_X].f - s.x;
+        s.line_dy = v[B_TO_Y].f - s.y;
     }
     vm_charge(L, SPARK_WORK * (uint64_t)s.n);
     board_burst_sparks(b, &s);

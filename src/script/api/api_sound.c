@@ -155,7 +155,7 @@ static int music_marker(lua_State *L, struct board *b, struct api_value *v)
 
     (void)v;
     if (get_playing_tune(b, &t) && b->music.mark)
-        lua_pushstring(L, tune_mark_name(&t, b->music.mark - 1));
+        lua_pushstring(L, tune_marker_name(&t, b->music.mark - 1));
     else
         lua_pushnil(L);
     return 1;
@@ -174,7 +174,7 @@ static int music_frames(lua_State *L, struct board *b, struct api_value *v)
 /* ---- music.wait ---- */
 
 /* Stack indices of the values of a waiting task. */
-enum { W_TUNE = 1, W_BEAT, W_MARK, W_MARKS, W_LEFT, W_ALL = W_LEFT };
+enum { W_TUNE = 1, W_BEAT, W_MARK, W_MARKS, W_LEFT };
 
 static int64_t wait_value(lua_State *L, int at)
 {
@@ -235,10 +235,10 @@ static int find_marker(lua_State *L, struct board *b, const char *name)
 
     if (!get_playing_tune(b, &t))
         return 0;
-    for (int i = 0; i < t.marks; i++) {
-        if (!strcmp(tune_mark_name(&t, i), name))
+    for (int i = 0; i < t.n_marks; i++) {
+        if (!strcmp(tune_marker_name(&t, i), name))
             return i + 1;
-        api_suggest_nearer(name, tune_mark_name(&t, i), &best_distance, &found);
+        api_suggest_nearer(name, tune_marker_name(&t, i), &best_distance, &found);
     }
     const char *tune = cart_name(&b->cart, CART_TUNES, b->music.tune - 1);
     if (found)

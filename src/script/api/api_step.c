@@ -5,7 +5,7 @@
 #include <string.h>
 #include "api_parts.h"
 
-static const char DEF[] = "motion.def";
+static const char def_entry[] = "motion.def";
 
 enum {
     E_PATTERN,
@@ -80,16 +80,16 @@ static enum emit_number find_emit_number(int k)
 }
 
 /* An emit being read. From stack index `first`: its arguments, then the values declared for what it fires. */
-struct reader {
+struct emit_reader {
     int step, first;
     bool fires_shots;
     enum name_kind value_kind;
     struct api_value v[EMIT_PARAMS + MAX_VALUES];
-    uint64_t named;
+    uint64_t named_values;
 };
 
 /* Raises the error for the unknown key on top of the stack. */
-static void raise_unknown_key(lua_State *L, const struct reader *r, const struct api_fields *fields)
+static void raise_unknown_key(lua_State *L, const struct emit_reader *r, const struct api_fields *fields)
 {
     static const char *const place_names[] = { "x", "y", "from", "dx", "dy" };
     const char *key = luakeys_text(L, -1);
@@ -97,16 +97,17 @@ static void raise_unknown_key(lua_State *L, const struct reader *r, const struct
 
     for (size_t i = 0; key && i < sizeof place_names / sizeof *place_names; i++)
         if (!strcmp(key, place_names[i]))
-            api_error(L, DEF, "step %d: emit: `%s` is not allowed (`emit` fires from the bullet's position)", r->step,
-                      key);
+            api_error(L, def_entry, "step %d: emit: `%s` is not allowed (`emit` fires from the bullet's position)",
+                      r->step, key);
     if (key && !strcmp(key, "each"))
-        api_error(L, DEF, "step %d: emit: `each` is not allowed (a motion runs without Lua; use `motion`)", r->step);
-    snprintf(context, sizeof context, "%s: step %d: emit", DEF, r->step);
+        api_error(L, def_entry, "step %d: emit: `each` is not allowed (a motion runs without Lua; use `motion`)",
+                  r->step);
+    snprintf(context, sizeof context, "%s: step %d: emit", def_entry, r->step);
     api_raise_unknown_key(L, context, fields);
 }
 
 /* Spreads the arguments and values of the table at `at` over the stack. */
-static void push_settings(lua_State *L, struct reader *r, int at)
+static void push_settings(lua_State *L, struct emit_reader *r, int at)
 {
     const struct api_fields fields = { api_emit_params, EMIT_PARAMS, r->value_kind };
 
@@ -121,22 +122,22 @@ static void push_settings(lua_State *L, struct reader *r, int at)
 }
 
 /* Checks argument k against its parameter, or reads the name of a declared value given in its place. */
-static void check_setting(lua_State *L, struct reader *r, int k, const struct api_param *p, int number)
+static void check_setting(lua_State *L, struct emit_reader *r, int k, const struct api_param *p, int number)
 {
     const int at = r->first + k;
     char context[48];
 
     r->v[k] = (struct api_value){ 0 };
     if (number != EMIT_NUMBERS && lua_type(L, at) == LUA_TSTRING) {
-        r->named |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_BITS;
+        r->named_values |= api_find_step_value(L, r->step, p->name, at) << number * NAMED_BITS;
         r->v[k].given = true;
         return;
     }
-    snprintf(context, sizeof context, "%s: step %d: emit", DEF, r->step);
+    snprintf(context, sizeof context, "%s: step %d: emit", def_entry, r->step);
     api_check(L, context, p, at, &r->v[k]);
 }
 
-static void check_settings(lua_State *L, struct reader *r)
+static void check_settings(lua_State *L, struct emit_reader *r)
 {
     for (int k = 0; k < EMIT_PARAMS; k++) {
         struct api_param p = api_emit_params[k];
@@ -152,23 +153,25 @@ static void check_settings(lua_State *L, struct reader *r)
 }
 
 /* Raises an error if the settings do not belong to the pattern, or are incomplete. */
-static void check_pattern(lua_State *L, const struct reader *r, int pattern)
+static void check_pattern(lua_State *L, const struct emit_reader *r, int pattern)
 {
     const char *name = patterns[pattern].name;
 
     for (int k = E_SPREAD; k <= E_WIDTH; k++) {
         if (r->v[k].given && k != patterns[pattern].size_param)
-            api_error(L, DEF, "step %d: emit: `%s` does not apply to pattern \"%s\"", r->step, api_emit_params[k].name,
-                      name);
+            api_error(L, def_entry, "step %d: emit: `%s` does not apply to pattern \"%s\"", r->step,
+                      api_emit_params[k].name, name);
         if (!r->v[k].given && k == patterns[pattern].size_param)
-            api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `%s`", r->step, name, api_emit_params[k].name);
+            api_error(L, def_entry, "step %d: emit: pattern \"%s\" requires `%s`", r->step, name,
+                      api_emit_params[k].name);
     }
     if (pattern == EMIT_ONE && r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: `n` does not apply to pattern \"one\" (did you forget `pattern`?)", r->step);
+        api_error(L, def_entry, "step %d: emit: `n` does not apply to pattern \"one\" (did you forget `pattern`?)",
+                  r->step);
     if (pattern != EMIT_ONE && !r->v[E_N].given)
-        api_error(L, DEF, "step %d: emit: pattern \"%s\" requires `n`", r->step, name);
+        api_error(L, def_entry, "step %d: emit: pattern \"%s\" requires `n`", r->step, name);
     if (r->fires_shots && r->v[E_DELAY].given)
-        api_error(L, DEF, "step %d: emit: `delay` does not apply to shots", r->step);
+        api_error(L, def_entry, "step %d: emit: `delay` does not apply to shots", r->step);
 }
 
 static void read_skip(lua_State *L, const struct api_value *v, struct motion_emit *e)
@@ -182,7 +185,7 @@ static void read_skip(lua_State *L, const struct api_value *v, struct motion_emi
     lua_pop(L, 2);
 }
 
-static void fill_emit(lua_State *L, const struct reader *r, struct motion_emit *e)
+static void fill_emit(lua_State *L, const struct emit_reader *r, struct motion_emit *e)
 {
     const struct api_value *v = r->v;
     const int pattern = (int)v[E_PATTERN].i, size = patterns[pattern].size_param;
@@ -199,9 +202,9 @@ static void fill_emit(lua_State *L, const struct reader *r, struct motion_emit *
                                .speed = v[E_SPEED].n,
                                .size = size < 0 ? 0 : v[size].n,
                                .orbit_target = v[E_AROUND].given ? v[E_AROUND].i : 0,
-                               .named = r->named };
+                               .named = r->named_values };
     if (v[E_TAG].given)
-        e->tag = api_intern_tag(L, DEF, v[E_TAG].at);
+        e->tag = api_intern_tag(L, def_entry, v[E_TAG].at);
     read_skip(L, &v[E_SKIP], e);
     for (int k = 0; k < api_value_count(vm_board(L), r->value_kind); k++) {
         if (v[EMIT_PARAMS + k].given)
@@ -212,7 +215,7 @@ static void fill_emit(lua_State *L, const struct reader *r, struct motion_emit *
 
 void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e)
 {
-    struct reader r = { .step = step };
+    struct emit_reader r = { .step = step };
     const struct board *b = vm_board(L);
     const int top = lua_gettop(L);
 
@@ -221,7 +224,7 @@ void api_read_emit_step(lua_State *L, int step, int at, struct motion_emit *e)
     push_settings(L, &r, at);
     check_settings(L, &r);
     check_pattern(L, &r, (int)r.v[E_PATTERN].i);
-    api_check_around(L, r.fires_shots ? &b->shots : &b->bullets, DEF, &r.v[E_AROUND]);
+    api_check_around(L, r.fires_shots ? &b->shots : &b->bullets, def_entry, &r.v[E_AROUND]);
     fill_emit(L, &r, e);
     lua_settop(L, top);
 }
@@ -246,36 +249,36 @@ static const enum step_number await_numbers[AWAIT_PARAMS] = { NUMBER_X, NUMBER_Y
 static uint64_t read_await(lua_State *L, int step, int at, struct api_value v[AWAIT_PARAMS])
 {
     static const struct api_fields fields = { api_await_params, AWAIT_PARAMS, NAME_LISTS };
-    uint64_t named = 0;
+    uint64_t named_values = 0;
     char context[48];
 
-    snprintf(context, sizeof context, "%s: step %d: wait_for", DEF, step);
+    snprintf(context, sizeof context, "%s: step %d: wait_for", def_entry, step);
     if (luakeys_push_unknown(L, at, api_knows_field, &fields))
         api_raise_unknown_key(L, context, &fields);
     for (int k = 0; k < AWAIT_PARAMS; k++) {
         const struct api_param *p = &api_await_params[k];
         v[k] = (struct api_value){ 0 };
         if (lua_getfield(L, at, p->name) == LUA_TSTRING && await_numbers[k] != STEP_NUMBERS) {
-            named |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
+            named_values |= api_find_step_value(L, step, p->name, lua_gettop(L)) << await_numbers[k] * NAMED_BITS;
             v[k] = (struct api_value){ .given = true, .i = 1 };
         } else
             api_check(L, context, p, lua_gettop(L), &v[k]);
     }
-    return named;
+    return named_values;
 }
 
 void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
 {
     struct api_value v[AWAIT_PARAMS];
     const int top = lua_gettop(L);
-    const uint64_t named = read_await(L, step, at, v);
+    const uint64_t named_values = read_await(L, step, at, v);
     int n = 0;
 
     for (int k = W_X; k <= W_TAG; k++)
         n += v[k].given;
     if (n != 1)
-        api_error(L, DEF, "step %d: wait_for: expected one of `x`, `y`, `near` and `tag`, got %d", step, n);
-    *s = (struct motion_step){ .actions = DOES_AWAIT | (named ? DOES_NAMED : 0u),
+        api_error(L, def_entry, "step %d: wait_for: expected one of `x`, `y`, `near` and `tag`, got %d", step, n);
+    *s = (struct motion_step){ .actions = DOES_AWAIT | (named_values ? DOES_NAMED : 0u),
                                .duration = UINT32_MAX,
                                .mode = (uint8_t)(v[W_X].given      ? MODE_X
                                                  : v[W_Y].given    ? MODE_Y
@@ -284,9 +287,9 @@ void api_read_await_step(lua_State *L, int step, int at, struct motion_step *s)
                                .x = v[W_X].f,
                                .y = v[W_Y].f,
                                .size = v[W_NEAR].f,
-                               .named = named };
+                               .named = named_values };
     if (v[W_TAG].given)
-        s->count = api_intern_tag(L, DEF, v[W_TAG].at);
+        s->count = api_intern_tag(L, def_entry, v[W_TAG].at);
     if (v[W_LIMIT].given && v[W_LIMIT].i != LUA_MAXINTEGER)
         s->duration = (uint32_t)v[W_LIMIT].i;
     lua_settop(L, top);
@@ -305,7 +308,7 @@ static void pop_position(lua_State *L, int step, int place_at, bool mirror, fx *
     lua_pushinteger(L, 0);
     lua_call(L, 4, 2);
     if (!fx_from_double(lua_tonumber(L, -2), x) || !fx_from_double(lua_tonumber(L, -1), y))
-        api_error(L, DEF, "step %d: path: the route leaves the world", step);
+        api_error(L, def_entry, "step %d: path: the route leaves the world", step);
     lua_pop(L, 2);
 }
 
@@ -325,7 +328,7 @@ static bool read_leg(lua_State *L, int step, int place_at, struct api_route_read
         lua_getfield(L, point, "over");
         leg->duration = (uint32_t)lua_tointeger(L, -1);
         lua_getfield(L, point, "ease");
-        api_check(L, DEF, &ease_param, lua_gettop(L), &v);
+        api_check(L, def_entry, &ease_param, lua_gettop(L), &v);
         leg->mode |= (uint8_t)v.i;
         lua_pushvalue(L, point);
         pop_position(L, step, place_at, reader->mirrored, &x, &y);
@@ -346,7 +349,7 @@ bool api_read_step_leg(lua_State *L, int step, struct api_route_reader *reader, 
 
     luaL_checkstack(L, 16, NULL);
     snprintf(message, sizeof message, "step %d: path: expected a route (from path.def)", step);
-    api_push_path_module(L, DEF, reader->route, message);
+    api_push_path_module(L, def_entry, reader->route, message);
     lua_getfield(L, -1, "place");
     if (!reader->i) {
         lua_rawgeti(L, reader->route, reader->i = 1);

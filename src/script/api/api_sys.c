@@ -44,7 +44,7 @@ static const struct api_param mark_params[] = { PARAM("kind", A_STR, REQ, 0, 0, 
 static const struct api_param kind_req[] = { PARAM("kind", A_PLAYER_KIND, REQ, 0, 0, NULL, NULL, "") };
 static const struct api_param owner_req[] = { PARAM("owner", A_THING, REQ, OWNER_KINDS, 0, NULL, NULL, "") };
 static const struct api_param scope_opt[] = { PARAM("scope", A_THING, OPT, 1 << H_TASK, 0, NULL, NULL, "") };
-enum { BACK_FADE = 60 /* frames for music to fade out */ };
+enum { MUSIC_FADE_FRAMES = 60 /* frames for music to fade out */ };
 static const struct api_param wipe_params[] = { PARAM("keep", A_BOOL, OPT, 0, 0, NULL, NULL, "") };
 static const struct api_param hold_params[] = { PARAM("e", A_THING, REQ, 1 << H_ENEMY, 0, NULL, NULL, ""),
                                                 PARAM("on", A_BOOL, REQ, 0, 0, NULL, NULL, "") };
@@ -159,7 +159,7 @@ static int sys_drop(lua_State *L, struct board *b, struct api_value *v)
 static int sys_read(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)b;
-    vm_read_piece(L, lua_tostring(L, v[ARG_NAME].at));
+    vm_run_library_file(L, lua_tostring(L, v[ARG_NAME].at));
     return 1;
 }
 
@@ -240,8 +240,8 @@ static int sys_practice(lua_State *L, struct board *b, struct api_value *v)
     lua_createtable(L, 0, 2);
     lua_pushinteger(L, p->lives);
     lua_setfield(L, -2, "lives");
-    lua_createtable(L, p->registers, 0);
-    for (int i = 0; i < p->registers; i++)
+    lua_createtable(L, p->register_count, 0);
+    for (int i = 0; i < p->register_count; i++)
         set_register_entry(L, p->reg[i].name, p->reg[i].value, i + 1);
     lua_setfield(L, -2, "registers");
     return 2;
@@ -319,7 +319,7 @@ static int sys_start(lua_State *L, struct board *b, struct api_value *v)
     events_call_start(L, v[ARG_SCOPE].i);
     if (practice->lives > 0)
         b->player.lives[0] = practice->lives - 1;
-    for (int i = 0; i < practice->registers; i++)
+    for (int i = 0; i < practice->register_count; i++)
         set_practice_register(L, b, practice->reg[i].name, practice->reg[i].value);
     return 0;
 }
@@ -403,7 +403,7 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[CONTINUES_PLAYER].i - 1;
 
-    if (p >= PADS) /* a dead handle */
+    if (p >= MAX_PLAYERS) /* a dead handle */
         return 0;
     if (v[CONTINUES_N].given) {
         b->core.continues_left[p] = (uint8_t)v[CONTINUES_N].i;
@@ -414,11 +414,11 @@ static int sys_continues(lua_State *L, struct board *b, struct api_value *v)
     return 1;
 }
 
-static int sys_go_on(lua_State *L, struct board *b, struct api_value *v)
+static int sys_use_continue(lua_State *L, struct board *b, struct api_value *v)
 {
     const uint32_t p = (uint32_t)v[ARG_PLAYER].i - 1;
 
-    if (p >= PADS || b->player.in_game[p] || !b->core.continues_left[p])
+    if (p >= MAX_PLAYERS || b->player.in_game[p] || !b->core.continues_left[p])
         return 0;
     b->core.continues_left[p]--;
     b->core.continues_used[p]++;
@@ -436,7 +436,7 @@ static int sys_leave(lua_State *L, struct board *b, struct api_value *v)
     player_leave(&b->player, (uint32_t)v[ARG_PLAYER].i - 1);
     options_drop_from(&b->options, (uint32_t)v[ARG_PLAYER].i - 1, 0);
     if (b->voices.s.cap && !b->player.in_game[0] && !b->player.in_game[1]) /* the game is over */
-        sound_stop_music(b, BACK_FADE);
+        sound_stop_music(b, MUSIC_FADE_FRAMES);
     return 0;
 }
 
@@ -468,7 +468,7 @@ static int sys_wipe(lua_State *L, struct board *b, struct api_value *v)
         lasers_remove(b, i);
     EACH_LIVE (i, &b->items.s)
         slots_drop(&b->items.s, i);
-    for (uint32_t p = 0; p < PADS; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS; p++)
         options_drop_from(&b->options, p, 0);
     EACH_LIVE (i, &b->sparks.s)
         slots_drop(&b->sparks.s, i);
@@ -487,7 +487,7 @@ static int sys_freeze(lua_State *L, struct board *b, struct api_value *v)
     if (b->tasks.current == NO_SLOT)
         return api_error(L, "sys.freeze", "only a task can freeze the board");
     b->core.frozen = v[ARG_SCOPE].given ? v[ARG_SCOPE].i : 0;
-    for (uint32_t p = 0; p < PADS && v[ARG_SCOPE].given; p++)
+    for (uint32_t p = 0; p < MAX_PLAYERS && v[ARG_SCOPE].given; p++)
         input_drop_presses(&b->input, p, PRESS_PAUSE, PAD_ALL); /* left over from the previous screen */
     return 0;
 }
@@ -516,7 +516,7 @@ static int sys_skip(lua_State *L, struct board *b, struct api_value *v)
         return api_error(L, "sys.skip", "only a task can skip");
     uint32_t i = v[SKIP_TASK].given ? handle_slot(v[SKIP_TASK].i) : (uint32_t)b->tasks.current;
     uint8_t *flags = &b->tasks.flags[i];
-    if (v[SKIP_TASK].given && !board_alive(b, v[SKIP_TASK].i))
+    if (v[SKIP_TASK].given && !board_is_alive(b, v[SKIP_TASK].i))
         return 0;
     *flags = (uint8_t)(v[SKIP_ON].i ? *flags | TASK_SKIPS : *flags & ~TASK_SKIPS);
     if (v[SKIP_TASK].given)
@@ -532,12 +532,12 @@ static int sys_turn(lua_State *L, struct board *b, struct api_value *v)
 {
     if (b->tasks.current == NO_SLOT || !lua_isyieldable(L))
         return api_error(L, "sys.turn", "only a task can run another task");
-    if (board_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
+    if (board_is_alive(b, v[0].i) && handle_slot(v[0].i) != (uint32_t)b->tasks.current)
         tasks_run_turn(b, L, handle_slot(v[0].i));
     return 0;
 }
 
-static int sys_faded(lua_State *L, struct board *b, struct api_value *v)
+static int sys_finish_fades(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L, (void)v;
     for (int i = 0; i < COLOURS; i++)
@@ -556,7 +556,7 @@ static int sys_hold_players(lua_State *L, struct board *b, struct api_value *v)
     struct player *p = &b->player;
 
     (void)L;
-    for (uint32_t i = 0; i < PADS; i++) {
+    for (uint32_t i = 0; i < MAX_PLAYERS; i++) {
         unsigned withheld = player_ignored_buttons(p, i);
         if (p->in_game[i])
             p->in_game[i] = PLAYER_IN_GAME | hold_flags[v[ARG_HOW].i];
@@ -631,7 +631,7 @@ static int sys_music_on(lua_State *L, struct board *b, struct api_value *v)
 static int sys_music_back(lua_State *L, struct board *b, struct api_value *v)
 {
     (void)L;
-    sound_end_music(b, (int)v[MUSIC_NAME].i - 1, v[MUSIC_FADE].given ? (int32_t)v[MUSIC_FADE].i : BACK_FADE);
+    sound_end_music(b, (int)v[MUSIC_NAME].i - 1, v[MUSIC_FADE].given ? (int32_t)v[MUSIC_FADE].i : MUSIC_FADE_FRAMES);
     return 0;
 }
 
@@ -654,7 +654,7 @@ static int sys_music_fight(lua_State *L, struct board *b, struct api_value *v)
     const bool switched = v[MUSIC_NAME].given && sound_start_music(b, (int)v[MUSIC_NAME].i - 1, &options);
     vm_charge(L, sound_skip_fight(b));
     if (switched)
-        sound_end_music(b, (int)v[MUSIC_NAME].i - 1, BACK_FADE);
+        sound_end_music(b, (int)v[MUSIC_NAME].i - 1, MUSIC_FADE_FRAMES);
     return 0;
 }
 
@@ -706,7 +706,7 @@ static int sys_hold(lua_State *L, struct board *b, struct api_value *v)
     uint32_t i = handle_slot(v[HOLD_ENEMY].i);
 
     (void)L;
-    if (board_alive(b, v[HOLD_ENEMY].i))
+    if (board_is_alive(b, v[HOLD_ENEMY].i))
         b->enemies.flags[i] =
             (uint8_t)(v[HOLD_ON].i ? b->enemies.flags[i] | ENEMY_UNDYING : b->enemies.flags[i] & ~ENEMY_UNDYING);
     return 0;
@@ -816,7 +816,7 @@ static const struct api_entry entries[] = {
     { "sys.run_names", sys_run_names, NO_PARAMS, 0, API_SYS, "list", HELP("returns the names of the run's registers") },
     { "sys.continues", sys_continues, PARAMS(continues_params), 2, API_SYS | API_CHANGES, "count",
       HELP("returns the number of continues player i has left; n sets it") },
-    { "sys.go_on", sys_go_on, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL,
+    { "sys.go_on", sys_use_continue, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL,
       HELP("uses one of player i's continues") },
     { "sys.leave", sys_leave, PARAMS(pad_only), 1, API_SYS | API_CHANGES, NULL, HELP("makes player i leave the game") },
     { "sys.wipe", sys_wipe, PARAMS(wipe_params), 1, API_SYS | API_CHANGES, NULL,
@@ -831,7 +831,7 @@ static const struct api_entry entries[] = {
       HELP("makes this task, or the given one, skip its waits from now on") },
     { "sys.turn", sys_turn, PARAMS(turn_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("runs a task's turn immediately") },
-    { "sys.faded", sys_faded, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
+    { "sys.faded", sys_finish_fades, NO_PARAMS, 0, API_SYS | API_CHANGES, NULL, HELP("completes all palette fades") },
     { "sys.hold_players", sys_hold_players, PARAMS(hold_players_params), 1, API_SYS | API_CHANGES, NULL,
       HELP("hides buttons from the game: 0 hides none, 1 hides fire buttons, 2 hides all buttons that control the "
            "ship") },

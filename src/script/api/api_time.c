@@ -16,7 +16,7 @@ int api_count_skipped_wait(lua_State *L, struct board *b)
 {
     const bool is_listing = board_is_listing(b), spent = is_listing && b->vm.work > b->vm.limit / 2;
 
-    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped <= MAX_SKIPS && !spent))
+    if (!tasks_is_skipping(&b->tasks) || (++b->tasks.skipped_waits <= MAX_SKIPS && !spent))
         return 0;
     if (!is_listing || !lua_isyieldable(L))
         return api_error(L, "wait",
@@ -68,7 +68,7 @@ static int task_own(lua_State *L, struct board *b, struct api_value *v)
 {
     int64_t h = v[OWN_OWNER].i;
 
-    if (!board_alive(b, h))
+    if (!board_is_alive(b, h))
         return lua_pushinteger(L, board_handle(b, H_TASK, NO_SLOT)), 1;
     lua_pushvalue(L, 1); /* owner f ... -> f owner ... */
     lua_remove(L, 1);
@@ -99,7 +99,7 @@ static int task_stop(lua_State *L, struct board *b, struct api_value *v)
 
 static int task_alive(lua_State *L, struct board *b, struct api_value *v)
 {
-    lua_pushboolean(L, board_alive(b, v[ARG_TASK].i));
+    lua_pushboolean(L, board_is_alive(b, v[ARG_TASK].i));
     return 1;
 }
 

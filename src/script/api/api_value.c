@@ -50,7 +50,7 @@ static const struct api_param def_params[] = {
           "initial value if the call that creates the thing doesn't set one")
 };
 
-static const char DEF[] = "value.def";
+static const char def_entry[] = "value.def";
 
 static int read_kind(lua_State *L, const struct api_value *owner)
 {
@@ -59,7 +59,7 @@ static int read_kind(lua_State *L, const struct api_value *owner)
     for (int k = 0; k < KINDS; k++)
         if (!strcmp(kind_name, kind_names[k]))
             return k;
-    return api_error(L, DEF, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", kind_name);
+    return api_error(L, def_entry, "of: expected \"bullet\", \"shot\" or \"enemy\", got \"%s\"", kind_name);
 }
 
 /* Raises an error if all columns enabled in rom.lua are in use. */
@@ -72,9 +72,9 @@ static void check_capacity(lua_State *L, const struct board *b, int kind, const 
     if (n < capacity[kind])
         return;
     if (n == MAX_VALUES)
-        api_error(L, DEF, "\"%s\": too many values (at most %d for %s)", name, MAX_VALUES,
+        api_error(L, def_entry, "\"%s\": too many values (at most %d for %s)", name, MAX_VALUES,
                   api_thing_names[handle_kinds[kind]]);
-    api_error(L, DEF, "\"%s\": too few value columns; set `values = { %s = %d }` in `board` in rom.lua", name,
+    api_error(L, def_entry, "\"%s\": too few value columns; set `values = { %s = %d }` in `board` in rom.lua", name,
               kind_names[kind], n + 1);
 }
 
@@ -86,14 +86,14 @@ static int value_def(lua_State *L, struct board *b, struct api_value *v)
     const int k = api_value_count(b, value_kind);
 
     if (!is_identifier(name))
-        api_error(L, DEF, "name: expected a word of letters, digits and _, got \"%s\"", name);
+        api_error(L, def_entry, "name: expected a word of letters, digits and _, got \"%s\"", name);
     if (is_taken(L, kind, name))
-        api_error(L, DEF, "\"%s\" is already a property or a method of %s, or an argument of %s%s", name,
+        api_error(L, def_entry, "\"%s\" is already a property or a method of %s, or an argument of %s%s", name,
                   api_thing_names[handle_kinds[kind]], creators[kind], kind == 0 ? " or a pattern" : "");
     if (api_names_find(L, value_kind, name) != NO_SLOT)
-        api_error(L, DEF, "\"%s\" is already declared", name);
+        api_error(L, def_entry, "\"%s\" is already declared", name);
     check_capacity(L, b, kind, name);
-    api_names_declare(L, value_kind, DEF, name, k);
+    api_names_declare(L, value_kind, def_entry, name, k);
     if (kind == 2)
         b->enemies.initial_value[k] = v[D_START].f;
     else

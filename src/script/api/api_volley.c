@@ -15,7 +15,7 @@ enum { OWN_N, OWN_SIZE, OWN_SKIP_FROM_END = 3 /* counted from the end */ };
 
 struct volley {
     struct emit_pattern_params f;
-    struct bullet_spec shape;
+    struct bullet_spec spec;
     bool is_shots, is_aimed;
     lua_Integer skip_first, skip_last; /* first and last skipped bullet, counted from 1 */
     fx x, y;                           /* line: the part of the position that is already rounded */
@@ -126,7 +126,7 @@ static bool ends_are_valid(const struct volley *v)
 /* Fires bullet i; returns false if the pool is full. */
 static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aim_dir, const struct api_value *values)
 {
-    struct bullet_spec *s = &v->shape;
+    struct bullet_spec *s = &v->spec;
     struct emit_bullet w;
 
     emit_compute_bullet(&v->f, i, &w);
@@ -145,7 +145,7 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i, ang aim_dir, 
 
 static void fire_all(struct board *b, struct volley *v, const struct api_value *values)
 {
-    const ang aim_dir = v->is_aimed ? api_aim_direction(b, v->is_shots, v->shape.x, v->shape.y) : 0;
+    const ang aim_dir = v->is_aimed ? api_aim_direction(b, v->is_shots, v->spec.x, v->spec.y) : 0;
 
     for (int32_t i = 0; i < v->f.n; i++) {
         if (i + 1 >= v->skip_first && i + 1 <= v->skip_last)
@@ -185,7 +185,7 @@ static bool fire_volley(lua_State *L, struct board *b, const struct api_entry *e
     read_volley(L, e, pattern_args, &v);
     if (count_remaining(&v, 0) <= 0)
         return true;
-    if (!api_read_flight(L, b, e->name, fire_args, v.is_shots, &v.shape))
+    if (!api_read_flight(L, b, e->name, fire_args, v.is_shots, &v.spec))
         return true; /* the thing `from` is dead, or the ship that would fire was hit */
     if (v.f.pattern == EMIT_LINE) {
         set_line_base(b, &v, fire_args + FIRE_PLACE);

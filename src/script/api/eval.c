@@ -44,7 +44,7 @@ static void push_thing_text(lua_State *L, int64_t h)
 {
     const char *name = strchr(api_thing_names[handle_kind(h)], ' ') + 1;
 
-    if (board_alive(vm_board(L), h))
+    if (board_is_alive(vm_board(L), h))
         lua_pushfstring(L, "%s %d", name, (int)handle_slot(h) + (handle_kind(h) == H_PLAYER));
     else
         lua_pushfstring(L, "no %s", name);

@@ -344,7 +344,8 @@ static const char *begin_repeat(struct matcher *m, struct op *op, const char *s)
     return op->current;
 }
 
-/* Makes the next try of a repeated op. Returns where the next op continues, or NULL. */
+/* Backtracks: makes a lazy repeat one character longer, any other one shorter. Returns where the next op continues, or
+ * NULL. */
 static const char *retry_repeat(const struct matcher *m, struct op *op)
 {
     if (op->repeat == '-')

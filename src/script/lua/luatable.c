@@ -42,7 +42,7 @@ struct sorter {
     uint64_t work;
 };
 
-static bool text_before(struct sorter *s, const struct entry *a, const struct entry *b)
+static bool text_precedes(struct sorter *s, const struct entry *a, const struct entry *b)
 {
     size_t n = a->n < b->n ? a->n : b->n;
     int c = memcmp(a->v.s, b->v.s, n);
@@ -51,7 +51,7 @@ static bool text_before(struct sorter *s, const struct entry *a, const struct en
     return c ? c < 0 : a->n < b->n;
 }
 
-static bool lua_before(const struct sorter *s, const struct entry *a, const struct entry *b)
+static bool lua_precedes(const struct sorter *s, const struct entry *a, const struct entry *b)
 {
     bool is_before;
 
@@ -79,7 +79,7 @@ static void charge(struct sorter *s)
     s->work = 0;
 }
 
-static bool before(struct sorter *s, const struct entry *a, const struct entry *b)
+static bool precedes(struct sorter *s, const struct entry *a, const struct entry *b)
 {
     if (++s->work >= CHARGE_EVERY)
         charge(s);
@@ -91,11 +91,11 @@ static bool before(struct sorter *s, const struct entry *a, const struct entry *
     case BY_KEY:
         if (a->n == NUMBER_KEY || b->n == NUMBER_KEY)
             return a->n == b->n ? a->v.i < b->v.i : a->n == NUMBER_KEY;
-        return text_before(s, a, b);
+        return text_precedes(s, a, b);
     case BY_STRING:
-        return text_before(s, a, b);
+        return text_precedes(s, a, b);
     default:
-        return lua_before(s, a, b);
+        return lua_precedes(s, a, b);
     }
 }
 
@@ -104,7 +104,7 @@ static void sort_run(struct sorter *s, struct entry *e, size_t n)
     for (size_t i = 1; i < n; i++) {
         struct entry moving = e[i];
         size_t to = i;
-        for (; to > 0 && before(s, &moving, &e[to - 1]); to--)
+        for (; to > 0 && precedes(s, &moving, &e[to - 1]); to--)
             e[to] = e[to - 1];
         e[to] = moving;
     }
@@ -115,12 +115,12 @@ static void merge(struct sorter *s, struct entry *to, const struct entry *from, 
 {
     size_t a = 0, b = half;
 
-    if (half >= n || !before(s, &from[half], &from[half - 1])) {
+    if (half >= n || !precedes(s, &from[half], &from[half - 1])) {
         memcpy(to, from, n * sizeof *to);
         return;
     }
     while (a < half && b < n)
-        *to++ = before(s, &from[b], &from[a]) ? from[b++] : from[a++];
+        *to++ = precedes(s, &from[b], &from[a]) ? from[b++] : from[a++];
     memcpy(to, from + a, (half - a) * sizeof *to);
     memcpy(to + (half - a), from + b, (n - b) * sizeof *to);
 }
