@@ -140,6 +140,21 @@ static bool is_member(const struct board *b, const struct api_thing *t, uint32_t
     return api_has_tag(get_column(b, t->tags), i, tag) && (!t->has_member || t->has_member(b, i, p));
 }
 
+int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api_verb *verb)
+{
+    const int64_t h = v[0].i;
+    const struct api_thing *t = api_of(L)->things[handle_kind(h)];
+
+    if (t->member) {
+        vm_charge(L, get_pool(b, t)->live);
+        EACH_LIVE (i, get_pool(b, t))
+            if (api_has_tag(get_column(b, t->tags), i, handle_slot(h)))
+                verb(b, i, v);
+    } else if (board_is_alive(b, h))
+        verb(b, handle_slot(h), v);
+    return 0;
+}
+
 static int push_nil_for_dead(lua_State *L, const char *name)
 {
     vm_note_dead(L, name);

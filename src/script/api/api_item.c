@@ -250,8 +250,6 @@ static const struct api_param pull_params[] = { SELF_PARAM, PARAM("p", A_PAD, OP
                                                                   "player to fly to; defaults to the nearest one") };
 static const struct api_param self_params[] = { SELF_PARAM };
 
-typedef void item_verb(struct board *b, uint32_t i, const struct api_value *v);
-
 /* Pulls item i to the given player or, if none is given, to the nearest. A player who is not in the game attracts
  * nothing. */
 static void pull_one(struct board *b, uint32_t i, const struct api_value *v)
@@ -270,32 +268,14 @@ static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
     slots_drop(&b->items.s, i);
 }
 
-/* Applies the verb to the item before the colon, or to each item of the group before the colon. */
-static void apply_verb(lua_State *L, struct board *b, item_verb *verb, const struct api_value *v)
-{
-    int64_t h = v[ARG_SELF].i;
-
-    if (handle_kind(h) == H_ITEM) {
-        if (board_is_alive(b, h))
-            verb(b, handle_slot(h), v);
-        return;
-    }
-    vm_charge(L, b->items.s.live);
-    EACH_LIVE (i, &b->items.s)
-        if (api_has_tag(b->items.tag, i, handle_slot(h)))
-            verb(b, i, v);
-}
-
 static int item_pull_run(lua_State *L, struct board *b, struct api_value *v)
 {
-    apply_verb(L, b, pull_one, v);
-    return 0;
+    return api_apply_verb(L, b, v, pull_one);
 }
 
 static int item_remove(lua_State *L, struct board *b, struct api_value *v)
 {
-    apply_verb(L, b, remove_one, v);
-    return 0;
+    return api_apply_verb(L, b, v, remove_one);
 }
 
 #ifndef WITHOUT_HELP

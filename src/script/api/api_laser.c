@@ -495,75 +495,71 @@ const struct api_thing api_lasers_thing = {
 
 /* ---- verbs ---- */
 
-enum verb { V_AIM, V_TURN, V_SHIFT, V_FADE, V_REMOVE };
 enum { ARG_SELF, ARG_BY /* aim: its parameter `add` */, ARG_DX = ARG_BY, ARG_DY };
 
-static void act_on_one(struct board *b, uint32_t i, enum verb verb, const struct api_value *v)
+static void set_direction(struct board *b, uint32_t i, ang dir)
 {
-    struct bullets *h = &b->laser_heads;
-
-    switch (verb) {
-    case V_AIM:
-        h->dir[i] =
-            api_aim_direction(b, b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS, h->x[i], h->y[i]) + v[ARG_BY].a;
-        break;
-    case V_TURN:
-        h->dir[i] += v[ARG_BY].a;
-        break;
-    case V_SHIFT:
-        lasers_move_to(b, i, motion_shift(h->x[i], v[ARG_DX].f), motion_shift(h->y[i], v[ARG_DY].f));
-        return;
-    case V_FADE:
-        lasers_fade(&b->lasers, i, lasers_age(b, i));
-        return;
-    case V_REMOVE:
-        lasers_remove(b, i);
-        return;
-    }
-    api_override(h, i, OVERRIDE_DIR);
-    bullets_update_velocity(h, i);
+    b->laser_heads.dir[i] = dir;
+    api_override(&b->laser_heads, i, OVERRIDE_DIR);
+    bullets_update_velocity(&b->laser_heads, i);
     lasers_update_tail(b, i);
 }
 
-static int apply_verb(lua_State *L, struct board *b, const struct api_value *v, enum verb verb)
+static void aim_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    int64_t h = v[ARG_SELF].i;
+    const struct bullets *h = &b->laser_heads;
+    const bool is_shot = b->laser_kinds.flags[h->kind[i]] & LASER_SHOOTS;
 
-    if (!handle_kind_is_group(handle_kind(h))) {
-        if (board_is_alive(b, h))
-            act_on_one(b, handle_slot(h), verb, v);
-        return 0;
-    }
-    vm_charge(L, b->lasers.s.live);
-    EACH_LIVE (i, &b->lasers.s)
-        if (api_has_tag(b->laser_heads.tag, i, handle_slot(h)))
-            act_on_one(b, i, verb, v);
-    return 0;
+    set_direction(b, i, api_aim_direction(b, is_shot, h->x[i], h->y[i]) + v[ARG_BY].a);
 }
 
-static int verb_aim(lua_State *L, struct board *b, struct api_value *v)
+static void turn_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    return apply_verb(L, b, v, V_AIM);
+    set_direction(b, i, b->laser_heads.dir[i] + v[ARG_BY].a);
 }
 
-static int verb_turn(lua_State *L, struct board *b, struct api_value *v)
+static void shift_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    return apply_verb(L, b, v, V_TURN);
+    const struct bullets *h = &b->laser_heads;
+
+    lasers_move_to(b, i, motion_shift(h->x[i], v[ARG_DX].f), motion_shift(h->y[i], v[ARG_DY].f));
 }
 
-static int verb_shift(lua_State *L, struct board *b, struct api_value *v)
+static void fade_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    return apply_verb(L, b, v, V_SHIFT);
+    (void)v;
+    lasers_fade(&b->lasers, i, lasers_age(b, i));
 }
 
-static int verb_fade(lua_State *L, struct board *b, struct api_value *v)
+static void remove_one(struct board *b, uint32_t i, const struct api_value *v)
 {
-    return apply_verb(L, b, v, V_FADE);
+    (void)v;
+    lasers_remove(b, i);
 }
 
-static int verb_remove(lua_State *L, struct board *b, struct api_value *v)
+static int laser_aim(lua_State *L, struct board *b, struct api_value *v)
 {
-    return apply_verb(L, b, v, V_REMOVE);
+    return api_apply_verb(L, b, v, aim_one);
+}
+
+static int laser_turn(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_apply_verb(L, b, v, turn_one);
+}
+
+static int laser_shift(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_apply_verb(L, b, v, shift_one);
+}
+
+static int laser_fade(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_apply_verb(L, b, v, fade_one);
+}
+
+static int laser_remove(lua_State *L, struct board *b, struct api_value *v)
+{
+    return api_apply_verb(L, b, v, remove_one);
 }
 
 /* Signals all lasers that wait for the group's tag, whether or not they have the tag themselves. */
@@ -624,24 +620,24 @@ static const struct api_entry entries[] = {
     { "laser.clear", api_laser_clear, api_laser_clear_params, LASER_CLEAR_PARAMS, 0, API_CHANGES, "count",
       HELP(
           "removes all enemy lasers, or only those that touch a circle, a box or a line; returns the number removed") },
-    { "laser:aim", verb_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
+    { "laser:aim", laser_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("points it at the nearest player or, if it is a player laser, at the nearest enemy") },
-    { "laser:turn", verb_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
-    { "laser:shift", verb_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
+    { "laser:turn", laser_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL, HELP("turns it by an angle") },
+    { "laser:shift", laser_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
       HELP("teleports the entire laser by a distance, without collisions on the way") },
-    { "laser:fade", verb_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
+    { "laser:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades it out; it stops hitting immediately") },
     { "laser:clear", api_laser_clear_self, api_laser_clear_self_params, LASER_CLEAR_SELF_PARAMS, 1,
       API_CHANGES | API_METHOD, NULL, HELP("removes it and leaves sparks or items along it") },
-    { "laser:remove", verb_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
+    { "laser:remove", laser_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes it and leaves nothing") },
-    { "lasers:aim", verb_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
+    { "lasers:aim", laser_aim, PARAMS(aim_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("points each laser at the nearest player and each player laser at the nearest enemy") },
-    { "lasers:turn", verb_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL,
+    { "lasers:turn", laser_turn, PARAMS(turn_params), 2, API_CHANGES | API_METHOD, NULL,
       HELP("turns each laser by an angle") },
-    { "lasers:shift", verb_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
+    { "lasers:shift", laser_shift, PARAMS(shift_params), 3, API_CHANGES | API_METHOD, NULL,
       HELP("teleports each laser by a distance, without collisions on the way") },
-    { "lasers:fade", verb_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
+    { "lasers:fade", laser_fade, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("fades each laser out; it stops hitting immediately") },
     { "lasers:clear", api_laser_clear_group, api_laser_clear_group_params, LASER_CLEAR_GROUP_PARAMS, 1,
       API_CHANGES | API_METHOD, "count",
@@ -650,7 +646,7 @@ static const struct api_entry entries[] = {
     API_VERB("lasers:signal", verb_signal, signal_params, 1, NULL,
              "resumes every laser whose motion waits for a signal to the group's tag (`wait_for`); a group without a "
              "tag signals all tags"),
-    { "lasers:remove", verb_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
+    { "lasers:remove", laser_remove, PARAMS(self_params), 1, API_CHANGES | API_METHOD, NULL,
       HELP("removes each laser and leaves nothing") },
 };
 const struct api_module api_laser = { entries, sizeof entries / sizeof *entries };

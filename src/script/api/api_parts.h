@@ -331,6 +331,11 @@ extern const struct api_param api_tag_params[TAG_PARAMS], api_each_params[EACH_P
 /* Where the things of a kind, or a group's members, are stored: the struct's name in struct board. */
 #define POOL(pool) .slots = offsetof(struct board, pool.s), .tags = offsetof(struct board, pool.tag)
 
+/* Applies a verb to the thing before the colon, v[0], or to each live member of that group. Returns 0, the number of
+ * results. */
+typedef void api_verb(struct board *b, uint32_t i, const struct api_value *v);
+int api_apply_verb(lua_State *L, struct board *b, const struct api_value *v, api_verb *verb);
+
 /* The table row (struct api_entry) of a method. */
 #define API_VERB(name, run, params, plain, returns, help)                                                              \
     {                                                                                                                  \
