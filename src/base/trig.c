@@ -65,8 +65,8 @@ static uint64_t sine(ang a)
 {
     uint32_t u = a & 0x7fffffff;
 
-    u = u > 0x40000000 ? 0x80000000 - u : u;
-    return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(0x40000000 - u);
+    u = u > ANG_QUARTER ? ANG_HALF - u : u;
+    return u < 0x20000000 ? eighth_sine(u) : eighth_cosine(ANG_QUARTER - u);
 }
 
 /* Returns -v if `condition`, otherwise v, without a branch, because signs of angles are hard to predict. */
@@ -96,7 +96,7 @@ int32_t trig_sin30(ang a)
 
 int32_t trig_cos30(ang a)
 {
-    return trig_sin30(a + 0x40000000);
+    return trig_sin30(a + ANG_QUARTER);
 }
 
 /* Returns the sine in Q56 by a quadratic, off by less than 2^29.4, plus half a unit of fx, so that truncating the
@@ -113,7 +113,7 @@ void trig_cos_sin40(ang a, int64_t *cosine, int64_t *sine)
 {
     const int64_t half = (int64_t)1 << 39;
 
-    *cosine = (sine_guess(a + 0x40000000) - half + (1 << 15)) >> 16;
+    *cosine = (sine_guess(a + ANG_QUARTER) - half + (1 << 15)) >> 16;
     *sine = (sine_guess(a) - half + (1 << 15)) >> 16;
 }
 
@@ -136,7 +136,7 @@ fx trig_sin(ang a)
 
 fx trig_cos(ang a)
 {
-    return trig_sin(a + 0x40000000);
+    return trig_sin(a + ANG_QUARTER);
 }
 
 /* A fraction of 128 bits. */
@@ -328,9 +328,9 @@ ang trig_atan2(fx y, fx x)
     if (high == 0)
         return 0;
 
-    ang a = mirror_if(ax < ay, 0x40000000, atan_eighth(low, high));
+    ang a = mirror_if(ax < ay, ANG_QUARTER, atan_eighth(low, high));
 
-    return mirror_if(y < 0, 0, mirror_if(x < 0, 0x80000000, a));
+    return mirror_if(y < 0, 0, mirror_if(x < 0, ANG_HALF, a));
 }
 
 /*
@@ -360,7 +360,7 @@ static inline struct heading heading_of(ang dir)
     uint32_t u = dir & 0x3fffffff;
     bool is_past_middle =
         u >= 0x20000000; /* past the middle of the quarter: v counts from its end, and sine and cosine swap */
-    uint32_t v = is_past_middle ? 0x40000000 - u : u;
+    uint32_t v = is_past_middle ? ANG_QUARTER - u : u;
     bool is_swapped = is_past_middle != (dir >> 30 & 1);
     uint64_t c, s;
 

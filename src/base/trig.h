@@ -2,7 +2,7 @@
  * trig.h - angles, their sines, and directions of vectors.
  *
  * An ang is a whole number of 2^-32 turns, so it wraps around by itself: 0 points along +x and, as y grows downwards,
- * 0x40000000 points down. Sine and cosine use the same axes: direction a is (cos a, sin a) on the screen.
+ * ANG_DOWN points down. Sine and cosine use the same axes: direction a is (cos a, sin a) on the screen.
  *
  * Results are correctly rounded (fx.h) for every input unless noted. Mirrored inputs give exactly mirrored results.
  */
@@ -10,6 +10,11 @@
 #define BASE_TRIG_H
 
 #include "fx.h"
+
+#define ANG_QUARTER ((ang)0x40000000) /* of a turn */
+#define ANG_HALF    ((ang)0x80000000)
+#define ANG_DOWN    ANG_QUARTER
+#define ANG_UP      ((ang)0xc0000000)
 
 /* Return sine and cosine in Q30: 2^30 is one. */
 int32_t trig_sin30(ang a);

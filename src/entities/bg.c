@@ -21,7 +21,6 @@ const struct chip bg_chip = { .name = "bg", CHIP_COLUMNS(columns), .is_list = tr
 const struct chip bg_lines_chip = { .name = "bg_lines", CHIP_COLUMNS(line_columns), .is_list = true };
 const struct chip bg_shades_chip = { .name = "bg_shades", CHIP_COLUMNS(shade_columns), .is_list = true };
 
-static const ang up = 0xc0000000u;
 
 static void clear_slot(struct bg *b, uint32_t i)
 {
@@ -33,7 +32,7 @@ static void clear_slot(struct bg *b, uint32_t i)
     b->vx[i] = b->vy[i] = b->wave[i] = b->wave_period[i] = b->wave_speed[i] = 0;
     b->horizon[i] = 0;
     b->height[i] = 64 << 16;
-    b->dir[i] = up;
+    b->dir[i] = ANG_UP;
     b->fog[i] = BG_NO_FOG;
     b->fog_end[i] = 0;
 }

@@ -312,7 +312,7 @@ static void bounce(struct bullets *b, const struct box *f, uint32_t i, unsigned 
     if (!bounced_x && !bounced_y)
         return;
     if (vx != b->vx[i])
-        b->dir[i] = 0x80000000u - b->dir[i];
+        b->dir[i] = ANG_HALF - b->dir[i];
     if (vy != b->vy[i])
         b->dir[i] = 0u - b->dir[i];
     b->travel_q32[i] = (int64_t)((uint64_t)(uint32_t)vx << 32 | (uint32_t)vy);

@@ -297,7 +297,7 @@ void motion_lead_position(const struct steps *s, uint32_t st, const struct motio
         add_polar(s->mode[st] & MODE_TO ? motion_lerp(from, to, k, n) : from, a, &px, &py);
     } else {
         add_polar(distance_flown((int64_t)l->speed * (1 << Q32_EXTRA_BITS), k), l->angle, &px, &py);
-        add_polar(wave_offset(s, st, k), l->angle + 0x40000000u, &px, &py);
+        add_polar(wave_offset(s, st, k), l->angle + ANG_QUARTER, &px, &py);
     }
     *x = round_to_world(px);
     *y = round_to_world(py);

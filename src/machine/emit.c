@@ -197,7 +197,7 @@ static fx to_fx(double v)
 static void prepare_line(struct board *b, const struct emission *m, struct volley *v)
 {
     const struct targets t = board_motion_world(b, v->e.flags & EMIT_SHOTS).targets;
-    const ang default_dir = v->e.flags & EMIT_SHOTS ? 0xc0000000u : 0x40000000u;
+    const ang default_dir = v->e.flags & EMIT_SHOTS ? ANG_UP : ANG_DOWN;
 
     if (v->is_aimed) {
         const fx x = to_fx((double)m->x / 4294967296.0), y = to_fx((double)m->y / 4294967296.0);
@@ -249,7 +249,7 @@ static bool fire_one(struct board *b, struct volley *v, int32_t i)
     trig_from_degrees(w.dir, &s->dir);
     if (v->is_aimed) {
         const struct targets t = board_motion_world(b, fires_shots).targets;
-        s->dir += targets_aim(&t, s->x, s->y, fires_shots ? 0xc0000000u : 0x40000000u);
+        s->dir += targets_aim(&t, s->x, s->y, fires_shots ? ANG_UP : ANG_DOWN);
     }
     const int32_t at = emit_fire(b, fires_shots, s, fx_nearest(w.speed * 4294967296.0), b->core.clock + 1);
     for (int k = 0; at != NO_SLOT && k < MAX_VALUES; k++)

@@ -19,7 +19,6 @@
 
 enum { ALIVE_CHECK_FRAMES = 16 };
 
-static const ang UP = 0xc0000000u;
 static const int64_t NO_BULLET = (int64_t)H_BULLET << 24; /* the handle of a bullet that does not exist */
 
 /* ---- parameter lists ---- */
@@ -75,7 +74,7 @@ int64_t bulletml_aim_direction(const struct turn *t)
 
     if (i != NO_SLOT && players.x[i] == t->x && players.y[i] == t->y)
         return 0;
-    return direction_from_board(&t->b->ml_roots, t->root, targets_aim(&players, t->x, t->y, 0x40000000u));
+    return direction_from_board(&t->b->ml_roots, t->root, targets_aim(&players, t->x, t->y, ANG_DOWN));
 }
 
 void bulletml_fault(const struct turn *t, uint32_t w, const char *message)
@@ -168,7 +167,7 @@ static inline __attribute__((always_inline)) struct flight polar_flight(const st
 /* Converts (vx, vy) from the document's units and axes to the board's and adds it to f. Only the sum is rounded. */
 static void add_velocity(struct flight *f, const struct ml_roots *o, uint32_t root, int64_t vx, int64_t vy)
 {
-    const ang rotation = o->up_dir[root] - UP;
+    const ang rotation = o->up_dir[root] - ANG_UP;
     const int64_t unmirrored_x = scale_speed(vx, o->speed_scale[root]), y = scale_speed(vy, o->speed_scale[root]),
                   x = o->flags[root] & ROOT_MIRRORED ? -unmirrored_x : unmirrored_x;
     int64_t c, s, added_x = x, added_y = y;
@@ -831,7 +830,7 @@ int32_t bulletml_begin(struct board *b, const struct bulletml_start *start)
     o->params[i] = start->param_count ? bulletml_new_list(b, start->param, start->param_count) : 0;
     o->rank[i] = start->rank;
     o->speed_scale[i] = start->speed_scale;
-    o->up_dir[i] = UP + start->angle;
+    o->up_dir[i] = ANG_UP + start->angle;
     for (uint32_t top = 0; top < ml.n_tops; top++) {
         const int32_t k = new_runner(b, (uint32_t)i, 0, ml_top(&ml, top), b->core.clock);
         if (k == NO_SLOT) {

@@ -10,7 +10,7 @@ static void rotate(fx x, fx y, ang dir, fx *tx, fx *ty)
     fx across_x, across_y;
 
     trig_polar(x, dir, tx, ty);
-    trig_polar(y, dir + 0x40000000, &across_x, &across_y);
+    trig_polar(y, dir + ANG_QUARTER, &across_x, &across_y);
     *tx += across_x;
     *ty += across_y;
 }

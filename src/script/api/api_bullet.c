@@ -241,7 +241,7 @@ ang api_aim_direction(struct board *b, bool is_shot, fx x, fx y)
     struct targets t = board_motion_world(b, is_shot).targets;
 
     b->vm.work += is_shot ? b->enemies.s.top / TARGETS_PER_WORK : 0;
-    return targets_aim(&t, x, y, is_shot ? 0xc0000000u : 0x40000000u);
+    return targets_aim(&t, x, y, is_shot ? ANG_UP : ANG_DOWN);
 }
 
 /* Returns the number, 1 or 2, of the player who fires the shot, or 0. */
@@ -666,7 +666,7 @@ static void act_on_one(struct board *b, bool is_shot, const struct targets *targ
 
     switch (verb) {
     case V_AIM:
-        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? 0xc0000000u : 0x40000000u) + v[ARG_BY].a;
+        s->dir[i] = targets_aim(targets, s->x[i], s->y[i], is_shot ? ANG_UP : ANG_DOWN) + v[ARG_BY].a;
         break;
     case V_TURN:
         s->dir[i] += v[ARG_BY].a;

@@ -33,7 +33,7 @@ static bool is_packed_drops(const struct board *b, const uint8_t *list, size_t s
 }
 
 /* How the drops of enemies, bullets and boss phases fly. */
-static const struct item_drop default_drop = { .dir = 0xc0000000u, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
+static const struct item_drop default_drop = { .dir = ANG_UP, .spread = (1ull << 32) / 6, .speed = 3 << 15 };
 
 void api_push_drops(lua_State *L, const char *entry, int at)
 {

@@ -91,7 +91,7 @@ static void read_capsule(lua_State *L, const char *entry, enum hit_owner owner, 
         return;
     }
     struct api_value v = check_item(L, entry, owner, 3, &dir);
-    trig_polar(half, v.given ? v.a : 0x40000000, &s->row[0].x, &s->row[0].y);
+    trig_polar(half, v.given ? v.a : ANG_DOWN, &s->row[0].x, &s->row[0].y);
 }
 
 static void read_circles(lua_State *L, const char *entry, enum hit_owner owner, struct api_shape *s)
