@@ -57,9 +57,11 @@ static void use(struct nvram *nv)
     for (uint32_t at = 4; at < nv->s.live; at += size) {
         const uint8_t *r = nv->bytes + at;
         size = 3u + r[1] + r[2];
+        if (r[0] == NV_TABLE) /* its key, of a name and a ship, may be longer */
+            continue;
         memset(key, 0, sizeof key);
         memcpy(key, r + 3, r[1]);
-        if (r[0] != NV_TABLE && strlen(key) == r[1])
+        if (strlen(key) == r[1])
             keep_again(nv, key);
     }
     bool kept = nvram_set(nv, "one more", &number);
